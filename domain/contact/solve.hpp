@@ -1,0 +1,51 @@
+#pragma once
+
+#include "domain/contact/body.hpp"
+#include "domain/profile.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rough {
+
+enum class Solver { automatic, nested, nnls, polonsky_keer, active_set };
+
+struct ContactOptions {
+    Solver solver = Solver::automatic;
+    double tolerance = 1e-6; ///< relative, iterative solvers only
+    bool states = false;     ///< keep each step's contact set, pressures and tangent vector for the adjoint
+};
+
+/// One load step's answer. Pressures are means over the length, MPa; lengths in mm.
+struct LoadStep {
+    double displacement = 0;       ///< approach Delta from the highest node, mm (periodic: from there to the mean plane)
+    double pressure = 0;           ///< P = sum p_i delta / L, MPa
+    double tangent_stiffness = 0;  ///< dP/dDelta at the step's contact set, MPa/mm
+    double kkt_residual = 0;       ///< certificate, scale-free, H applied by another path than the solver's
+    Index contact_nodes = 0;
+    double contact_fraction = 0;   ///< contact_nodes / N
+};
+
+/// The contact set of one load step with what the adjoint needs.
+struct ContactState {
+    std::vector<int> nodes;   ///< A, indices into the profile
+    Eigen::VectorXd pressure; ///< p on A, MPa, same order
+    Eigen::VectorXd tangent;  ///< w = H_AA^-1 1 on A, MPa/mm, same order; dP/dDelta = (delta/L) sum w
+};
+
+struct ContactCurve {
+    std::vector<LoadStep> steps;      ///< one a displacement, in the order given
+    std::vector<ContactState> states; ///< same length as steps; empty unless asked for
+    Solver solver = Solver::automatic; ///< the one that was used
+    std::string choice;               ///< why `automatic` took it, in words
+    long iterations = 0;              ///< the solver's own unit, over all steps
+};
+
+/// Presses a rigid profile on an elastic body to each of the displacements (mm, >= 0, increasing).
+/// Solves u = H p, p >= 0, u - (Delta - g0) >= 0, p (u - (Delta - g0)) = 0 with g0_i = max(Z) - Z_i.
+/// Throws InputError on a profile, body or displacement that has no solution, NotConverged when the
+/// certificate of a step exceeds the solver's tolerance.
+ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
+                           const ContactOptions& options = {});
+
+} // namespace rough
