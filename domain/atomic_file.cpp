@@ -1,0 +1,93 @@
+#include "domain/atomic_file.hpp"
+
+#include "domain/errors.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <sstream>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace rough {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const char* what, int error) {
+    throw InputError(path.string() + ": cannot be " + what + " (" + std::strerror(error) + ")");
+}
+
+/// A temporary file that is removed unless it was renamed to its final name.
+class Draft {
+  public:
+    explicit Draft(const std::filesystem::path& target) : name(target.string() + ".XXXXXX") {
+        file = mkstemp(name.data());
+        if (file < 0)
+            refuse(target, "written", errno);
+    }
+    ~Draft() {
+        if (file >= 0)
+            close(file);
+        if (!kept)
+            unlink(name.c_str());
+    }
+    Draft(const Draft&) = delete;
+    Draft& operator=(const Draft&) = delete;
+
+    void write(std::string_view content, const std::filesystem::path& target) {
+        while (!content.empty()) {
+            const ssize_t written = ::write(file, content.data(), content.size());
+            if (written < 0 && errno == EINTR)
+                continue;
+            if (written < 0)
+                refuse(target, "written", errno);
+            content.remove_prefix(static_cast<std::size_t>(written));
+        }
+    }
+
+    void keep_as(const std::filesystem::path& target) {
+        // mkstemp makes files that only the owner reads; give back what the user's mask allows.
+        const mode_t mask = umask(0);
+        umask(mask);
+        if (fchmod(file, static_cast<mode_t>(0666 & ~mask)) != 0 || fsync(file) != 0 || close_file() != 0 ||
+            std::rename(name.c_str(), target.c_str()) != 0)
+            refuse(target, "written", errno);
+        kept = true;
+    }
+
+  private:
+    int close_file() {
+        const int closed = close(file);
+        file = -1;
+        return closed;
+    }
+
+    std::string name;
+    int file = -1;
+    bool kept = false;
+};
+
+} // namespace
+
+void write_atomically(const std::filesystem::path& path, std::string_view content) {
+    Draft draft(path);
+    draft.write(content, path);
+    draft.keep_as(path);
+}
+
+std::string read_whole(const std::filesystem::path& path) {
+    if (std::filesystem::is_directory(path))
+        throw InputError(path.string() + ": cannot be read (a folder, expected a file)");
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    if (!in)
+        refuse(path, "read", errno);
+    std::ostringstream bytes;
+    bytes << in.rdbuf();
+    if (in.bad() || (bytes.fail() && in.peek() != std::ifstream::traits_type::eof()))
+        refuse(path, "read", errno ? errno : EIO);
+    return std::move(bytes).str();
+}
+
+} // namespace rough

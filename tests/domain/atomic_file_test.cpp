@@ -1,0 +1,58 @@
+#include "domain/atomic_file.hpp"
+#include "domain/errors.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace {
+/// A folder of its own that goes when the test ends.
+struct Folder {
+    fs::path path;
+    Folder() {
+        std::string name = (fs::temp_directory_path() / "rugosa-XXXXXX").string();
+        path = mkdtemp(name.data());
+    }
+    ~Folder() { fs::remove_all(path); }
+};
+
+long entries(const fs::path& folder) {
+    return std::distance(fs::directory_iterator(folder), fs::directory_iterator{});
+}
+} // namespace
+
+TEST_CASE("a file written atomically holds exactly the content, also in place of an older one") {
+    const Folder folder;
+    const fs::path file = folder.path / "curve.csv";
+    const std::string bytes("old\0\r\n\xff and long", 17);
+    rough::write_atomically(file, bytes);
+    CHECK(rough::read_whole(file) == bytes);
+    rough::write_atomically(file, "");
+    CHECK(rough::read_whole(file).empty());
+    CHECK(entries(folder.path) == 1);
+}
+
+TEST_CASE("a place that cannot be written is refused in one line and nothing is left there") {
+    const Folder folder;
+    const fs::path missing = folder.path / "missing" / "a.csv";
+    CHECK_THROWS_AS(rough::write_atomically(missing, "x"), rough::InputError);
+    fs::create_directory(folder.path / "taken");
+    try {
+        rough::write_atomically(folder.path / "taken", "x");
+        FAIL("a folder was replaced by a file");
+    } catch (const rough::InputError& refusal) {
+        const std::string line = refusal.what();
+        CHECK(line.find("taken") != std::string::npos);
+        CHECK(line.find('\n') == std::string::npos);
+    }
+    CHECK(entries(folder.path) == 1);
+}
+
+TEST_CASE("reading a missing file or a folder is refused with its name") {
+    const Folder folder;
+    CHECK_THROWS_WITH(rough::read_whole(folder.path / "none.txt"), Catch::Contains("none.txt"));
+    CHECK_THROWS_AS(rough::read_whole(folder.path), rough::InputError);
+}
