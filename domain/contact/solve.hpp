@@ -18,12 +18,13 @@ struct ContactOptions {
 
 /// One load step's answer. Pressures are means over the length, MPa; lengths in mm.
 struct LoadStep {
-    double displacement = 0;       ///< approach Delta from the highest node, mm (periodic: from there to the mean plane)
-    double pressure = 0;           ///< P = sum p_i delta / L, MPa
-    double tangent_stiffness = 0;  ///< dP/dDelta at the step's contact set, MPa/mm
-    double kkt_residual = 0;       ///< certificate, scale-free, H applied by another path than the solver's
+    double displacement =
+        0; ///< approach Delta from the highest node, mm (periodic: from there to the mean plane)
+    double pressure = 0;          ///< P = sum p_i delta / L, MPa
+    double tangent_stiffness = 0; ///< dP/dDelta at the step's contact set, MPa/mm
+    double kkt_residual = 0;      ///< certificate, scale-free, H applied by another path than the solver's
     Index contact_nodes = 0;
-    double contact_fraction = 0;   ///< contact_nodes / N
+    double contact_fraction = 0; ///< contact_nodes / N
 };
 
 /// The contact set of one load step with what the adjoint needs.
@@ -34,11 +35,11 @@ struct ContactState {
 };
 
 struct ContactCurve {
-    std::vector<LoadStep> steps;      ///< one a displacement, in the order given
-    std::vector<ContactState> states; ///< same length as steps; empty unless asked for
+    std::vector<LoadStep> steps;       ///< one a displacement, in the order given
+    std::vector<ContactState> states;  ///< same length as steps; empty unless asked for
     Solver solver = Solver::automatic; ///< the one that was used
-    std::string choice;               ///< why `automatic` took it, in words
-    long iterations = 0;              ///< the solver's own unit, over all steps
+    std::string choice;                ///< why `automatic` took it, in words
+    long iterations = 0;               ///< the solver's own unit, over all steps
 };
 
 /// Presses a rigid profile on an elastic body to each of the displacements (mm, >= 0, increasing).

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "domain/contact/aligned.hpp"
+
+#include <fftw3.h>
+
+namespace rough {
+
+/// Real transforms of one length, planned once (FFTW_ESTIMATE, under a lock) and safe to execute from any
+/// thread.
+struct FourierPlan {
+    fftw_plan forward, backward;
+};
+FourierPlan fourier_plan(Index length);
+
+/// Smallest even 2^a 3^b 5^c that is no smaller than `length`.
+Index fast_fourier_length(Index length);
+
+/// u = T p for a symmetric circulant (its eigenvalues given) or Toeplitz matrix (its first column given,
+/// padded with zeros), by FFT. One object serves one thread at a time.
+class FourierOperator {
+  public:
+    static FourierOperator toeplitz(const Eigen::VectorXd& first_column);
+    /// eigenvalues S_k, k = 0..N/2, of an N x N symmetric circulant
+    static FourierOperator circulant(Index nodes, const Eigen::VectorXd& eigenvalues);
+
+    Index nodes() const { return nodes_; }
+    /// Write p (N entries) here, then call apply().
+    double* input() { return real_.data(); }
+    /// Returns u (N entries), valid until the next write to input().
+    const double* apply();
+
+  private:
+    FourierOperator(Index nodes, Index length);
+    Index nodes_, length_;
+    FourierPlan plan_;
+    Index half_; ///< length/2 + 1
+    AlignedBuffer<double> real_, spectrum_;
+    AlignedBuffer<fftw_complex> transform_;
+};
+
+} // namespace rough

@@ -1,0 +1,204 @@
+#include "domain/contact/growing_factor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace rough {
+
+namespace {
+
+constexpr Index width = 8;
+/// Eight rows of one column; the compiler maps it to whatever vectors the processor has.
+typedef double Lanes __attribute__((vector_size(width * sizeof(double)), may_alias));
+
+const Lanes& lanes(const double* p) { return *reinterpret_cast<const Lanes*>(p); }
+Lanes& lanes(double* p) { return *reinterpret_cast<Lanes*>(p); }
+
+/// columns[c] -= sum_{i < depth} panel(:, i) head(c, i), c = 0..7
+inline void eliminate(const double* panel, const double* head, Index depth, Lanes columns[width]) {
+    Lanes c0 = columns[0], c1 = columns[1], c2 = columns[2], c3 = columns[3], c4 = columns[4],
+          c5 = columns[5], c6 = columns[6], c7 = columns[7];
+    for (Index i = 0; i < depth; ++i) {
+        const Lanes x = lanes(panel + width * i);
+        const double* h = head + width * i;
+        c0 -= x * h[0];
+        c1 -= x * h[1];
+        c2 -= x * h[2];
+        c3 -= x * h[3];
+        c4 -= x * h[4];
+        c5 -= x * h[5];
+        c6 -= x * h[6];
+        c7 -= x * h[7];
+    }
+    columns[0] = c0, columns[1] = c1, columns[2] = c2, columns[3] = c3, columns[4] = c4, columns[5] = c5,
+    columns[6] = c6, columns[7] = c7;
+}
+
+} // namespace
+
+GrowingFactor::GrowingFactor(const Eigen::VectorXd& influence_column, const Eigen::VectorXd& gap)
+    : influence_(static_cast<std::size_t>(2 * influence_column.size() - 1)), gap_(gap) {
+    const Index n = influence_column.size();
+    double* centre = influence_.data() + (n - 1);
+    for (Index i = 0; i < n; ++i)
+        centre[i] = centre[-i] = influence_column[i];
+    centre_ = centre;
+}
+
+Index GrowingFactor::append(const std::vector<int>& nodes) {
+    const Index before = size();
+    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+    const Index count = size(), panels = (count + width - 1) / width;
+    inverse_diagonal_.resize(static_cast<std::size_t>(panels * width));
+    one_.resize(inverse_diagonal_.size());
+    gap_image_.resize(inverse_diagonal_.size());
+    while (static_cast<Index>(panels_.size()) < panels)
+        panels_.emplace_back(width * width * (static_cast<Index>(panels_.size()) + 1));
+    for (Index panel = before / width; panel < panels; ++panel) {
+        const Index failed = build_panel(panel);
+        if (failed < width) {
+            cut(std::max(before, width * panel + failed));
+            break;
+        }
+    }
+    return size() - before;
+}
+
+void GrowingFactor::cut(Index size) {
+    nodes_.resize(static_cast<std::size_t>(size));
+    const auto padded = static_cast<std::size_t>((size + width - 1) / width * width);
+    inverse_diagonal_.resize(padded);
+    one_.resize(padded);
+    gap_image_.resize(padded);
+    if (size % width == 0)
+        return;
+    // Rows past the end of the last panel become rows of the identity, so that whole panels can be worked on.
+    double* last = panels_[padded / width - 1].data();
+    for (Index row = size % width; row < width; ++row) {
+        const std::size_t index = padded - width + static_cast<std::size_t>(row);
+        for (std::size_t column = 0; column < padded; ++column)
+            last[column * width + static_cast<std::size_t>(row)] = column == index;
+        inverse_diagonal_[index] = 1;
+        one_[index] = gap_image_[index] = 0;
+    }
+}
+
+/// Returns the first row whose pivot is not positive, or `width`.
+Index GrowingFactor::build_panel(Index panel) {
+    double* rows = panels_[static_cast<std::size_t>(panel)].data();
+    const Index first = panel * width, filled = std::min(width, size() - first), columns = first + width;
+
+    int own[width];
+    for (Index r = 0; r < width; ++r)
+        own[r] = r < filled ? nodes_[static_cast<std::size_t>(first + r)] : -1;
+    for (Index j = 0; j < std::min(columns, size()); ++j) {
+        const double* h = centre_ + nodes_[static_cast<std::size_t>(j)];
+        double* entry = rows + width * j;
+        if (filled == width) {
+            for (Index r = 0; r < width; ++r)
+                entry[r] = h[-own[r]];
+        } else {
+            for (Index r = 0; r < width; ++r)
+                entry[r] = r < filled ? h[-own[r]] : 0;
+        }
+    }
+    for (Index j = size(); j < columns; ++j) // padding: rows of the identity
+        for (Index r = 0; r < width; ++r)
+            rows[width * j + r] = first + r == j;
+
+    Lanes block[width];
+    Lanes one{}, gap{};
+    for (Index r = 0; r < filled; ++r) {
+        one[r] = 1;
+        gap[r] = gap_[own[r]];
+    }
+    for (Index b = 0; b < panel; ++b) {
+        const double* head = panels_[static_cast<std::size_t>(b)].data();
+        double* target = rows + width * width * b;
+        for (Index c = 0; c < width; ++c)
+            block[c] = lanes(target + width * c);
+        eliminate(rows, head, width * b, block);
+        const double* diagonal = head + width * width * b;
+        const double* inverse = inverse_diagonal_.data() + width * b;
+        for (Index c = 0; c < width; ++c) {
+            for (Index k = 0; k < c; ++k)
+                block[c] -= block[k] * diagonal[width * k + c];
+            block[c] *= inverse[c];
+            lanes(target + width * c) = block[c];
+            one -= block[c] * one_[static_cast<std::size_t>(width * b + c)];
+            gap -= block[c] * gap_image_[static_cast<std::size_t>(width * b + c)];
+        }
+    }
+
+    double* target = rows + width * first;
+    double original[width];
+    for (Index c = 0; c < width; ++c) {
+        block[c] = lanes(target + width * c);
+        original[c] = block[c][c];
+    }
+    eliminate(rows, rows, first, block);
+    for (Index c = 0; c < width; ++c) {
+        const double pivot = block[c][c];
+        if (!(pivot > 1e-14 * original[c]))
+            return c;
+        const auto index = static_cast<std::size_t>(first + c);
+        const double inverse = 1 / std::sqrt(pivot);
+        inverse_diagonal_[index] = inverse;
+        Lanes column = block[c] * inverse;
+        for (Index r = 0; r < c; ++r)
+            column[r] = 0;
+        lanes(target + width * c) = column;
+        for (Index k = c + 1; k < width; ++k)
+            block[k] -= column * column[k];
+        one_[index] = one[c] * inverse;
+        gap_image_[index] = gap[c] * inverse;
+        one -= column * one_[index];
+        gap -= column * gap_image_[index];
+    }
+    return width;
+}
+
+void GrowingFactor::back_substitute(Eigen::VectorXd& x) const {
+    const Index panels = x.size() / width;
+    for (Index b = panels - 1; b >= 0; --b) {
+        Lanes sums[width] = {};
+        for (Index below = b + 1; below < panels; ++below) {
+            const double* rows = panels_[static_cast<std::size_t>(below)].data() + width * width * b;
+            Lanes known;
+            for (Index r = 0; r < width; ++r)
+                known[r] = x[width * below + r];
+            for (Index c = 0; c < width; ++c)
+                sums[c] += lanes(rows + width * c) * known;
+        }
+        const double* diagonal = panels_[static_cast<std::size_t>(b)].data() + width * width * b;
+        for (Index c = width - 1; c >= 0; --c) {
+            double value = x[width * b + c];
+            for (Index r = 0; r < width; ++r)
+                value -= sums[c][r];
+            for (Index r = c + 1; r < width; ++r)
+                value -= diagonal[width * c + r] * x[width * b + r];
+            x[width * b + c] = value * inverse_diagonal_[static_cast<std::size_t>(width * b + c)];
+        }
+    }
+}
+
+void GrowingFactor::pressures(double approach, Eigen::VectorXd& p) const {
+    const auto padded = static_cast<Index>(one_.size());
+    p = approach * Eigen::Map<const Eigen::VectorXd>(one_.data(), padded) -
+        Eigen::Map<const Eigen::VectorXd>(gap_image_.data(), padded);
+    back_substitute(p);
+    p.conservativeResize(size());
+}
+
+void GrowingFactor::tangent(Eigen::VectorXd& w) const {
+    w = Eigen::Map<const Eigen::VectorXd>(one_.data(), static_cast<Index>(one_.size()));
+    back_substitute(w);
+    w.conservativeResize(size());
+}
+
+double GrowingFactor::stiffness() const {
+    return Eigen::Map<const Eigen::VectorXd>(one_.data(), static_cast<Index>(one_.size())).squaredNorm();
+}
+
+} // namespace rough

@@ -1,0 +1,100 @@
+#include "domain/contact/problem.hpp"
+
+#include "domain/contact/kernel.hpp"
+#include "domain/errors.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace rough {
+
+namespace {
+
+template <typename... Parts>
+[[noreturn]] void refuse(const Parts&... parts) {
+    std::ostringstream line;
+    line.precision(17);
+    (line << ... << parts);
+    throw InputError(line.str());
+}
+
+void check_profile(const Profile& profile) {
+    if (profile.nodes() < 2)
+        refuse("a profile of ", profile.nodes(), " node(s) was given, at least 2 are expected");
+    if (!(profile.spacing > 0) || !std::isfinite(profile.spacing))
+        refuse("node spacing ", profile.spacing, " mm was given, a positive finite length is expected");
+    for (Index i = 0; i < profile.nodes(); ++i)
+        if (!std::isfinite(profile.heights[i]))
+            refuse("height ", profile.heights[i], " mm at node ", i, ", a finite height is expected");
+    if (!std::isfinite(profile.heights.maxCoeff() - profile.heights.minCoeff()))
+        refuse("heights from ", profile.heights.minCoeff(), " to ", profile.heights.maxCoeff(),
+               " mm, a range that fits double precision is expected");
+}
+
+void check_body(const Profile& profile, const Body& body) {
+    if (!(body.effective_modulus > 0) || !std::isfinite(body.effective_modulus))
+        refuse("effective modulus ", body.effective_modulus,
+               " MPa was given, a positive finite one is expected");
+    if (body.kernel == Kernel::free && (!(body.datum > datum_limit(profile)) || !std::isfinite(body.datum)))
+        refuse("datum distance ", body.datum,
+               " mm was given, more than (L + delta)/4 = ", datum_limit(profile),
+               " mm is expected: nearer, the free half-plane has no unique solution");
+    if (body.kernel == Kernel::strip && (!(body.strip_width > 0) || !std::isfinite(body.strip_width)))
+        refuse("strip width ", body.strip_width, " mm was given, a positive finite one is expected");
+}
+
+/// Delta_full of the periodic kernel, mm: max Z - mean Z.
+double full_contact_approach(const Profile& profile) {
+    const double highest = profile.heights.maxCoeff();
+    return (highest - profile.heights.array()).mean();
+}
+
+void check_displacements(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
+    double previous = 0;
+    for (const double displacement : displacements) {
+        if (!std::isfinite(displacement) || displacement < previous)
+            refuse("displacement ", displacement, " mm was given after ", previous,
+                   " mm, increasing finite values are expected");
+        previous = displacement;
+    }
+    if (body.kernel != Kernel::periodic)
+        return;
+    const double full = full_contact_approach(profile);
+    const double rounding = 1e-14 * profile.heights.cwiseAbs().maxCoeff();
+    if (previous > full * (1 + 1e-12) + rounding)
+        refuse("displacement ", previous, " mm was given, at most that of full contact, ", full,
+               " mm, is expected: beyond it the periodic half-plane has no solution");
+}
+
+} // namespace
+
+ContactProblem make_problem(const Profile& profile, const Body& body,
+                            const std::vector<double>& displacements) {
+    check_profile(profile);
+    check_body(profile, body);
+    check_displacements(profile, body, displacements);
+    const double unit = displacements.empty() || displacements.back() == 0 ? 1 : displacements.back();
+    const double length = profile_length(profile, body.kernel);
+    ContactProblem problem;
+    problem.kernel = body.kernel;
+    problem.column = influence_column(body.kernel, profile.nodes(), body.datum / profile.spacing,
+                                      body.strip_width / profile.spacing);
+    problem.gap = (profile.heights.maxCoeff() - profile.heights.array()) / unit;
+    for (const double displacement : displacements)
+        problem.approach.push_back(displacement / unit);
+    problem.displacement_unit = unit;
+    problem.pressure_unit = body.effective_modulus * (unit / profile.spacing);
+    problem.elements = length / profile.spacing;
+    problem.stiffness_unit = body.effective_modulus / length;
+    problem.touches_only_overlapping =
+        body.kernel == Kernel::strip || (body.kernel == Kernel::free && body.datum >= length);
+    return problem;
+}
+
+FourierOperator fourier_operator(const ContactProblem& problem) {
+    if (problem.kernel == Kernel::periodic)
+        return FourierOperator::circulant(problem.nodes(), periodic_spectrum(problem.nodes()));
+    return FourierOperator::toeplitz(problem.column);
+}
+
+} // namespace rough
