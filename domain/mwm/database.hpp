@@ -1,0 +1,30 @@
+#pragma once
+
+#include "domain/mwm/sampling.hpp"
+
+namespace rough {
+
+/// How the paper's database is laid out (section 4.1): Sobol pairs (H, gamma) times Sobol phase columns.
+struct DatabaseLayout {
+    int pairs = 20;
+    int phase_columns = 5;
+    double H_from = 0.5, H_to = 1.5;
+    double gamma_from = 1.4, gamma_to = 2.0;
+    double A = 1;
+    double lambda = 0.84942; ///< mm
+    double shortest = 0;     ///< shortest wave length admitted, mm (the paper: the grid's spacing)
+};
+
+/// The pairs (H, gamma): Boost's two-dimensional Sobol sequence, its first point skipped, mapped to the
+/// ranges.
+std::vector<std::pair<double, double>> sobol_pairs(const DatabaseLayout& layout);
+
+/// phases[n-1][column] = 2 pi u of the Sobol sequence of that many dimensions, its first point skipped; n
+/// = 1..last.
+std::vector<std::vector<double>> sobol_phases(int columns, int last);
+
+/// One-ridge genomes of a single series, pair by pair, each with every phase column in turn: chromosomes n
+/// = 1..n_f (Eq. 4), the phase of chromosome n from the n-th point of the phase sequence.
+std::vector<Genome> sobol_database(const DatabaseLayout& layout);
+
+} // namespace rough

@@ -1,0 +1,147 @@
+#include "domain/mwm/genome.hpp"
+
+#include "domain/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <sstream>
+
+namespace rough {
+
+namespace {
+
+template <class... Parts>
+[[noreturn]] void refuse(const std::string& where, const Parts&... parts) {
+    std::ostringstream line;
+    line.precision(17);
+    line << where << ": ";
+    (line << ... << parts);
+    throw InputError(line.str());
+}
+
+void append_bits(std::string& key, const void* value, std::size_t size) {
+    key.append(static_cast<const char*>(value), size);
+}
+
+/// Visits every gene in the order of gene_places.
+template <class G, class Visit>
+void for_each_gene(G& genome, Visit visit) {
+    using Kind = GenePlace::Kind;
+    for (std::size_t s = 0; s < genome.series.size(); ++s) {
+        auto& series = genome.series[s];
+        visit(series.A, GenePlace{Kind::A, s});
+        visit(series.H, GenePlace{Kind::H, s});
+        visit(series.gamma, GenePlace{Kind::gamma, s});
+        visit(series.lambda, GenePlace{Kind::lambda, s});
+        for (std::size_t c = 0; c < series.chromosomes.size(); ++c)
+            for (std::size_t m = 0; m < series.chromosomes[c].phases.size(); ++m)
+                visit(series.chromosomes[c].phases[m], GenePlace{Kind::phase, s, c, m});
+    }
+}
+
+} // namespace
+
+void validate(const Genome& genome, const std::string& where) {
+    if (!std::isfinite(genome.scale) || genome.scale == 0)
+        refuse(where, "scale is ", genome.scale, ", expected a finite number other than 0");
+    if (genome.series.empty())
+        refuse(where, "no series given, expected at least one");
+    for (std::size_t s = 0; s < genome.series.size(); ++s) {
+        const auto& series = genome.series[s];
+        const std::string place = where + ": series " + std::to_string(s + 1);
+        if (!std::isfinite(series.A) || series.A == 0)
+            refuse(place, "A is ", series.A, ", expected a finite number other than 0");
+        if (!std::isfinite(series.H))
+            refuse(place, "H is ", series.H, ", expected a finite number");
+        if (!std::isfinite(series.gamma) || series.gamma <= 1)
+            refuse(place, "gamma is ", series.gamma, ", expected a finite number greater than 1");
+        if (!std::isfinite(series.lambda) || series.lambda <= 0)
+            refuse(place, "lambda is ", series.lambda, " mm, expected a finite number greater than 0");
+        if (series.chromosomes.empty())
+            refuse(place, "no chromosomes given, expected at least one");
+        std::set<int> seen;
+        for (const auto& chromosome : series.chromosomes) {
+            if (chromosome.n < 1)
+                refuse(place, "a chromosome has n = ", chromosome.n, ", expected n >= 1");
+            if (!seen.insert(chromosome.n).second)
+                refuse(place, "chromosome n = ", chromosome.n, " is given twice, expected each n once");
+            if (chromosome.phases.empty())
+                refuse(place, "chromosome n = ", chromosome.n, " has no phases, expected at least one");
+            for (double phase : chromosome.phases)
+                if (!std::isfinite(phase))
+                    refuse(place, "chromosome n = ", chromosome.n, " has phase ", phase,
+                           ", expected a finite number (rad)");
+        }
+    }
+}
+
+Genome folded(Genome genome) {
+    for (auto& series : genome.series)
+        series.A *= genome.scale;
+    genome.scale = 1;
+    return genome;
+}
+
+Genome sum(const Genome& left, const Genome& right) {
+    const auto form = [](const Series& series) {
+        std::vector<double> numbers{series.H, series.gamma, series.lambda};
+        for (const auto& chromosome : series.chromosomes) {
+            numbers.push_back(chromosome.n);
+            numbers.insert(numbers.end(), chromosome.phases.begin(), chromosome.phases.end());
+        }
+        return numbers;
+    };
+    std::vector<Series> all = folded(left).series;
+    const std::vector<Series> others = folded(right).series;
+    all.insert(all.end(), others.begin(), others.end());
+    std::sort(all.begin(), all.end(), [&](const Series& a, const Series& b) {
+        return std::pair(form(a), a.A) < std::pair(form(b), b.A);
+    });
+    Genome child{1, {}};
+    for (const auto& series : all)
+        if (!child.series.empty() && form(child.series.back()) == form(series))
+            child.series.back().A += series.A;
+        else
+            child.series.push_back(series);
+    std::erase_if(child.series, [](const Series& series) { return series.A == 0; });
+    return child;
+}
+
+std::string shape_key(const Genome& genome) {
+    std::string key;
+    for (const auto& series : genome.series) {
+        for (double gene : {series.A, series.H, series.gamma, series.lambda})
+            append_bits(key, &gene, sizeof gene);
+        const auto count = series.chromosomes.size();
+        append_bits(key, &count, sizeof count);
+        for (const auto& chromosome : series.chromosomes) {
+            append_bits(key, &chromosome.n, sizeof chromosome.n);
+            const auto ridges = chromosome.phases.size();
+            append_bits(key, &ridges, sizeof ridges);
+            append_bits(key, chromosome.phases.data(), ridges * sizeof(double));
+        }
+    }
+    return key;
+}
+
+std::vector<GenePlace> gene_places(const Genome& genome) {
+    std::vector<GenePlace> places;
+    for_each_gene(genome, [&](double, const GenePlace& place) { places.push_back(place); });
+    return places;
+}
+
+std::vector<double> genes(const Genome& genome) {
+    std::vector<double> values;
+    for_each_gene(genome, [&](double value, const GenePlace&) { values.push_back(value); });
+    return values;
+}
+
+Genome with_genes(Genome genome, const std::vector<double>& values) {
+    auto next = values.begin();
+    for_each_gene(genome, [&](double& gene, const GenePlace&) { gene = *next++; });
+    return genome;
+}
+
+} // namespace rough

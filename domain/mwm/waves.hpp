@@ -1,0 +1,54 @@
+#pragma once
+
+#include "domain/mwm/genome.hpp"
+
+namespace rough {
+
+/// One cosine of a profile: offset - amplitude cos(wave_number x + phase).
+struct Wave {
+    double amplitude;   ///< G_n R_n, mm, of the sign of A
+    double wave_number; ///< k_n, 1/mm
+    double phase;       ///< theta, rad
+    double offset;      ///< G_n g1, mm
+};
+
+/// M ridges of one wave number as one cosine: sum_m [cos phi_m - cos(k x + phi_m)] = g1 - R cos(k x + theta).
+/// Paper, Eq. 5-10; theta by atan2, as Eq. 8's arccos loses the sign of g2.
+struct Ridge {
+    double g1, R, theta;
+};
+Ridge collapsed(const std::vector<double>& phases);
+
+double wave_length(const Series& series, int n); ///< lambda_n = lambda gamma^(1-n), mm
+double wave_number(const Series& series, int n); ///< k_n = (2 pi/lambda) gamma^(n-1), 1/mm (Eq. 3)
+/// G_n = A sqrt(log10(gamma)/M) (2 pi/lambda)^(-H) gamma^(-(n-1)H), mm (Eq. 2)
+double amplitude(const Series& series, int n, std::size_t ridges);
+
+/// The wave of one chromosome of the series, without the genome's scale.
+Wave wave(const Series& series, const Chromosome& chromosome);
+
+/// All waves of a genome, scale included: one for each chromosome of each series, in order.
+std::vector<Wave> waves(const Genome& genome);
+
+/// n_f of Eq. 4: the largest n whose wave length is at least `shortest` (mm), with a guard of 1e-12 so that
+/// an exact power keeps its last chromosome; 0 if there is none.
+int last_chromosome(double lambda, double gamma, double shortest);
+
+/// The genome with only the chromosomes that are kept; series left without any go.
+/// `keep` is asked with the series' index and the chromosome's index.
+template <class Keep>
+Genome filtered(const Genome& genome, Keep keep) {
+    Genome result{genome.scale, {}};
+    for (std::size_t s = 0; s < genome.series.size(); ++s) {
+        Series series = genome.series[s];
+        series.chromosomes.clear();
+        for (std::size_t c = 0; c < genome.series[s].chromosomes.size(); ++c)
+            if (keep(s, c))
+                series.chromosomes.push_back(genome.series[s].chromosomes[c]);
+        if (!series.chromosomes.empty())
+            result.series.push_back(series);
+    }
+    return result;
+}
+
+} // namespace rough
