@@ -1,0 +1,72 @@
+#include "domain/response/curve.hpp"
+
+#include "domain/errors.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace rough {
+
+Segment segment_at(const Curve& curve, double position) {
+    const double* begin = curve.x.data();
+    const double* end = begin + curve.x.size();
+    const Index above = std::upper_bound(begin, end, position) - begin;
+    const Index left = std::clamp<Index>(above - 1, 0, curve.x.size() - 2);
+    return {left, (position - curve.x[left]) / (curve.x[left + 1] - curve.x[left])};
+}
+
+double Curve::at(double position) const {
+    const double guard = 1e-9 * (to - from);
+    if (!(position >= from - guard && position <= to + guard)) {
+        std::ostringstream line;
+        line << "curve: value asked at " << position << ", expected between " << from << " and " << to;
+        throw InputError(line.str());
+    }
+    const Segment s = segment_at(*this, position);
+    return (1 - s.weight) * y[s.left] + s.weight * y[s.left + 1];
+}
+
+double Curve::held_at(double position) const { return at(std::clamp(position, x[0], x[x.size() - 1])); }
+
+Curve secant_stiffness(const Response& response) {
+    const Index n = response.steps();
+    Curve curve{Eigen::VectorXd(n), Eigen::VectorXd(n), 0, response.pressure[n - 1]};
+    double last_pressure = 0, last_displacement = 0;
+    for (Index j = 0; j < n; ++j) {
+        const double P = response.pressure[j], D = response.displacement[j];
+        curve.x[j] = 0.5 * (P + last_pressure);
+        curve.y[j] = (P - last_pressure) / (D - last_displacement);
+        last_pressure = P;
+        last_displacement = D;
+    }
+    return curve;
+}
+
+namespace {
+
+Curve from_origin(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+    const Index n = x.size();
+    Curve curve{Eigen::VectorXd(n + 1), Eigen::VectorXd(n + 1), 0, x[n - 1]};
+    curve.x << 0, x;
+    curve.y << 0, y;
+    return curve;
+}
+
+} // namespace
+
+Curve area_against_pressure(const Response& response) {
+    return from_origin(response.pressure, response.contact_fraction);
+}
+
+Curve area_against_displacement(const Response& response) {
+    return from_origin(response.displacement, response.contact_fraction);
+}
+
+Curve stretched(Curve curve, double factor) {
+    curve.x *= factor;
+    curve.from *= factor;
+    curve.to *= factor;
+    return curve;
+}
+
+} // namespace rough

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "domain/response/response.hpp"
+
+namespace rough {
+
+/// A piecewise linear curve y(x): linear between its points, continued with the end segments' slopes over
+/// [from, to]. At least two points, x increasing.
+struct Curve {
+    Eigen::VectorXd x, y;
+    double from = 0, to = 0; ///< where the curve may be read
+
+    /// y at x. Throws InputError outside [from, to] (with a guard of 1e-9 of its length).
+    double at(double position) const;
+
+    /// y at x, the end points' values held beyond them.
+    double held_at(double position) const;
+};
+
+/// Which segment of a curve serves a position, and the weights of its two points.
+struct Segment {
+    Index left;    ///< points left and left + 1
+    double weight; ///< of the right point; outside [0, 1] on a continued segment
+};
+Segment segment_at(const Curve& curve, double position);
+
+/// K(p) as it is scored: secants K_j = (P_j - P_{j-1})/(Delta_j - Delta_{j-1}) at pi_j = (P_j + P_{j-1})/2,
+/// to be read over [0, P_nt]. Secants, since at a fixed contact set the tangent does not depend on heights.
+/// x in MPa, y in MPa/mm.
+Curve secant_stiffness(const Response& response);
+
+/// Contact fraction against mean pressure (MPa), from (0, 0).
+Curve area_against_pressure(const Response& response);
+
+/// Contact fraction against displacement (mm), from (0, 0).
+Curve area_against_displacement(const Response& response);
+
+/// The curve with its x multiplied by `factor`: Eq. 11 takes p_max / P_nt.
+Curve stretched(Curve curve, double factor);
+
+} // namespace rough

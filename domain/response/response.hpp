@@ -1,0 +1,54 @@
+#pragma once
+
+#include "domain/contact/solve.hpp"
+
+namespace rough {
+
+/// The load steps: Delta_j = reach * (j / steps) * range, j = 1..steps, where range = max Z - min Z (periodic
+/// kernel: max Z - mean Z, at which contact is full).
+struct Loading {
+    int steps = 20;   ///< n_t >= 2
+    double reach = 1; ///< (0, 1]; below 1 for the periodic kernel
+};
+
+/// What a profile answers to the load steps. The unloaded state (0, 0) is not among the rows.
+struct Response {
+    double range = 0;                  ///< mm
+    Eigen::VectorXd displacement;      ///< Delta_j, mm
+    Eigen::VectorXd pressure;          ///< P_j, MPa
+    Eigen::VectorXd contact_fraction;  ///< contact nodes / N
+    Eigen::VectorXd tangent_stiffness; ///< MPa/mm
+    Eigen::VectorXd kkt_residual;      ///< certificate of each step, scale-free
+    Solver solver = Solver::automatic;
+
+    Index steps() const { return displacement.size(); }
+};
+
+/// How a response changes with the heights, by the adjoint (no further solve).
+struct ResponseGradient {
+    Eigen::MatrixXd pressure; ///< dP_j/dZ_i, steps x N, MPa/mm; each row sums to zero
+    Eigen::RowVectorXd range; ///< d range/dZ_i, N
+};
+
+/// range of a profile: max - min, or max - mean for the periodic kernel. Throws InputError if it is zero
+/// (a constant profile) or a height is not finite.
+double displacement_range(const Profile& profile, Kernel kernel);
+
+/// The displacements of the load steps, mm. Throws InputError on steps < 2 or a reach outside its range.
+std::vector<double> load_displacements(double range, const Loading& loading, Kernel kernel);
+
+Response respond(const Profile& profile, const Body& body, const Loading& loading,
+                 const ContactOptions& options = {});
+
+struct ResponseWithGradient {
+    Response response;
+    ResponseGradient gradient;
+};
+ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
+                                           ContactOptions options = {});
+
+/// The response of the profile times `factor` (> 0): displacements and pressures scale, stiffness and area
+/// stay.
+Response scaled(Response response, double factor);
+
+} // namespace rough

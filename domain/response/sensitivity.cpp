@@ -1,0 +1,52 @@
+#include "domain/response/sensitivity.hpp"
+
+namespace rough {
+
+CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& jacobian,
+                              const Loading& loading) {
+    const Index steps = response.steps(), genes = jacobian.pressure.cols();
+    CurveJacobian result{Eigen::MatrixXd(steps, genes), Eigen::MatrixXd(steps, genes)};
+    Eigen::RowVectorXd last = Eigen::RowVectorXd::Zero(genes);
+    double last_pressure = 0, last_displacement = 0;
+    for (Index j = 0; j < steps; ++j) {
+        const double step = response.displacement[j] - last_displacement;
+        const double K = (response.pressure[j] - last_pressure) / step;
+        result.x.row(j) = 0.5 * (jacobian.pressure.row(j) + last);
+        // The step is the range times a constant: dK = (dP_j - dP_{j-1} - K d step)/step.
+        result.y.row(j) =
+            (jacobian.pressure.row(j) - last - K * loading.reach / loading.steps * jacobian.range) / step;
+        last = jacobian.pressure.row(j);
+        last_pressure = response.pressure[j];
+        last_displacement = response.displacement[j];
+    }
+    return result;
+}
+
+CurveJacobian rescaled_jacobian(const Response& response, const ResponseJacobian& jacobian,
+                                const Loading& loading, double max_pressure) {
+    CurveJacobian result = secant_jacobian(response, jacobian, loading);
+    const Curve curve = secant_stiffness(response);
+    const double last = response.pressure[response.steps() - 1];
+    const double factor = max_pressure / last;
+    const Eigen::RowVectorXd d_factor = -factor / last * jacobian.pressure.row(response.steps() - 1);
+    result.x = factor * result.x + curve.x * d_factor;
+    return result;
+}
+
+Eigen::MatrixXd misfit_jacobian(const Target& target, const Curve& curve, const CurveJacobian& jacobian,
+                                const std::vector<Index>& points) {
+    Eigen::MatrixXd result(static_cast<Index>(points.size()), jacobian.x.cols());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double xi = target.pressure[points[i]];
+        const auto [left, weight] = segment_at(curve, xi);
+        const double slope = (curve.y[left + 1] - curve.y[left]) / (curve.x[left + 1] - curve.x[left]);
+        // y(xi) = y_l + slope (xi - x_l): moving the points' abscissas moves the line under xi.
+        result.row(static_cast<Index>(i)) =
+            ((1 - weight) * (jacobian.y.row(left) - slope * jacobian.x.row(left)) +
+             weight * (jacobian.y.row(left + 1) - slope * jacobian.x.row(left + 1))) /
+            target.stiffness[points[i]];
+    }
+    return result;
+}
+
+} // namespace rough

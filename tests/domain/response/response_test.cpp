@@ -1,0 +1,126 @@
+#include "domain/errors.hpp"
+#include "domain/fitness/model.hpp"
+#include "domain/response/sensitivity.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+using testing::random_genome;
+
+namespace {
+
+Model paper_model(Index nodes = 256) { return {{nodes, 0.84942, false}, {}, {}, {}}; }
+
+ResponseJacobian jacobian_of(const Genome& genome, const Model& model) {
+    const auto gradient =
+        respond_with_gradient(sample(genome, model.grid), model.body, model.loading, model.contact).gradient;
+    return {pulled_back(gradient.pressure, genome, model.grid),
+            pulled_back(gradient.range, genome, model.grid)};
+}
+
+std::vector<double> contact_counts(const Response& response) {
+    return {response.contact_fraction.begin(), response.contact_fraction.end()};
+}
+
+std::pair<Index, Index> extremes(const Profile& profile) {
+    Index highest, lowest;
+    profile.heights.maxCoeff(&highest);
+    profile.heights.minCoeff(&lowest);
+    return {highest, lowest};
+}
+
+} // namespace
+
+TEST_CASE("the adjoint derivative of the pressures follows central differences in every gene") {
+    std::mt19937_64 random(11);
+    int probes = 0, kept = 0;
+    for (Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
+        for (int series : {1, 2})
+            for (std::size_t ridges : {1u, 8u}) {
+                Model model = paper_model(128);
+                model.body.kernel = kernel;
+                model.body.strip_width = 0.002;
+                model.grid.wraps = kernel == Kernel::periodic;
+                model.loading.reach = kernel == Kernel::periodic ? 0.9 : 1;
+                const Genome genome =
+                    random_genome(random, series, ridges, 0.84942, 8 * model.grid.spacing());
+                const ResponseJacobian jacobian = jacobian_of(genome, model);
+                const auto values = genes(genome);
+                const Response base = respond(genome, model);
+                const auto base_extremes = extremes(sample(genome, model.grid));
+                const double largest = jacobian.pressure.cwiseAbs().maxCoeff();
+                for (std::size_t g = 0; g < values.size(); ++g, ++probes) {
+                    const double h = 1e-5;
+                    auto up = values, down = values;
+                    up[g] += h;
+                    down[g] -= h;
+                    const Genome above = with_genes(genome, up), below = with_genes(genome, down);
+                    const Response right = respond(above, model), left = respond(below, model);
+                    // A probe across a change of the contact set or of an extreme node has no derivative to
+                    // follow.
+                    if (contact_counts(right) != contact_counts(base) ||
+                        contact_counts(left) != contact_counts(base) ||
+                        extremes(sample(above, model.grid)) != base_extremes ||
+                        extremes(sample(below, model.grid)) != base_extremes)
+                        continue;
+                    ++kept;
+                    const Eigen::VectorXd difference = (right.pressure - left.pressure) / (2 * h);
+                    INFO("kernel " << int(kernel) << ", gene " << g);
+                    CHECK((difference - jacobian.pressure.col(static_cast<Index>(g))).cwiseAbs().maxCoeff() <
+                          1e-5 * largest);
+                    CHECK(std::abs((right.range - left.range) / (2 * h) -
+                                   jacobian.range[static_cast<Index>(g)]) <
+                          1e-5 * jacobian.range.cwiseAbs().maxCoeff());
+                }
+            }
+    CHECK(kept > probes / 2);
+}
+
+TEST_CASE("a scaled profile has scaled pressures and the same stiffness and contact") {
+    std::mt19937_64 random(12);
+    for (int i = 0; i < 10; ++i) {
+        Genome genome = random_genome(random, 1, 1, 0.84942, 0.02);
+        const Response one = respond(genome, paper_model());
+        genome.scale = 37;
+        const Response many = respond(genome, paper_model());
+        CHECK((many.pressure - 37 * one.pressure).norm() < 1e-10 * many.pressure.norm());
+        CHECK((many.tangent_stiffness - one.tangent_stiffness).norm() < 1e-10 * one.tangent_stiffness.norm());
+        CHECK(many.contact_fraction == one.contact_fraction);
+        CHECK((scaled(one, 37).displacement - many.displacement).norm() < 1e-12 * many.displacement.norm());
+    }
+}
+
+TEST_CASE("secants lie between the tangents at the ends of their step") {
+    std::mt19937_64 random(13);
+    for (int i = 0; i < 10; ++i) {
+        const Response response = respond(random_genome(random, 1, 1, 0.84942, 0.02), paper_model());
+        const Curve K = secant_stiffness(response);
+        for (Index j = 1; j < response.steps(); ++j) {
+            CHECK(K.y[j] >= response.tangent_stiffness[j - 1] * (1 - 1e-9));
+            CHECK(K.y[j] <= response.tangent_stiffness[j] * (1 + 1e-9));
+        }
+    }
+}
+
+TEST_CASE(
+    "a curve is linear between its points, continued with its end slopes, and refused beyond its range") {
+    const Curve curve{Eigen::Vector3d(1, 2, 4), Eigen::Vector3d(10, 20, 0), 0, 5};
+    CHECK(curve.at(1.5) == Approx(15));
+    CHECK(curve.at(3) == Approx(10));
+    CHECK(curve.at(0) == Approx(0).margin(1e-12));
+    CHECK(curve.at(5) == Approx(-10));
+    CHECK(curve.held_at(4.5) == Approx(0).margin(1e-12));
+    CHECK_THROWS_AS(curve.at(5.1), InputError);
+    CHECK_THROWS_AS(curve.at(-0.1), InputError);
+}
+
+TEST_CASE("a profile without a height range and load steps without sense are refused") {
+    const Profile flat{Eigen::VectorXd::Constant(16, 0.3), 0.1};
+    CHECK_THROWS_WITH(respond(flat, {}, {}), Catch::Contains("all heights are equal"));
+    CHECK_THROWS_WITH(displacement_range({Eigen::VectorXd::Constant(1, 0.3), 0.1}, Kernel::free),
+                      Catch::Contains("at least 2"));
+    CHECK_THROWS_WITH(load_displacements(1, {1, 1}, Kernel::free), Catch::Contains("steps: 1"));
+    CHECK_THROWS_WITH(load_displacements(1, {20, 1}, Kernel::periodic), Catch::Contains("less than 1"));
+    CHECK_THROWS_WITH(load_displacements(1, {20, 1.5}, Kernel::free), Catch::Contains("reach"));
+}
