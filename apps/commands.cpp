@@ -1,0 +1,30 @@
+#include "apps/commands.hpp"
+
+#include "apps/settings.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+namespace app {
+
+const std::vector<Command>& commands() {
+    static const std::vector<Command> all{
+        {"contact", "press a rough profile on an elastic body: pressure, area and stiffness", contact},
+        {"run", "run an experiment (.ini): design surfaces and report on them", run},
+    };
+    return all;
+}
+
+bool shows_help(const Words& words, const std::string& usage, const std::string& text,
+                const std::vector<Setting>& settings, const std::vector<std::string>& examples) {
+    if (std::find(words.begin(), words.end(), "--help") == words.end())
+        return false;
+    std::cout << "Usage: rugosa " << usage << "\n\n" << text << "\n\nFlags:\n" << described(settings);
+    if (!examples.empty())
+        std::cout << "\nExamples:\n";
+    for (const auto& example : examples)
+        std::cout << "  rugosa " << example << "\n";
+    return true;
+}
+
+} // namespace app

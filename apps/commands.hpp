@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+using Words = std::vector<std::string>; ///< what follows the subcommand on the command line
+
+/// A subcommand. Returns the program's exit code; throws rough::InputError on wrong use or bad input.
+struct Command {
+    const char* name;
+    const char* summary; ///< one line
+    int (*run)(const Words&);
+};
+
+int contact(const Words& words);
+int run(const Words& words);
+
+/// All of them, in the order of the help page.
+const std::vector<Command>& commands();
+
+/// True when the words ask for help; then prints the page: usage, the text, the settings and the examples.
+struct Setting;
+bool shows_help(const Words& words, const std::string& usage, const std::string& text,
+                const std::vector<Setting>& settings, const std::vector<std::string>& examples);
+
+} // namespace app

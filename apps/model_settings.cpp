@@ -1,0 +1,86 @@
+#include "apps/model_settings.hpp"
+
+#include "domain/errors.hpp"
+
+#include <limits>
+
+namespace app {
+
+namespace {
+
+rough::Model model_on(rough::Grid grid, const Settings& settings, const std::string& prefix) {
+    rough::Model model;
+    model.body.kernel = static_cast<rough::Kernel>(settings.one_of(prefix + "kernel", kernel_names()));
+    const bool periodic = model.body.kernel == rough::Kernel::periodic;
+    grid.wraps = periodic;
+    model.grid = grid;
+
+    const double poisson = settings.number(prefix + "poisson", -0.999999, 0.5);
+    model.body.effective_modulus = settings.positive(prefix + "modulus") / (1 - poisson * poisson);
+    model.body.datum = settings.has(prefix + "datum") ? settings.positive(prefix + "datum") : grid.length;
+    model.body.strip_width =
+        settings.has(prefix + "strip-width") ? settings.positive(prefix + "strip-width") : grid.length / 511;
+    model.loading.steps = static_cast<int>(settings.whole(prefix + "steps", 2, 1000000));
+    model.loading.reach = settings.has(prefix + "reach")
+                              ? settings.number(prefix + "reach", std::numeric_limits<double>::min(), 1)
+                              : (periodic ? 0.95 : 1);
+    if (periodic && model.loading.reach >= 1)
+        throw rough::InputError(
+            settings.place(prefix + "reach") +
+            ": 1 given, expected less than 1 (the periodic kernel has no solution beyond full "
+            "contact)");
+    model.contact.solver = static_cast<rough::Solver>(settings.one_of(prefix + "solver", solver_names()));
+    model.contact.tolerance = settings.number(prefix + "tolerance", 1e-15, 0.1);
+    return model;
+}
+
+} // namespace
+
+const std::vector<std::string>& kernel_names() {
+    static const std::vector<std::string> names{"free", "periodic", "strip"};
+    return names;
+}
+
+const std::vector<std::string>& solver_names() {
+    static const std::vector<std::string> names{"auto", "nested", "nnls", "polonsky-keer", "active-set"};
+    return names;
+}
+
+const std::string& name_of(rough::Kernel kernel) { return kernel_names()[static_cast<std::size_t>(kernel)]; }
+const std::string& name_of(rough::Solver solver) { return solver_names()[static_cast<std::size_t>(solver)]; }
+
+std::vector<Setting> model_settings(const std::string& prefix) {
+    return {
+        {prefix + "nodes", "", "nodes of the grid, 2 to 1e7 [512; a scan: its points]"},
+        {prefix + "length", "", "length L of the profile, mm [0.84942; a scan: its own]"},
+        {prefix + "kernel", "free", "elastic body: free, periodic or strip"},
+        {prefix + "datum", "", "distance d at which the free half-plane's displacement is zero, mm [L]"},
+        {prefix + "strip-width", "", "width W of the strip, mm [L/511]"},
+        {prefix + "modulus", "1", "Young's modulus E, MPa"},
+        {prefix + "poisson", "0", "Poisson's ratio nu; E* = E/(1 - nu^2)"},
+        {prefix + "steps", "20", "load steps n_t, at least 2"},
+        {prefix + "reach", "", "largest displacement over the profile's range [1; periodic: 0.95]"},
+        {prefix + "solver", "auto", "contact solver: auto, nested, nnls, polonsky-keer or active-set"},
+        {prefix + "tolerance", "1e-6", "relative tolerance of the iterative solvers"},
+    };
+}
+
+rough::Model model_from(const Settings& settings, const std::string& prefix) {
+    rough::Grid grid;
+    if (settings.has(prefix + "nodes"))
+        grid.nodes = settings.whole(prefix + "nodes", 2, 10000000);
+    if (settings.has(prefix + "length"))
+        grid.length = settings.positive(prefix + "length");
+    return model_on(grid, settings, prefix);
+}
+
+rough::Model model_from(const Settings& settings, const rough::Profile& scan, const std::string& prefix) {
+    rough::Grid grid;
+    grid.nodes =
+        settings.has(prefix + "nodes") ? settings.whole(prefix + "nodes", 2, 10000000) : scan.nodes();
+    const double own = scan.spacing * static_cast<double>(scan.nodes() - 1);
+    grid.length = settings.has(prefix + "length") ? settings.positive(prefix + "length") : own;
+    return model_on(grid, settings, prefix);
+}
+
+} // namespace app

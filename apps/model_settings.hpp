@@ -1,0 +1,21 @@
+#pragma once
+
+#include "apps/settings.hpp"
+#include "domain/fitness/model.hpp"
+
+namespace app {
+
+/// The settings that make a model: --nodes, --length, --kernel … as flags (prefix "") or keys (prefix
+/// "model.").
+std::vector<Setting> model_settings(const std::string& prefix = "");
+
+/// The model they describe. A measured profile brings its own grid: nodes and length then default to its own.
+rough::Model model_from(const Settings& settings, const std::string& prefix = "");
+rough::Model model_from(const Settings& settings, const rough::Profile& scan, const std::string& prefix = "");
+
+const std::vector<std::string>& kernel_names(); ///< in the order of rough::Kernel
+const std::vector<std::string>& solver_names(); ///< in the order of rough::Solver
+const std::string& name_of(rough::Kernel kernel);
+const std::string& name_of(rough::Solver solver);
+
+} // namespace app

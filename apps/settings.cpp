@@ -1,0 +1,223 @@
+#include "apps/settings.hpp"
+
+#include "domain/errors.hpp"
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+
+namespace app {
+
+namespace po = boost::program_options;
+using rough::InputError;
+
+namespace {
+
+std::string brief(double value) {
+    std::ostringstream out;
+    out << value;
+    return out.str();
+}
+
+std::vector<std::string> names_of(const std::vector<Setting>& known) {
+    std::vector<std::string> names;
+    for (const auto& setting : known)
+        names.push_back(setting.name);
+    return names;
+}
+
+po::options_description options_of(const std::vector<Setting>& known) {
+    po::options_description options;
+    for (const auto& setting : known) {
+        std::string meaning = setting.meaning;
+        if (!setting.is_switch && !setting.fallback.empty())
+            meaning += " [" + setting.fallback + "]";
+        if (setting.is_switch)
+            options.add_options()(setting.name.c_str(), meaning.c_str());
+        else
+            options.add_options()(setting.name.c_str(), po::value<std::string>()->value_name("X"),
+                                  meaning.c_str());
+    }
+    return options;
+}
+
+std::map<std::string, std::string> values_of(const po::parsed_options& parsed, const std::string& place) {
+    std::map<std::string, std::string> values;
+    for (const auto& option : parsed.options) {
+        const std::string value = option.value.empty() ? "on" : option.value.front();
+        if (!values.emplace(option.string_key, value).second)
+            throw InputError(place + option.string_key + ": given twice, expected once");
+    }
+    return values;
+}
+
+/// Edit distance in letters (Levenshtein).
+std::size_t distance(const std::string& left, const std::string& right) {
+    std::vector<std::size_t> row(right.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        std::size_t diagonal = row[0]++;
+        for (std::size_t j = 0; j < right.size(); ++j) {
+            const std::size_t replaced = diagonal + (left[i] != right[j]);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+} // namespace
+
+Settings::Settings(std::string source, std::vector<Setting> known, std::map<std::string, std::string> given)
+    : source_(std::move(source)), given_(std::move(given)) {
+    for (auto& setting : known)
+        known_.emplace(setting.name, setting);
+}
+
+std::string Settings::place(const std::string& name) const {
+    return source_.empty() ? "--" + name : source_ + ": " + name;
+}
+
+const std::string& Settings::text(const std::string& name) const {
+    const auto found = given_.find(name);
+    return found != given_.end() ? found->second : known_.at(name).fallback;
+}
+
+bool Settings::is_on(const std::string& name) const {
+    const std::string& value = text(name);
+    if (value == "on" || value == "yes" || value == "true" || value == "1")
+        return true;
+    if (value.empty() || value == "off" || value == "no" || value == "false" || value == "0")
+        return false;
+    throw InputError(place(name) + ": \"" + value + "\" given, expected on or off");
+}
+
+double number_from(const std::string& word, const std::string& place) {
+    double value = 0;
+    const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);
+    const char* end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error != std::errc() || stop != end || !std::isfinite(value))
+        throw InputError(place + ": \"" + word + "\" given, expected a finite number");
+    return value;
+}
+
+double Settings::number(const std::string& name, double from, double to) const {
+    const double value = number_from(text(name), place(name));
+    if (value < from || value > to)
+        throw InputError(place(name) + ": " + text(name) + " given, expected a number from " + brief(from) +
+                         " to " + brief(to));
+    return value;
+}
+
+double Settings::positive(const std::string& name) const {
+    const double value = number_from(text(name), place(name));
+    if (value <= 0)
+        throw InputError(place(name) + ": " + text(name) + " given, expected a number greater than 0");
+    return value;
+}
+
+long Settings::whole(const std::string& name, long from, long to) const {
+    const double value = number_from(text(name), place(name));
+    if (value != std::floor(value) || value < static_cast<double>(from) || value > static_cast<double>(to))
+        throw InputError(place(name) + ": " + text(name) + " given, expected a whole number from " +
+                         std::to_string(from) + " to " + std::to_string(to));
+    return static_cast<long>(value);
+}
+
+std::size_t Settings::one_of(const std::string& name, const std::vector<std::string>& words) const {
+    const auto found = std::find(words.begin(), words.end(), text(name));
+    if (found != words.end())
+        return static_cast<std::size_t>(found - words.begin());
+    std::string list;
+    for (const auto& word : words)
+        list += (list.empty() ? "" : ", ") + word;
+    throw InputError(place(name) + ": \"" + text(name) + "\" given, expected one of " + list +
+                     suggestion(text(name), words));
+}
+
+std::vector<std::string> Settings::names_under(const std::string& prefix) const {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : given_)
+        if (name.starts_with(prefix))
+            names.push_back(name.substr(prefix.size()));
+    return names;
+}
+
+Settings read_command_line(const std::vector<std::string>& words, const std::vector<Setting>& known,
+                           const std::vector<std::string>& positional) {
+    const po::options_description options = options_of(known);
+    po::positional_options_description places;
+    for (const auto& name : positional)
+        places.add(name.c_str(), 1);
+    namespace style = po::command_line_style;
+    try {
+        const auto parsed =
+            po::command_line_parser(words)
+                .options(options)
+                .positional(places)
+                .style(style::allow_long | style::long_allow_adjacent | style::long_allow_next)
+                .run();
+        return {"", known, values_of(parsed, "--")};
+    } catch (const po::unknown_option& error) {
+        std::string name = error.get_option_name();
+        name.erase(0, name.find_first_not_of('-'));
+        throw InputError("--" + name + ": unknown flag" + suggestion(name, names_of(known)));
+    } catch (const po::too_many_positional_options_error&) {
+        throw InputError("too many words given, expected " + std::to_string(positional.size()) +
+                         " beside the flags");
+    } catch (const po::error& error) {
+        throw InputError(error.what());
+    }
+}
+
+Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>& known,
+                  const std::vector<std::string>& overrides) {
+    std::ifstream in(file);
+    if (!in || std::filesystem::is_directory(file))
+        throw InputError(file.string() + ": cannot be read, expected an experiment (.ini)");
+    std::map<std::string, std::string> values;
+    try {
+        values = values_of(po::parse_config_file(in, options_of(known), true), file.string() + ": ");
+        for (auto& [name, value] : values) // a comment may follow a value
+            value.erase(value.find_last_not_of(" \t\r") + 1);
+    } catch (const po::error& error) {
+        throw InputError(file.string() + ": " + error.what());
+    }
+    for (const auto& override_text : overrides) {
+        const auto equals = override_text.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw InputError("--set: \"" + override_text + "\" given, expected section.key=value");
+        values[override_text.substr(0, equals)] = override_text.substr(equals + 1);
+    }
+    const auto names = names_of(known);
+    for (const auto& [name, value] : values) {
+        const std::string any = name.substr(0, name.find('.')) + ".*";
+        if (std::find(names.begin(), names.end(), name) == names.end() &&
+            std::find(names.begin(), names.end(), any) == names.end())
+            throw InputError(file.string() + ": unknown key '" + name + "'" + suggestion(name, names));
+    }
+    return {file.string(), known, values};
+}
+
+std::string described(const std::vector<Setting>& known) {
+    std::ostringstream out;
+    out << options_of(known);
+    return out.str();
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
+    const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
+        return distance(word, a) < distance(word, b);
+    });
+    if (nearest == names.end() || distance(word, *nearest) > std::max<std::size_t>(2, word.size() / 3))
+        return "";
+    return " (did you mean '" + *nearest + "'?)";
+}
+
+} // namespace app

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// A named value that a user may set, as a flag of a command or a key of an experiment.
+struct Setting {
+    std::string name;       ///< flag without its dashes, or section.key
+    std::string fallback;   ///< what it is if not given; "" is nothing
+    std::string meaning;    ///< one line, with the unit
+    bool is_switch = false; ///< a flag without a value
+};
+
+/// Values by name. Every reader throws rough::InputError naming the setting, what was given and what was
+/// expected.
+class Settings {
+  public:
+    Settings(std::string source, std::vector<Setting> known, std::map<std::string, std::string> given);
+
+    bool given(const std::string& name) const { return given_.count(name) > 0; }
+    bool has(const std::string& name) const { return !text(name).empty(); }
+    const std::string& text(const std::string& name) const;
+    bool is_on(const std::string& name) const;
+    double number(const std::string& name, double from, double to) const;
+    double positive(const std::string& name) const;
+    long whole(const std::string& name, long from, long to) const;
+    std::size_t one_of(const std::string& name, const std::vector<std::string>& words) const;
+
+    /// "--nodes" or "paper.ini: model.nodes", for messages.
+    std::string place(const std::string& name) const;
+    /// The names given whose beginning is `prefix`, without it, in alphabetical order.
+    std::vector<std::string> names_under(const std::string& prefix) const;
+
+  private:
+    std::string source_; ///< the file, "" for a command line
+    std::map<std::string, Setting> known_;
+    std::map<std::string, std::string> given_;
+};
+
+/// Reads a command line. Throws rough::InputError on an unknown flag (with the nearest name) or a word too
+/// many.
+Settings read_command_line(const std::vector<std::string>& words, const std::vector<Setting>& known,
+                           const std::vector<std::string>& positional = {});
+
+/// Reads an .ini file, then `overrides` ("section.key=value"). A key that ends in ".*" among `known` admits
+/// any key of that section. Throws rough::InputError on an unknown section or key (with the nearest name).
+Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>& known,
+                  const std::vector<std::string>& overrides = {});
+
+/// The settings as a help page lists them.
+std::string described(const std::vector<Setting>& known);
+
+/// The nearest of the names, as " (did you mean 'x'?)", or nothing when none is near.
+std::string suggestion(const std::string& word, const std::vector<std::string>& names);
+
+/// The word as a number, or as a whole number. Throws rough::InputError that begins with `place`.
+double number_from(const std::string& word, const std::string& place);
+
+} // namespace app
