@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rough {
+
+std::string_view trim(std::string_view text);
+
+/// Lower case of ASCII letters; other bytes as they are.
+std::string lower(std::string_view text);
+
+/// How a file writes its columns and numbers.
+struct Dialect {
+    enum class Separator { semicolon, tab, comma, comma_and_blank, blanks };
+    Separator separator = Separator::blanks;
+    bool decimal_comma = false;
+};
+
+/// The cells of a line, trimmed and without quotes; empty ones are kept, but those at the line's end are not.
+std::vector<std::string_view> split(std::string_view line, Dialect::Separator separator);
+
+/// A cell's number, NaN where the cell says that the value is missing ("", NaN, BAD, --, …), and the value of
+/// one unit in its last written digit.
+struct Number {
+    double value = 0;
+    double last_digit = 0;
+};
+
+/// Nothing where the cell is neither a number nor a word for a missing one.
+std::optional<Number> number(std::string_view cell, const Dialect& dialect);
+
+} // namespace rough

@@ -1,0 +1,246 @@
+#include "domain/scan/header.hpp"
+
+#include "domain/errors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rough {
+namespace {
+
+std::string at(const std::string& file, int line) { return file + ", line " + std::to_string(line); }
+
+struct Entry {
+    std::string key; ///< lower case, without blanks, '-', '_' and '.'
+    std::string_view value;
+};
+
+/// "key: value", "key = value", "key;value", "key<tab>value", "key,value".
+std::optional<Entry> entry(std::string_view line) {
+    for (const char mark : std::string_view("=:;\t,")) {
+        const std::size_t place = line.find(mark);
+        if (place == std::string_view::npos || trim(line.substr(0, place)).empty())
+            continue;
+        std::string key = lower(trim(line.substr(0, place)));
+        std::erase_if(key,
+                      [](char c) { return std::string_view(" \t-_.\"").find(c) != std::string_view::npos; });
+        std::string_view value = line.substr(place + 1);
+        value = value.substr(0, value.find_last_not_of(" \t;,\"") + 1);
+        value = value.substr(std::min(value.find_first_not_of(" \t\""), value.size()));
+        return Entry{std::move(key), value};
+    }
+    return std::nullopt;
+}
+
+template <std::size_t N>
+bool one_of(const std::string& key, const std::array<std::string_view, N>& keys) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+constexpr std::array<std::string_view, 5> unit_keys{"unit", "units", "lengthunit", "lengthunits", "einheit"};
+constexpr std::array<std::string_view, 4> x_unit_keys{"xunit", "xunits", "lateralunit", "lateralunits"};
+constexpr std::array<std::string_view, 8> height_unit_keys{"zunit", "zunits", "valueunit",  "valueunits",
+                                                           "yunit", "yunits", "heightunit", "heightunits"};
+constexpr std::array<std::string_view, 19> spacing_keys{"spacing",
+                                                        "samplespacing",
+                                                        "pointspacing",
+                                                        "xspacing",
+                                                        "step",
+                                                        "stepsize",
+                                                        "xstep",
+                                                        "dx",
+                                                        "deltax",
+                                                        "pixelsize",
+                                                        "increment",
+                                                        "xincrement",
+                                                        "pitch",
+                                                        "samplingpitch",
+                                                        "samplinginterval",
+                                                        "sampleinterval",
+                                                        "pointdistance",
+                                                        "sampledistance",
+                                                        "xscale"};
+constexpr std::array<std::string_view, 3> width_keys{"width", "xlength", "breite"};
+
+/// "0.5 um", "0,5 µm", "0.156 um/sample".
+std::optional<HeaderLength> length_of(std::string_view value) {
+    const std::size_t end = std::min(value.find_first_not_of("+-0123456789.,eE"), value.size());
+    const bool comma = value.substr(0, end).find(',') != std::string_view::npos;
+    const auto size = number(trim(value.substr(0, end)), Dialect{Dialect::Separator::blanks, comma});
+    if (!size || !(size->value > 0))
+        return std::nullopt;
+    std::string_view unit = trim(value.substr(end));
+    unit = unit.substr(0, unit.find('/'));
+    if (unit.size() > 2 && (unit.front() == '[' || unit.front() == '('))
+        unit = unit.substr(1, unit.size() - 2);
+    return HeaderLength{size->value, length_unit(unit)};
+}
+
+/// "heightconversionfactor(->m)": its unit in mm; 0 where the key is another.
+double conversion_unit(const std::string& key, const std::string& where) {
+    constexpr std::string_view start = "heightconversionfactor(";
+    if (!key.starts_with(start))
+        return 0;
+    const std::size_t word = key.find('>') + 1, end = key.find(')');
+    if (word == 0 || end == std::string::npos || end < word)
+        return 0;
+    return length_unit_named(std::string_view(key).substr(word, end - word), where).in_mm;
+}
+
+double positive(const Entry& entry, const std::string& where) {
+    const auto value = number(entry.value, Dialect{});
+    if (!value || !(value->value > 0))
+        throw InputError(where + ": " + entry.key + " is '" + std::string(entry.value) +
+                         "', expected a number above 0");
+    return value->value;
+}
+
+/// The keys of ISO 25178-71's ASCII surface data files, whose lengths are in metres.
+void take_sdf(Header& header, const Entry& entry, const std::string& where) {
+    const LengthUnit metre{"m", 1e3};
+    if (entry.key == "xscale") {
+        header.spacing = HeaderLength{positive(entry, where), metre};
+    } else if (entry.key == "zscale") {
+        header.height_factor = positive(entry, where);
+        header.height_unit = metre;
+    } else if (entry.key == "numpoints") {
+        header.points = std::lround(positive(entry, where));
+    } else if (entry.key == "numprofiles" && positive(entry, where) != 1) {
+        throw InputError(where + ": " + std::string(entry.value) + " profiles, expected a line scan of 1");
+    } else if (entry.key == "datatype") {
+        // 16 and 32 bit integers keep one value for "not measured".
+        constexpr std::array<std::pair<std::string_view, double>, 4> marks{
+            {{"1", 65535}, {"2", 4294967295}, {"5", -32768}, {"6", -2147483648.}}};
+        for (const auto& [type, mark] : marks)
+            if (entry.value == type)
+                header.missing_mark = mark;
+    }
+}
+
+void take(Header& header, const Entry& entry, const std::string& where) {
+    if (one_of(entry.key, unit_keys)) {
+        const auto units = length_units_in(entry.value, where);
+        if (units.empty())
+            throw InputError(where + ": '" + std::string(entry.value) + "' names no length unit");
+        header.x_unit = units.front();
+        header.height_unit = units.back();
+    } else if (one_of(entry.key, x_unit_keys)) {
+        header.x_unit = length_unit_named(entry.value, where);
+    } else if (one_of(entry.key, height_unit_keys)) {
+        header.height_unit = length_unit_named(entry.value, where);
+    } else if (const double in_mm = conversion_unit(entry.key, where)) {
+        header.height_factor = positive(entry, where);
+        header.height_unit = LengthUnit{"m", in_mm};
+    } else if (one_of(entry.key, width_keys)) {
+        header.width = length_of(entry.value);
+    } else if (one_of(entry.key, spacing_keys) ||
+               (entry.key == "resolution" && entry.value.find("/sample") != std::string_view::npos)) {
+        header.spacing = length_of(entry.value);
+    }
+}
+
+/// A line that speaks of numbers is no line of column names.
+bool holds_number(std::string_view line) {
+    for (const auto separator :
+         {Dialect::Separator::blanks, Dialect::Separator::semicolon, Dialect::Separator::comma})
+        for (std::string_view cell : split(line, separator))
+            if (const auto value = number(cell, Dialect{}); value && !std::isnan(value->value))
+                return true;
+    return false;
+}
+
+/// Splits at blanks, a bracketed unit going with the word before it.
+std::vector<std::string> words_with_units(std::string_view line) {
+    std::vector<std::string> cells;
+    for (std::string_view word : split(line, Dialect::Separator::blanks)) {
+        const bool unit = word.front() == '[' || word.front() == '(';
+        if (unit && !cells.empty() && cells.back().find_first_of("[(") == std::string::npos)
+            cells.back() += " " + std::string(word);
+        else
+            cells.emplace_back(word);
+    }
+    return cells;
+}
+
+/// The cells of a line of column names; empty where none of the separators gives one a column.
+std::vector<std::string> column_names(std::string_view line, const Dialect& dialect, std::size_t columns) {
+    using enum Dialect::Separator;
+    for (const auto separator : {dialect.separator, semicolon, tab, comma}) {
+        if (separator == blanks)
+            continue;
+        const auto cells = split(line, separator);
+        if (cells.size() == columns)
+            return {cells.begin(), cells.end()};
+    }
+    auto words = words_with_units(line);
+    return words.size() == columns ? words : std::vector<std::string>{};
+}
+
+/// The units that a line of column names gives, one a column.
+std::vector<std::optional<LengthUnit>> column_units(const TextLine& line, const Dialect& dialect,
+                                                    std::size_t columns, const std::string& where) {
+    std::vector<std::optional<LengthUnit>> units(columns);
+    const auto names = column_names(line.text, dialect, columns);
+    for (std::size_t c = 0; c < names.size(); ++c)
+        if (const auto found = length_units_in(names[c], where); !found.empty())
+            units[c] = found.back();
+    if (!names.empty())
+        return units;
+    const auto found = length_units_in(line.text, where);
+    if (found.size() >= columns)
+        for (std::size_t c = 0; c < columns; ++c)
+            units[c] = found[c];
+    return units;
+}
+
+bool names_validity(const TextLine& line, const Dialect& dialect, std::size_t columns) {
+    const auto names = column_names(line.text, dialect, columns);
+    return !names.empty() && lower(names.back()).starts_with("valid");
+}
+
+bool is_key(const Entry& entry) {
+    return one_of(entry.key, unit_keys) || one_of(entry.key, x_unit_keys) ||
+           one_of(entry.key, height_unit_keys);
+}
+
+} // namespace
+
+Header read_header(const std::vector<TextLine>& lines, const Dialect& dialect, std::size_t columns,
+                   const std::string& file) {
+    Header header;
+    header.units.resize(columns);
+    const bool sdf = !lines.empty() && lines.front().text.starts_with('a') &&
+                     std::any_of(lines.begin(), lines.end(), [](const TextLine& line) {
+                         const auto read = entry(line.text);
+                         return read && read->key == "xscale";
+                     });
+    for (const TextLine& line : lines)
+        if (const auto read = entry(line.text)) {
+            if (sdf)
+                take_sdf(header, *read, at(file, line.number));
+            else
+                take(header, *read, at(file, line.number));
+        }
+    // The names stand right above the table, their units with them or in a line of their own.
+    std::size_t looked = 0;
+    for (auto line = lines.rbegin(); line != lines.rend() && looked < 3 && !sdf; ++line, ++looked) {
+        const auto read = entry(line->text);
+        if (holds_number(line->text) || (read && is_key(*read)))
+            break;
+        const auto units = column_units(*line, dialect, columns, at(file, line->number));
+        for (std::size_t c = 0; c < columns; ++c)
+            if (!header.units[c])
+                header.units[c] = units[c];
+        header.validity_column |= names_validity(*line, dialect, columns);
+    }
+    return header;
+}
+
+bool names_spacing(const std::string& line) {
+    const auto read = entry(line);
+    return read && (one_of(read->key, spacing_keys) || one_of(read->key, width_keys)) &&
+           length_of(read->value);
+}
+
+} // namespace rough

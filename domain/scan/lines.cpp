@@ -1,0 +1,101 @@
+#include "domain/scan/lines.hpp"
+
+#include "domain/errors.hpp"
+
+#include <cstdint>
+
+namespace rough {
+namespace {
+
+void append_utf8(std::string& text, std::uint32_t code) {
+    if (code == 0xA0 || code == 0x202F)
+        code = ' ';
+    else if (code == 0x2212)
+        code = '-';
+    const auto tail = [&](int shift) { text += static_cast<char>(0x80 | ((code >> shift) & 0x3F)); };
+    if (code < 0x80) {
+        text += static_cast<char>(code);
+    } else if (code < 0x800) {
+        text += static_cast<char>(0xC0 | (code >> 6));
+        tail(0);
+    } else if (code < 0x10000) {
+        text += static_cast<char>(0xE0 | (code >> 12));
+        tail(6), tail(0);
+    } else {
+        text += static_cast<char>(0xF0 | (code >> 18));
+        tail(12), tail(6), tail(0);
+    }
+}
+
+unsigned byte(const std::string& bytes, std::size_t i) { return static_cast<unsigned char>(bytes[i]); }
+
+std::string from_utf16(const std::string& bytes, bool big_endian) {
+    const auto unit = [&](std::size_t i) {
+        return big_endian ? byte(bytes, i) << 8 | byte(bytes, i + 1)
+                          : byte(bytes, i + 1) << 8 | byte(bytes, i);
+    };
+    std::string text;
+    for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
+        std::uint32_t code = unit(i);
+        if (code >= 0xD800 && code < 0xDC00 && i + 3 < bytes.size()) {
+            code = 0x10000 + ((code - 0xD800) << 10) + (unit(i + 2) - 0xDC00);
+            i += 2;
+        }
+        append_utf8(text, code);
+    }
+    return text;
+}
+
+/// The length of the well-formed UTF-8 sequence at i and its code; 0 where there is none.
+std::size_t sequence(const std::string& bytes, std::size_t i, std::uint32_t& code) {
+    const unsigned lead = byte(bytes, i);
+    const std::size_t length = lead < 0x80       ? 1
+                               : lead >> 5 == 6  ? 2
+                               : lead >> 4 == 14 ? 3
+                               : lead >> 3 == 30 ? 4
+                                                 : 0;
+    if (length == 0 || i + length > bytes.size())
+        return 0;
+    code = length == 1 ? lead : lead & (0x7FU >> length);
+    for (std::size_t k = 1; k < length; ++k) {
+        if (byte(bytes, i + k) >> 6 != 2)
+            return 0;
+        code = code << 6 | (byte(bytes, i + k) & 0x3F);
+    }
+    return length;
+}
+
+std::string to_utf8(const std::string& bytes) {
+    if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+        return from_utf16(bytes, bytes[0] == '\xFE');
+    std::string text;
+    text.reserve(bytes.size());
+    for (std::size_t i = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < bytes.size();) {
+        std::uint32_t code = 0;
+        const std::size_t length = sequence(bytes, i, code);
+        append_utf8(text, length ? code : byte(bytes, i)); // a byte outside UTF-8 is Latin-1
+        i += length ? length : 1;
+    }
+    return text;
+}
+
+} // namespace
+
+std::vector<std::string> text_lines(const std::string& bytes, const std::string& file) {
+    const std::string text = to_utf8(bytes);
+    if (text.find('\0') != std::string::npos)
+        throw InputError(file + ": holds binary data, expected a text file of x and height");
+    std::vector<std::string> lines;
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());
+        lines.push_back(text.substr(start, end - start));
+        std::size_t next = end;
+        while (next < text.size() && text[next] == '\r')
+            ++next;
+        const bool carriage_returns_end_with_line_feed = next < text.size() && text[next] == '\n';
+        start = carriage_returns_end_with_line_feed ? next + 1 : end + 1;
+    }
+    return lines;
+}
+
+} // namespace rough

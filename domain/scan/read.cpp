@@ -1,0 +1,271 @@
+#include "domain/atomic_file.hpp"
+#include "domain/errors.hpp"
+#include "domain/scan/detrend.hpp"
+#include "domain/scan/even.hpp"
+#include "domain/scan/header.hpp"
+#include "domain/scan/lines.hpp"
+#include "domain/scan/points.hpp"
+#include "domain/scan/scan.hpp"
+#include "domain/scan/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace rough {
+namespace {
+
+constexpr std::size_t no_column = static_cast<std::size_t>(-1);
+
+/// What was read and done, told in one line.
+struct Account {
+    std::string text;
+    void say(const std::string& part) { text += (text.empty() ? "" : "; ") + part; }
+};
+
+std::string at(const std::string& file, int line) { return file + ", line " + std::to_string(line); }
+
+std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+std::string points_text(std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " point" : " points");
+}
+
+bool running_index(const std::vector<Number>& column) {
+    for (std::size_t i = 0; i < column.size(); ++i)
+        if (column[i].value != column[0].value + static_cast<double>(i) || column[i].last_digit != 1)
+            return false;
+    return column.size() > 1 && (column[0].value == 0 || column[0].value == 1);
+}
+
+/// Which columns hold what.
+struct Layout {
+    std::size_t x = no_column, height = 0, validity = no_column;
+};
+
+Layout layout_of(const Table& table, const Header& header, bool spacing_given, const std::string& file) {
+    const auto only_0_and_1 = [&](std::size_t c) {
+        return std::all_of(table.column[c].begin(), table.column[c].end(),
+                           [](const Number& cell) { return cell.value == 0 || cell.value == 1; });
+    };
+    if (table.columns == 1)
+        return {no_column, 0, no_column};
+    if (table.columns == 2) {
+        if (spacing_given && running_index(table.column[0]))
+            return {no_column, 1, no_column};
+        if (spacing_given)
+            throw InputError(file + ": two columns, x and height; a spacing is for one column of heights");
+        return {0, 1, no_column};
+    }
+    if (table.columns == 3 && header.validity_column && only_0_and_1(2))
+        return {0, 1, 2};
+    if (table.columns == 3 && running_index(table.column[0]))
+        return {1, 2, no_column};
+    throw InputError(at(file, table.line[0]) + ": " + std::to_string(table.columns) +
+                     " columns, expected a line scan: heights, or x and height" +
+                     (table.dialect.separator == Dialect::Separator::comma
+                          ? " (decimal commas need another separator)"
+                          : ""));
+}
+
+/// A single row of many heights, and an SDF profile over several rows, as one column.
+void stand_up(Table& table, bool one_profile) {
+    if (!(table.columns > 3 && (table.rows() == 1 || one_profile)))
+        return;
+    std::vector<Number> heights;
+    std::vector<int> lines;
+    for (std::size_t r = 0; r < table.rows(); ++r)
+        for (std::size_t c = 0; c < table.columns; ++c) {
+            heights.push_back(table.column[c][r]);
+            lines.push_back(table.line[r]);
+        }
+    table.column = {std::move(heights)};
+    table.line = std::move(lines);
+    table.columns = 1;
+}
+
+/// The unit of each column: its header's, else the one given, else mm.
+struct Units {
+    LengthUnit x, height;
+};
+
+Units units_of(const Header& header, const Layout& layout, const ScanOptions& options,
+               const std::string& file, Account& account) {
+    const auto named = [&](std::size_t column, const std::optional<LengthUnit>& by_key) {
+        return column != no_column && column < header.units.size() && header.units[column]
+                   ? header.units[column]
+                   : by_key;
+    };
+    const bool has_x = layout.x != no_column;
+    const auto x = named(layout.x, header.x_unit), height = named(layout.height, header.height_unit);
+    std::optional<LengthUnit> given;
+    if (!options.unit.empty())
+        given = length_unit_named(options.unit, "unit");
+    if (given && height && (!has_x || x))
+        for (const auto& [what, unit] : {std::pair("x", has_x ? x : height), std::pair("heights", height)})
+            if (unit->in_mm != given->in_mm)
+                throw InputError(file + ": its header gives " + what + " in " + unit->name +
+                                 ", but the unit given is " + given->name);
+    const LengthUnit rest = given.value_or(LengthUnit{"mm", 1});
+    const std::string source = given ? " (given)" : " (assumed)";
+    const Units units{x.value_or(rest), height.value_or(rest)};
+    std::string said = has_x ? "x in " + units.x.name + (x ? "" : source) + ", " : "";
+    said += "heights in " + units.height.name + (height ? "" : source);
+    account.say(said);
+    return units;
+}
+
+/// The spacing of a one-column file in mm, from the caller or the header.
+double spacing_of(const Header& header, const ScanOptions& options, std::size_t rows, const LengthUnit& rest,
+                  const std::string& file) {
+    const auto in_mm = [&](const HeaderLength& length) {
+        return length.value * length.unit.value_or(rest).in_mm;
+    };
+    double from_header = 0;
+    if (header.spacing)
+        from_header = in_mm(*header.spacing);
+    else if (header.width)
+        from_header = in_mm(*header.width) / static_cast<double>(rows);
+    const double given =
+        options.spacing * (options.unit.empty() ? 1 : length_unit_named(options.unit, "unit").in_mm);
+    if (given > 0 && from_header > 0 && std::abs(given - from_header) > 1e-3 * from_header)
+        throw InputError(file + ": its header gives a spacing of " + short_number(from_header) +
+                         " mm, but the spacing given is " + short_number(given) + " mm");
+    if (!(given > 0) && !(from_header > 0))
+        throw InputError(file + ": one column of heights, expected a spacing with it (--spacing)");
+    return from_header > 0 ? from_header : given;
+}
+
+Points points_in_mm(const Table& table, const Header& header, const Layout& layout, const Units& units,
+                    double spacing) {
+    Points points;
+    points.line = table.line;
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+        const Number x =
+            layout.x != no_column ? table.column[layout.x][i] : Number{static_cast<double>(i), 0};
+        const double scale = layout.x != no_column ? units.x.in_mm : spacing;
+        points.x.push_back(x.value * scale);
+        points.last_digit.push_back(x.last_digit * scale);
+        const double height = table.column[layout.height][i].value;
+        const bool valid = (layout.validity == no_column || table.column[layout.validity][i].value == 1) &&
+                           !(header.missing_mark && height == *header.missing_mark);
+        points.heights.push_back(valid ? height * header.height_factor * units.height.in_mm : std::nan(""));
+    }
+    return points;
+}
+
+/// The points without gaps, x growing from the first to the last.
+Points in_order(Points points, bool fill, const std::string& file, Account& account) {
+    if (!fill)
+        refuse_missing(points, file);
+    Filled whole = filled(points);
+    if (whole.filled)
+        account.say(std::to_string(whole.filled) + " missing height" + (whole.filled > 1 ? "s" : "") +
+                    " filled linearly");
+    if (whole.left_out)
+        account.say(std::to_string(whole.left_out) + " incomplete point" + (whole.left_out > 1 ? "s" : "") +
+                    " left out");
+    if (whole.points.size() < 2)
+        throw InputError(file + ": " + points_text(whole.points.size()) + ", expected 2 or more");
+    if (whole.points.x.front() <= whole.points.x.back())
+        return std::move(whole.points);
+    account.say("x runs backwards, reversed");
+    return reversed(std::move(whole.points));
+}
+
+Profile evenly_spaced(const Points& points, Index nodes, const std::string& file, Account& account) {
+    const Evenness fit = evenness(points.x, points.last_digit);
+    const Index all = static_cast<Index>(points.size());
+    if (fit.even && (nodes == 0 || nodes == all)) {
+        if (fit.deviation > 1e-9 * fit.spacing)
+            account.say("spacing even within " + short_number(fit.deviation) +
+                        " mm of rounding, taken as even without changing a height");
+        return {Eigen::Map<const Eigen::VectorXd>(points.heights.data(), all), fit.spacing};
+    }
+    std::vector<double> x = points.x;
+    if (fit.even)
+        for (std::size_t i = 0; i < x.size(); ++i)
+            x[i] = fit.first + fit.spacing * static_cast<double>(i);
+    for (std::size_t i = 1; i < x.size(); ++i)
+        if (!(x[i] > x[i - 1]))
+            throw InputError(at(file, points.line[i]) + ": x does not grow (" + short_number(x[i]) +
+                             " mm after " + short_number(x[i - 1]) + " mm), expected x in order");
+    if (!fit.even) {
+        double shortest = x.back() - x.front(), longest = 0;
+        for (std::size_t i = 1; i < x.size(); ++i) {
+            shortest = std::min(shortest, x[i] - x[i - 1]);
+            longest = std::max(longest, x[i] - x[i - 1]);
+        }
+        account.say("spacing uneven (" + short_number(shortest) + " to " + short_number(longest) + " mm)");
+    }
+    const Index count = nodes == 0 ? all : nodes;
+    account.say("resampled linearly to " + std::to_string(count) + " even nodes");
+    return resampled(x, points.heights, count);
+}
+
+const char* what_was_removed(Detrend form) {
+    switch (form) {
+    case Detrend::none:
+        return "nothing removed";
+    case Detrend::mean:
+        return "mean removed";
+    case Detrend::line:
+        return "line removed";
+    case Detrend::parabola:
+        return "parabola removed";
+    }
+    return "";
+}
+
+void check(const ScanOptions& options) {
+    if (!(options.spacing >= 0) || !std::isfinite(options.spacing))
+        throw InputError("spacing: " + short_number(options.spacing) + ", expected a length above 0");
+    if (options.nodes != 0 && (options.nodes < 2 || options.nodes > 10'000'000))
+        throw InputError("nodes: " + std::to_string(options.nodes) + ", expected 2 to 1e7");
+}
+
+} // namespace
+
+Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
+    check(options);
+    const std::string file = path.string();
+    const auto lines = text_lines(read_whole(path), file);
+    const bool spacing_named = std::any_of(lines.begin(), lines.end(), names_spacing);
+    Table table = read_table(lines, file, options.spacing > 0 || spacing_named);
+    const Header header = read_header(table.header, table.dialect, table.columns, file);
+    stand_up(table, header.points.has_value());
+
+    Account account;
+    const Layout layout = layout_of(table, header, options.spacing > 0, file);
+    const Units units = units_of(header, layout, options, file, account);
+    const double spacing =
+        layout.x == no_column ? spacing_of(header, options, table.rows(), units.height, file) : 0;
+    Points points = points_in_mm(table, header, layout, units, spacing);
+    const long announced = header.points.value_or(table.announced);
+    if (announced >= 0 && announced != static_cast<long>(points.size()))
+        account.say("the file announces " + std::to_string(announced) + " points");
+    else if (table.announced >= 0 && table.columns == 1)
+        account.say("the first line taken as the count of points");
+    const std::size_t read = points.size();
+    points = in_order(std::move(points), options.fill, file, account);
+
+    Profile profile = evenly_spaced(points, options.nodes, file, account);
+    const double size = profile.heights.cwiseAbs().maxCoeff();
+    profile.heights = detrended(profile.heights, options.detrend);
+    account.say(what_was_removed(options.detrend));
+    const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
+    if (!(range > 1e-12 * size))
+        throw InputError(file + ": the heights are constant (" + what_was_removed(options.detrend) +
+                         "), expected a rough profile");
+    const double rms = std::sqrt((profile.heights.array() - profile.heights.mean()).square().mean());
+    const double length = profile.spacing * static_cast<double>(profile.nodes() - 1);
+    return {std::move(profile), file + ": " + points_text(read) + ", length " + short_number(length) +
+                                    " mm, height range " + short_number(range) + " mm, rms " +
+                                    short_number(rms) + " mm; " + account.text};
+}
+
+} // namespace rough

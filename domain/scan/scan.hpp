@@ -1,0 +1,37 @@
+#pragma once
+
+#include "domain/profile.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace rough {
+
+/// What is taken off a measured profile's heights, by least squares over its even nodes.
+enum class Detrend { none, mean, line, parabola };
+
+/// "none", "mean", "line" or "parabola"; anything else throws InputError naming `where`.
+Detrend detrend_named(std::string_view name, const std::string& where);
+
+struct ScanOptions {
+    std::string
+        unit; ///< unit of the columns whose header names none, e.g. "um"; empty: none given, mm is assumed
+    double spacing = 0; ///< distance of a one-column file's points, in `unit` (mm without); 0: none given
+    Detrend detrend = Detrend::line;
+    bool fill = false; ///< replace missing heights by linear interpolation instead of refusing them
+    Index nodes = 0;   ///< resample to that many even nodes, >= 2; 0: as many as the file has points
+};
+
+/// A measured profile, ready for contact, and what was read and done, in one line.
+struct Scan {
+    Profile profile;     ///< mm, even spacing, x growing, detrended
+    std::string account; ///< points, length, height range, rms, units, resampling, filling, detrending
+};
+
+/// Reads a measured line scan from a text file: one column of heights, or x and height, or those with a
+/// running index before them or a validity column (0 or 1) behind. See domain/scan/README.md for what is
+/// understood. Throws InputError with one line that names the file, the line and what was expected.
+Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {});
+
+} // namespace rough

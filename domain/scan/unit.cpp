@@ -1,0 +1,154 @@
+#include "domain/scan/unit.hpp"
+
+#include "domain/errors.hpp"
+#include "domain/scan/cells.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace rough {
+namespace {
+
+struct Spelling {
+    std::string_view word;
+    std::string_view name;
+    double in_mm;
+};
+
+constexpr std::string_view known = "m, cm, mm, µm, nm, pm, Å, in, mil, µin";
+
+constexpr std::array<Spelling, 43> spellings{{
+    {"m", "m", 1e3},
+    {"meter", "m", 1e3},
+    {"metre", "m", 1e3},
+    {"cm", "cm", 10},
+    {"centimeter", "cm", 10},
+    {"centimetre", "cm", 10},
+    {"mm", "mm", 1},
+    {"millimeter", "mm", 1},
+    {"millimetre", "mm", 1},
+    {"µm", "µm", 1e-3},
+    {"μm", "µm", 1e-3},
+    {"um", "µm", 1e-3},
+    {"mum", "µm", 1e-3},
+    {"µ", "µm", 1e-3},
+    {"μ", "µm", 1e-3},
+    {"micron", "µm", 1e-3},
+    {"micrometer", "µm", 1e-3},
+    {"micrometre", "µm", 1e-3},
+    {"mikrometer", "µm", 1e-3},
+    {"nm", "nm", 1e-6},
+    {"nanometer", "nm", 1e-6},
+    {"nanometre", "nm", 1e-6},
+    {"pm", "pm", 1e-9},
+    {"picometer", "pm", 1e-9},
+    {"picometre", "pm", 1e-9},
+    {"å", "Å", 1e-7},
+    {"Å", "Å", 1e-7},
+    {"Å", "Å", 1e-7},
+    {"a", "Å", 1e-7},
+    {"ang", "Å", 1e-7},
+    {"angstrom", "Å", 1e-7},
+    {"ångström", "Å", 1e-7},
+    {"ångstrom", "Å", 1e-7},
+    {"in", "in", 25.4},
+    {"inch", "in", 25.4},
+    {"inches", "in", 25.4},
+    {"mil", "mil", 0.0254},
+    {"thou", "mil", 0.0254},
+    {"µin", "µin", 25.4e-6},
+    {"uin", "µin", 25.4e-6},
+    {"microinch", "µin", 25.4e-6},
+    {"microinches", "µin", 25.4e-6},
+    {"dm", "dm", 100},
+}};
+
+constexpr std::array<std::string_view, 18> other_quantities{"v",     "mv",     "µv",  "uv", "s",  "ms",
+                                                            "sec",   "hz",     "n",   "mn", "px", "pix",
+                                                            "pixel", "pixels", "deg", "°",  "%",  "rad"};
+
+bool ambiguous(std::string_view word) { return word.size() == 1 || lower(word) == "in"; }
+
+std::string_view bracketed(std::string_view word) {
+    constexpr std::string_view open = "[({<", close = "])}>";
+    const auto kind = word.empty() ? std::string_view::npos : open.find(word.front());
+    return kind != std::string_view::npos && word.back() == close[kind]
+               ? trim(word.substr(1, word.size() - 2))
+               : std::string_view{};
+}
+
+/// Words, a bracketed group being one word whatever it holds.
+std::vector<std::string_view> words_of(std::string_view header) {
+    std::vector<std::string_view> words;
+    std::size_t start = 0;
+    const auto end_word = [&](std::size_t end) {
+        if (end > start)
+            words.push_back(header.substr(start, end - start));
+    };
+    for (std::size_t i = 0; i < header.size(); ++i) {
+        if (std::string_view("[({<").find(header[i]) != std::string_view::npos) {
+            const std::size_t close = header.find_first_of("])}>", i);
+            if (close == std::string_view::npos)
+                continue;
+            end_word(i);
+            start = i;
+            end_word(close + 1);
+            start = close + 1;
+            i = close;
+        } else if (std::string_view(" \t,;:_\"'").find(header[i]) != std::string_view::npos) {
+            end_word(i);
+            start = i + 1;
+        }
+    }
+    end_word(header.size());
+    return words;
+}
+
+} // namespace
+
+std::optional<LengthUnit> length_unit(std::string_view word) {
+    const std::string small = lower(trim(word));
+    for (const std::string& form : {small, small.ends_with('s') ? small.substr(0, small.size() - 1) : small})
+        for (const Spelling& spelling : spellings)
+            if (form == spelling.word)
+                return LengthUnit{std::string(spelling.name), spelling.in_mm};
+    return std::nullopt;
+}
+
+LengthUnit length_unit_named(std::string_view word, const std::string& where) {
+    if (const auto unit = length_unit(word))
+        return *unit;
+    throw InputError(where + ": '" + std::string(word) + "' is no length unit (known: " + std::string(known) +
+                     ")");
+}
+
+std::vector<LengthUnit> length_units_in(std::string_view header, const std::string& where) {
+    if (const auto unit = length_unit(header))
+        return {*unit};
+    const auto words = words_of(header);
+    const bool units_only = !words.empty() && std::all_of(words.begin(), words.end(), [](auto word) {
+        return length_unit(word).has_value();
+    });
+    std::vector<LengthUnit> found;
+    for (std::string_view word : words) {
+        const std::string_view inside = bracketed(word);
+        const std::size_t slash = word.rfind('/');
+        std::optional<LengthUnit> unit;
+        if (!inside.empty()) {
+            unit = length_unit(inside);
+            if (std::find(other_quantities.begin(), other_quantities.end(), lower(inside)) !=
+                other_quantities.end())
+                throw InputError(where + ": a column in '" + std::string(inside) + "', expected a length (" +
+                                 std::string(known) + ")");
+        } else if (slash != std::string_view::npos && slash > 0) {
+            unit = length_unit(word.substr(slash + 1));
+        } else if (units_only || !ambiguous(word)) {
+            unit = length_unit(word);
+        }
+        if (unit)
+            found.push_back(*unit);
+    }
+    return found;
+}
+
+} // namespace rough

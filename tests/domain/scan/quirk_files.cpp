@@ -1,0 +1,190 @@
+#include "tests/domain/scan/quirk_files.hpp"
+
+#include <cstdio>
+
+namespace {
+
+std::string number(double value, int decimals, char point) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    std::string written = text;
+    for (char& c : written)
+        if (c == '.')
+            c = point;
+    return written;
+}
+
+struct Form {
+    std::string separator = "\t";
+    std::string end = "\n";
+    char point = '.';
+    double x_unit = 1;      ///< mm
+    double height_unit = 1; ///< mm
+    std::string before = {}, behind = {};
+    int x_decimals = 7, height_decimals = 7;
+};
+
+std::string x_at(std::size_t i, const Form& form) {
+    return number(double(i) * quirk_spacing / form.x_unit, form.x_decimals, form.point);
+}
+
+std::string height_at(std::size_t i, const Form& form) {
+    return number(quirk_heights[i] / form.height_unit, form.height_decimals, form.point);
+}
+
+std::string two_columns(const Form& form) {
+    std::string text;
+    for (std::size_t i = 0; i < quirk_heights.size(); ++i)
+        text += form.before + x_at(i, form) + form.separator + height_at(i, form) + form.behind + form.end;
+    return text;
+}
+
+std::string one_column(const Form& form) {
+    std::string text;
+    for (std::size_t i = 0; i < quirk_heights.size(); ++i)
+        text += height_at(i, form) + form.end;
+    return text;
+}
+
+std::string utf16(const std::string& ascii) {
+    std::string bytes = "\xFF\xFE";
+    for (char c : ascii)
+        bytes += c, bytes += '\0';
+    return bytes;
+}
+
+const Form micro{.x_unit = 1e-3, .height_unit = 1e-3};
+
+Form with(Form form, auto change) {
+    change(form);
+    return form;
+}
+
+std::string swapped(std::string text, const std::string& old, const std::string& fresh) {
+    return text.replace(text.find(old), old.size(), fresh);
+}
+
+std::vector<QuirkFile> columns() {
+    const Form comma_points = with(micro, [](Form& f) { f.point = ',', f.separator = ";"; });
+    return {
+        {"tabs", two_columns({})},
+        {"blanks, aligned", two_columns({.separator = "   ", .before = "   "})},
+        {"commas", two_columns({.separator = ","})},
+        {"commas and blanks", two_columns({.separator = ", "})},
+        {"semicolons", two_columns({.separator = ";"})},
+        {"semicolons and decimal commas", two_columns(comma_points), "um"},
+        {"tabs and decimal commas", two_columns(with(comma_points, [](Form& f) { f.separator = "\t"; })),
+         "um"},
+        {"blanks and decimal commas", two_columns(with(comma_points, [](Form& f) { f.separator = "  "; })),
+         "um"},
+        {"comma, blank and decimal commas",
+         two_columns(with(comma_points, [](Form& f) { f.separator = ", "; })), "um"},
+        {"one column", one_column({}), "", quirk_spacing},
+        {"one column with decimal commas", one_column(with(micro, [](Form& f) { f.point = ','; })), "um",
+         0.5},
+        {"one column after its count", "8\n" + one_column({}), "", quirk_spacing},
+        {"one row", swapped("z", "z", one_column({.end = " "})) + "\n", "", quirk_spacing},
+        {"a running index before x",
+         [] {
+             std::string text = "No.;x;z\n";
+             for (std::size_t i = 0; i < quirk_heights.size(); ++i)
+                 text += std::to_string(i + 1) + ";" + x_at(i, {}) + ";" + height_at(i, {}) + "\n";
+             return text;
+         }()},
+        {"a running index for x",
+         [] {
+             std::string text;
+             for (std::size_t i = 0; i < quirk_heights.size(); ++i)
+                 text += std::to_string(i) + " " + height_at(i, {}) + "\n";
+             return text;
+         }(),
+         "", quirk_spacing},
+        {"numbers in quotes",
+         "\"x\",\"z\"\n" + two_columns({.separator = "\",\"", .before = "\"", .behind = "\""})},
+        {"x running backwards",
+         [] {
+             std::string text;
+             for (std::size_t i = quirk_heights.size(); i-- > 0;)
+                 text += x_at(i, {}) + " " + height_at(i, {}) + "\n";
+             return text;
+         }()},
+    };
+}
+
+std::vector<QuirkFile> headers() {
+    const Form mixed{.separator = ";", .x_unit = 1, .height_unit = 1e-3};
+    const Form nano{.separator = ",", .x_unit = 1e-3, .height_unit = 1e-6};
+    const Form metres{
+        .separator = " ", .x_unit = 1e3, .height_unit = 1e3, .x_decimals = 10, .height_decimals = 10};
+    const Form angstrom{.separator = "\t", .x_unit = 1e-6, .height_unit = 1e-7};
+    return {
+        {"units in brackets", "x [mm];z [\xC2\xB5m]\n" + two_columns(mixed)},
+        {"units in parentheses over blanks",
+         "Position (mm)  Height (um)\n" + two_columns(with(mixed, [](Form& f) { f.separator = "  "; }))},
+        {"units after a slash", "x/um,z/nm\n" + two_columns(nano)},
+        {"units after an underscore", "x_um,z_nm\n" + two_columns(nano)},
+        {"units in words",
+         "Lateral um,Raw Nanometer,\n" + two_columns(with(nano, [](Form& f) { f.behind = ",,"; }))},
+        {"units in a line of their own", "x;z\n[mm];[um]\n" + two_columns(mixed)},
+        {"units alone and a count",
+         "\xC2\xB5m \xC2\xB5m\n8\n" + two_columns(with(micro, [](Form& f) { f.separator = ", "; }))},
+        {"Latin-1 units", "x [mm];z [\xB5m]\n" + two_columns(mixed)},
+        {"Greek mu in UTF-8", "x [mm];z [\xCE\xBCm]\n" + two_columns(mixed)},
+        {"metres", "x[m] z[m]\n" + two_columns(metres)},
+        {"Angstrom", "x [nm]\tz [\xC3\x85]\n" + two_columns(angstrom)},
+        {"units by key", "x-unit: um\nz-unit: nm\n" + two_columns(nano)},
+        {"units in a comment", "# x [mm]; z [um]\n" + two_columns(mixed)},
+        {"one named, the other given", "X_(microns),y1\n" + two_columns(nano), "nm"},
+        {"Dektak export",
+         "Scan Parameters\nScan Type,Standard Scan\nID,0\nStylus,Radius: 2.5 \xB5m\nLength,3.5 um\n"
+         "Resolution,0.5 um/sample\nR. Cursor,Pos: 1.0 um Width: 0.0 um\n\nAnalytical Results\n"
+         "Function,R.Cur Pos,Result\nRa,4.0 um,0.0052 um\n\nScan Data\nLateral um,Raw Micrometer,\n" +
+             two_columns({.separator = ",", .x_unit = 1e-3, .height_unit = 1e-3, .behind = ",,"})},
+        {"HFM export", "X;Y;valid\n[mm];[mm];[1/0]\n" + two_columns({.separator = ";", .behind = ";1"})},
+        {"matrix text with a width",
+         "# Channel: Main\n# Width: 4 \xC2\xB5m\n# Value units: nm\n" + one_column({.height_unit = 1e-6})},
+        {"pixel size and height factor",
+         "pixel size = 0.5 um\nheight conversion factor (-> m) = 1e-6\n" + one_column({.height_unit = 1e-3})},
+        {"ISO 25178-71 surface data file",
+         "aISO-1.0\nManufacID = maker\nCreateDate = 210520051200\nNumPoints = 8\nNumProfiles = 1\nXscale = "
+         "5E-07\n"
+         "Yscale = 0\nZscale = 1E-06\nZresolution = -1\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n" +
+             one_column({.height_unit = 1e-3}) + "*\n*\n"},
+    };
+}
+
+std::vector<QuirkFile> text_forms() {
+    const std::string rows = two_columns({});
+    return {
+        {"Windows line ends", two_columns({.end = "\r\n"})},
+        {"doubled line ends", two_columns({.end = "\r\r\n"})},
+        {"a blank line after every line", two_columns({.end = "\r\n\r\n"})},
+        {"old Macintosh line ends", two_columns({.end = "\r"})},
+        {"a UTF-8 mark", "\xEF\xBB\xBF" + rows},
+        {"UTF-16", utf16(rows)},
+        {"no last line end", rows.substr(0, rows.size() - 1)},
+        {"blank lines at the end", rows + "\n \n\t\n"},
+        {"trailing separators", two_columns({.separator = ";", .behind = ";;"})},
+        {"comments above, between and behind",
+         "% made by hand\n" + swapped(rows, "0.0010000", "0.0010000\n# pause") + "# end\n"},
+        {"a remark behind a row", swapped(rows, "0.0030000\n", "0.0030000 # a scratch\n")},
+        {"a title and a preamble",
+         "Sample 7, ground steel\nOperator: N. N.\nSpeed = 0.5 mm/s\n\nx\tz\n" + rows},
+        {"a count before two columns", "8\n" + rows},
+        {"plus signs", two_columns({.before = "+"})},
+        {"a typographic minus", swapped(rows, "-0.0025",
+                                        "\xE2\x88\x92"
+                                        "0.0025")},
+        {"x rounded in its last digit",
+         two_columns({.x_unit = 1, .x_decimals = 7}).replace(0, 9, "0.0000001")},
+    };
+}
+
+} // namespace
+
+std::vector<QuirkFile> quirk_files() {
+    std::vector<QuirkFile> all = columns();
+    for (const auto& group : {headers(), text_forms()})
+        all.insert(all.end(), group.begin(), group.end());
+    return all;
+}

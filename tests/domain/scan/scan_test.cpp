@@ -1,0 +1,178 @@
+#include "domain/atomic_file.hpp"
+#include "domain/errors.hpp"
+#include "domain/scan/scan.hpp"
+#include "tests/domain/scan/quirk_files.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+using namespace rough;
+
+namespace {
+
+Scan read(const std::string& bytes, ScanOptions options = {.detrend = Detrend::none}) {
+    const auto path =
+        std::filesystem::temp_directory_path() / ("rugosa-scan-" + std::to_string(getpid()) + ".txt");
+    write_atomically(path, bytes);
+    try {
+        Scan scan = read_scan(path, options);
+        std::filesystem::remove(path);
+        return scan;
+    } catch (...) {
+        std::filesystem::remove(path);
+        throw;
+    }
+}
+
+std::string refusal(const std::string& bytes, ScanOptions options = {.detrend = Detrend::none}) {
+    try {
+        return "read as " + read(bytes, options).account;
+    } catch (const InputError& error) {
+        CHECK(std::string(error.what()).find('\n') == std::string::npos);
+        return error.what();
+    }
+}
+
+std::string rows(int count, auto height) {
+    std::string text;
+    for (int i = 0; i < count; ++i)
+        text += std::to_string(i) + " " + std::to_string(height(i)) + "\n";
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("a file with any one quirk of real scans holds the same profile as the others") {
+    const auto files = quirk_files();
+    REQUIRE(files.size() >= 30);
+    for (const QuirkFile& file : files) {
+        INFO(file.quirk << "\n" << file.bytes);
+        const Scan scan =
+            read(file.bytes, {.unit = file.unit, .spacing = file.spacing, .detrend = Detrend::none});
+        INFO(scan.account);
+        CHECK(scan.profile.spacing == Approx(quirk_spacing).epsilon(1e-4));
+        REQUIRE(scan.profile.nodes() == Index(quirk_heights.size()));
+        for (std::size_t i = 0; i < quirk_heights.size(); ++i)
+            CHECK(scan.profile.heights[Index(i)] == Approx(quirk_heights[i]).epsilon(1e-12));
+        CHECK(scan.account.find('\n') == std::string::npos);
+        CHECK_THAT(scan.account, Catch::Contains("8 points"));
+    }
+}
+
+TEST_CASE("the account says which unit was named, given or assumed") {
+    CHECK_THAT(read("0 1\n1 2\n2 1\n").account,
+               Catch::Contains("x in mm (assumed), heights in mm (assumed)"));
+    CHECK_THAT(read("0 1\n1 2\n2 1\n", {.unit = "um"}).account,
+               Catch::Contains("x in µm (given), heights in µm (given)"));
+    CHECK_THAT(read("x [nm],z\n0,1\n1,2\n2,1\n").account,
+               Catch::Contains("x in nm, heights in mm (assumed)"));
+    CHECK_THAT(read("µm nm\n4\n0 1\n1 2\n2 1\n").account, Catch::Contains("announces 4 points"));
+}
+
+TEST_CASE("a unit that contradicts the header is refused, one that agrees with it is not") {
+    CHECK_THAT(refusal("x [mm];z [um]\n0;1\n1;2\n2;1\n", {.unit = "mm"}),
+               Catch::Contains("header gives heights in µm"));
+    CHECK_THAT(refusal("x [um];z [um]\n0;1\n1;2\n2;1\n", {.unit = "nm"}),
+               Catch::Contains("header gives x in µm"));
+    CHECK_NOTHROW(read("x [um];z [um]\n0;1\n1;2\n2;1\n", {.unit = "micron"}));
+    CHECK_THAT(refusal("0 1\n1 2\n2 1\n", {.unit = "furlong"}),
+               Catch::Contains("'furlong'") && Catch::Contains("µm"));
+    CHECK_THAT(refusal("x [mm];z [V]\n0;1\n1;2\n2;1\n"), Catch::Contains("line 1") && Catch::Contains("'V'"));
+}
+
+TEST_CASE("a missing value is refused with its line and filled linearly when asked") {
+    for (const std::string missing : {"NaN", "nan", "BAD", "--", "n/a", ""}) {
+        INFO(missing);
+        const std::string text = "x;z\n0;1\n1;" + missing + "\n2;3\n3;0\n";
+        CHECK_THAT(refusal(text), Catch::Contains("line 3") && Catch::Contains("a height"));
+        const Scan scan = read(text, {.detrend = Detrend::none, .fill = true});
+        CHECK(scan.profile.heights[1] == Approx(2));
+        CHECK_THAT(scan.account, Catch::Contains("1 missing height filled"));
+    }
+    CHECK_THAT(refusal("x;z\n0;1\n;2\n2;3\n3;0\n"), Catch::Contains("line 3") && Catch::Contains("an x"));
+    CHECK_THAT(refusal("X;Y;valid\n[mm];[mm];[1/0]\n0;1;1\n1;9;0\n2;3;1\n"), Catch::Contains("line 4"));
+    CHECK(read("X;Y;valid\n[mm];[mm];[1/0]\n0;1;1\n1;9;0\n2;3;1\n", {.detrend = Detrend::none, .fill = true})
+              .profile.heights[1] == Approx(2));
+    CHECK_THAT(refusal("1\nnan\n3\n", {.spacing = 1}), Catch::Contains("line 2"));
+}
+
+TEST_CASE("missing values at the ends of a scan are left out when filling") {
+    const Scan scan = read("0 nan\n1 2\n2 nan\n3 6\n4 1\n5 nan\n", {.detrend = Detrend::none, .fill = true});
+    REQUIRE(scan.profile.nodes() == 4);
+    CHECK(scan.profile.heights[1] == Approx(4));
+    CHECK_THAT(scan.account, Catch::Contains("2 incomplete points left out"));
+}
+
+TEST_CASE("unevenly spaced points are resampled on the straight lines between them") {
+    const Scan scan = read("0 0\n1 2\n4 8\n10 20\n11 0\n");
+    CHECK(scan.profile.spacing == Approx(11. / 4));
+    for (Index i = 0; i < 4; ++i)
+        CHECK(scan.profile.heights[i] == Approx(2 * 11. / 4 * double(i)));
+    CHECK(scan.profile.heights[4] == Approx(0).margin(1e-12));
+    CHECK_THAT(scan.account, Catch::Contains("resampled linearly to 5 even nodes"));
+    CHECK(read("0 0\n1 2\n4 8\n10 20\n11 0\n", {.detrend = Detrend::none, .nodes = 45}).profile.heights[4] ==
+          Approx(2));
+}
+
+TEST_CASE("a spacing rounded in its last digit is even and moves no height") {
+    const double spacing = 0.0000995587;
+    std::string text;
+    Eigen::VectorXd heights(5000);
+    for (int i = 0; i < 5000; ++i) {
+        char line[64];
+        std::snprintf(line, sizeof line, "%.6f\t%.6f\n", i * spacing, std::sin(0.01 * i));
+        text += line;
+        heights[i] = std::strtod(std::strchr(line, '\t'), nullptr);
+    }
+    const Scan scan = read(text);
+    CHECK(scan.profile.spacing == Approx(spacing).epsilon(1e-7));
+    CHECK(scan.profile.heights == heights);
+    CHECK_THAT(scan.account, Catch::Contains("taken as even"));
+}
+
+TEST_CASE("points out of order are refused with their line") {
+    CHECK_THAT(refusal("0 1\n1 2\n0.5 1\n2 0\n"),
+               Catch::Contains("line 3") && Catch::Contains("does not grow"));
+    CHECK_THAT(refusal("0.0 1\n1.0 2\n1.0 1\n2.0 0\n5.0 0\n"), Catch::Contains("line 3"));
+}
+
+TEST_CASE("what cannot be a line scan is refused in one line that says why") {
+    CHECK_THAT(refusal(""), Catch::Contains("holds no numbers"));
+    CHECK_THAT(refusal("only words\nand more\n"), Catch::Contains("holds no numbers"));
+    CHECK_THAT(refusal(std::string("\x89PNG\0\0\1", 7)), Catch::Contains("binary"));
+    CHECK_THAT(refusal("1\n2\n0\n"), Catch::Contains("expected a spacing"));
+    CHECK_THAT(refusal("0 1\n1 2\n2 1\n", {.spacing = 0.5}).substr(0, 8), !Catch::Contains("column"));
+    CHECK_THAT(refusal("0.5 1\n1 2\n2 1\n", {.spacing = 0.5}), Catch::Contains("two columns"));
+    CHECK_THAT(refusal("0 1 5\n1 2 5.5\n3 1 7\n"), Catch::Contains("3 columns"));
+    CHECK_THAT(refusal("0 1\n1 2\n2 here\n3 1\n"), Catch::Contains("line 3") && Catch::Contains("2 here"));
+    CHECK_THAT(refusal("0 1\n1 2\n2 3 4\n3 1\n"), Catch::Contains("line 3") && Catch::Contains("3 columns"));
+    CHECK_THAT(refusal("0 1\n"), Catch::Contains("1 point"));
+    CHECK_THAT(refusal("0 1\n1 1\n2 1\n"), Catch::Contains("constant"));
+    CHECK_THAT(refusal("0 1\n1 2\n2 3\n", {.detrend = Detrend::line}), Catch::Contains("constant"));
+    CHECK_THAT(refusal("dx = 0.5 um\n1\n2\n1\n", {.spacing = 7}), Catch::Contains("0.0005 mm"));
+    CHECK_THAT(refusal("0 1\n1 2\n2 1\n", {.nodes = 1}), Catch::Contains("2 to 1e7"));
+    CHECK_THROWS_WITH(read_scan("no/such/scan.txt"), Catch::Contains("no/such/scan.txt"));
+}
+
+TEST_CASE("mean, line and parabola are removed exactly and only they") {
+    const auto polynomial = [](int i) { return 3 - 0.5 * i + 0.02 * i * i; };
+    const auto bump = [](int i) { return i == 10 ? 1. : 0.; };
+    const auto with_bump = [&](int i) { return polynomial(i) + bump(i); };
+    const Eigen::VectorXd heights = read(rows(41, with_bump), {.detrend = Detrend::parabola}).profile.heights;
+    const Eigen::VectorXd alone = read(rows(41, bump), {.detrend = Detrend::parabola}).profile.heights;
+    CHECK((heights - alone).cwiseAbs().maxCoeff() < 1e-12 * polynomial(40));
+    const Eigen::ArrayXd i = Eigen::ArrayXd::LinSpaced(41, 0, 40);
+    for (const Detrend form : {Detrend::mean, Detrend::line, Detrend::parabola}) {
+        const Eigen::ArrayXd rest = read(rows(41, with_bump), {.detrend = form}).profile.heights.array();
+        CHECK(std::abs(rest.sum()) < 1e-10);
+        if (form != Detrend::mean)
+            CHECK(std::abs((rest * i).sum()) < 1e-9);
+        if (form == Detrend::parabola)
+            CHECK(std::abs((rest * i * i).sum()) < 1e-7);
+    }
+    CHECK(read(rows(5, polynomial)).profile.heights[2] == Approx(polynomial(2)));
+    CHECK_THROWS_WITH(detrend_named("plane", "--detrend"), Catch::Contains("parabola"));
+}
