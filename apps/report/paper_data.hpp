@@ -1,0 +1,87 @@
+#pragma once
+
+#include "domain/fitness/model.hpp"
+#include "domain/mwm/database.hpp"
+#include "domain/response/target.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// What the paper's experiment found, as its figures and claims read it. The runner fills it; nothing here
+/// computes. Pressures in MPa, lengths in mm, stiffness in MPa/mm. An unknown number is NaN.
+namespace app {
+
+/// A genome and what it answers: its scale is Eq. 11's, so that the response's last pressure is p_max.
+struct Answered {
+    rough::Genome genome;
+    rough::Response response;
+};
+
+/// Similarity of one genome with a target (Eq. 12).
+struct Scores {
+    double all;  ///< over every point
+    double low;  ///< over [0, p_bar]
+    double high; ///< over [p_bar, p_max]
+};
+
+struct Candidate {
+    std::uint64_t id = 0; ///< stays when it is refined; database genomes are 0..99 in their order
+    std::vector<std::uint64_t> parents; ///< none, or the two that were united
+    double similarity = 0;              ///< over all points; NaN where the stage left it unscored
+};
+
+/// The population after one stage.
+struct StageRecord {
+    std::string path; ///< e.g. "sog/refine.2"
+    std::vector<Candidate> candidates;
+};
+
+/// One algorithm's way to its answer.
+struct VariantRun {
+    std::string name;                ///< sog, gco, cco, sog-minimax, gco-minimax, cco-minimax
+    std::vector<StageRecord> stages; ///< in order; what stands before the first "refine" is GCMMA (0)
+    std::vector<std::string> notes;  ///< the engine's remarks, e.g. that a threshold took its "at least"
+    Answered answer;
+    double similarity = 0;         ///< of the answer, on the run's grid
+    double similarity_refined = 0; ///< of the same genome at 4(N-1)+1 nodes, Eq. 11 anew
+    double seconds = 0;            ///< wall time
+    long curves = 0, gradients = 0;
+};
+
+/// One cross-over algorithm at one threshold p_bar.
+struct ThresholdRow {
+    double p_bar = 0;
+    std::string variant;                ///< gco or cco
+    std::size_t u1 = 0, u2 = 0;         ///< sizes of U1 and U2 as bred from, "at least" included
+    bool at_least_used = false;         ///< U1 or U2 held fewer than "at least" genomes above 0.95
+    std::size_t children = 0;           ///< distinct children: |U4|, as |U3| = u1 u2 counts twins
+    double share_above = 0;             ///< of the distinct children, the share with s > 0.95, 0..1
+    double best_child = 0;              ///< best similarity among them, before any GCMMA
+    std::vector<std::uint64_t> parents; ///< of the answer
+    double similarity = 0;              ///< of the answer, after the last GCMMA
+};
+
+/// Everything that depends on one target.
+struct TargetRun {
+    std::string title; ///< "drawn" or "held-out"
+    rough::Target target;
+    double p_bar = 0;                     ///< threshold of the variants below
+    std::vector<Scores> database;         ///< of each database genome, same order
+    std::vector<VariantRun> variants;     ///< the paper's three, then their minimax forms
+    std::vector<ThresholdRow> thresholds; ///< p_bar ascending, gco and cco at each
+};
+
+struct PaperRun {
+    std::string version, command; ///< the command that repeats the run, as typed
+    std::uint64_t seed = 0;
+    int threads = 0;
+    double seconds = 0; ///< wall time of the run without the page
+    rough::Model model;
+    double max_pressure = 0; ///< p_max
+    rough::DatabaseLayout layout;
+    std::vector<Answered> database; ///< pair by pair, each with every phase column
+    std::vector<TargetRun> targets; ///< drawn, then held-out
+};
+
+} // namespace app
