@@ -1,0 +1,31 @@
+#include "apps/progress.hpp"
+
+#include <unistd.h>
+
+#include <iostream>
+
+namespace app {
+
+namespace {
+constexpr const char* clear_line = "\r\033[K";
+}
+
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+    if (shown_)
+        std::cerr << clear_line << std::flush;
+}
+
+void Progress::show(const std::string& text) {
+    const auto now = Clock::now();
+    using namespace std::chrono_literals;
+    if (!terminal_ || now - start_ < 1s || (shown_ && now - last_ < 100ms))
+        return;
+    std::cerr << clear_line << std::chrono::duration_cast<std::chrono::seconds>(now - start_).count() << " s  " << text
+              << std::flush;
+    shown_ = true;
+    last_ = now;
+}
+
+} // namespace app

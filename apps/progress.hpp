@@ -1,0 +1,25 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace app {
+
+/// A line on a terminal's stderr that is written over while a run takes longer than a second; nothing when piped.
+class Progress {
+  public:
+    Progress();
+    ~Progress();
+    Progress(const Progress&) = delete;
+
+    /// What is being done, e.g. "gco: 12 of 40"; shown at most ten times a second.
+    void show(const std::string& text);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    bool terminal_;
+    bool shown_ = false;
+    Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+} // namespace app
