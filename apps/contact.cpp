@@ -1,10 +1,13 @@
 #include "apps/commands.hpp"
 #include "apps/model_settings.hpp"
+#include "apps/output.hpp"
+#include "apps/scan_settings.hpp"
 #include "apps/table.hpp"
 #include "domain/atomic_file.hpp"
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
+
+#include <iostream>
 
 namespace app {
 
@@ -14,12 +17,32 @@ std::vector<Setting> contact_settings() {
     std::vector<Setting> settings{
         {"genome", "", "genome file (JSON) of the profile"},
         {"profile", "", "measured profile in place of a genome: a text file of one or two columns"},
-        {"unit", "", "unit of a scan's columns whose header names none: nm, um, mm or m [mm]"},
         {"out", "", "curve file to write (CSV)"},
+        {"force", "", "write over an existing curve file", true},
     };
-    for (auto& setting : model_settings())
-        settings.push_back(setting);
+    for (const auto& more : {scan_settings(), model_settings()})
+        settings.insert(settings.end(), more.begin(), more.end());
     return settings;
+}
+
+rough::Response measured_response(const Settings& settings) {
+    const long nodes = settings.has("nodes") ? settings.whole("nodes", 2, 10000000) : 0;
+    const rough::Scan scan = scan_from(settings.text("profile"), settings, nodes);
+    rough::Model model = model_from(settings, scan.profile);
+    rough::Profile profile = scan.profile;
+    profile.spacing = model.grid.spacing();
+    rough::Response response = respond(profile, model.body, model.loading, model.contact);
+    std::cout << scan.account << "\n";
+    return response;
+}
+
+rough::Response computed_response(const Settings& settings) {
+    for (const auto& setting : scan_settings())
+        if (settings.given(setting.name))
+            throw rough::InputError("--" + setting.name +
+                                    ": given with --genome, expected with --profile only");
+    const rough::Model model = model_from(settings);
+    return respond(rough::read_genome(settings.text("genome")), model);
 }
 
 } // namespace
@@ -39,10 +62,10 @@ int contact(const Words& words) {
         throw rough::InputError("contact: expected either --genome or --profile");
     if (!settings.has("out"))
         throw rough::InputError("contact: --out is missing, expected the curve file to write");
+    expect_writable(settings.text("out"), settings.is_on("force"));
 
-    const rough::Model model = model_from(settings);
-    const rough::Genome genome = rough::read_genome(settings.text("genome"));
-    const rough::Response response = rough::respond(genome, model);
+    const rough::Response response =
+        settings.has("genome") ? computed_response(settings) : measured_response(settings);
     rough::write_atomically(settings.text("out"),
                             csv({"displacement_mm", "pressure_MPa", "contact_fraction",
                                  "tangent_stiffness_MPa_per_mm", "kkt_residual"},

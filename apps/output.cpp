@@ -28,7 +28,8 @@ fs::path output_folder(const std::string& given, const std::string& name, bool f
         throw InputError("--out: " + given + " holds a result, expected another folder or --force");
     const bool made = fs::create_directories(folder, error);
     if (error || !fs::is_directory(folder))
-        throw InputError("--out: " + folder.string() + " cannot be made, expected a folder that can be written");
+        throw InputError("--out: " + folder.string() +
+                         " cannot be made, expected a folder that can be written");
     const fs::path probe = folder / ".writable";
     try {
         rough::write_atomically(probe, "");

@@ -5,9 +5,10 @@
 
 namespace app {
 
-/// Where a run's results go. Without a path given: out/NAME below the working directory, or out/NAME-2 and on where
-/// that exists. A path given that holds a result is refused without `force`. Throws rough::InputError, before any
-/// work is done, when the folder cannot be made or written; a folder made in vain is taken away again.
+/// Where a run's results go. Without a path given: out/NAME below the working directory, or out/NAME-2 and on
+/// where that exists. A path given that holds a result is refused without `force`. Throws rough::InputError,
+/// before any work is done, when the folder cannot be made or written; a folder made in vain is taken away
+/// again.
 std::filesystem::path output_folder(const std::string& given, const std::string& name, bool force);
 
 /// A file to write at an explicit place: its folder must exist, and it must not be there unless `force`.

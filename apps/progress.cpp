@@ -1,8 +1,7 @@
 #include "apps/progress.hpp"
 
-#include <unistd.h>
-
 #include <iostream>
+#include <unistd.h>
 
 namespace app {
 
@@ -22,8 +21,8 @@ void Progress::show(const std::string& text) {
     using namespace std::chrono_literals;
     if (!terminal_ || now - start_ < 1s || (shown_ && now - last_ < 100ms))
         return;
-    std::cerr << clear_line << std::chrono::duration_cast<std::chrono::seconds>(now - start_).count() << " s  " << text
-              << std::flush;
+    std::cerr << clear_line << std::chrono::duration_cast<std::chrono::seconds>(now - start_).count()
+              << " s  " << text << std::flush;
     shown_ = true;
     last_ = now;
 }

@@ -5,7 +5,8 @@
 
 namespace app {
 
-/// A line on a terminal's stderr that is written over while a run takes longer than a second; nothing when piped.
+/// A line on a terminal's stderr that is written over while a run takes longer than a second; nothing when
+/// piped.
 class Progress {
   public:
     Progress();
