@@ -35,6 +35,34 @@ inline void eliminate(const double* panel, const double* head, Index depth, Lane
     columns[6] = c6, columns[7] = c7;
 }
 
+/// one -= sum_{i < depth} panel(:, i) z_i, gap -= sum panel(:, i) v_i; in four strands that need not wait for
+/// each other
+inline void eliminate(const double* panel, const double* z, const double* v, Index depth, Lanes& one,
+                      Lanes& gap) {
+    Lanes ones[4] = {one}, gaps[4] = {gap};
+    for (Index i = 0; i < depth; i += 4)
+        for (Index k = 0; k < 4; ++k) {
+            const Lanes x = lanes(panel + width * (i + k));
+            ones[k] -= x * z[i + k];
+            gaps[k] -= x * v[i + k];
+        }
+    one = (ones[0] + ones[1]) + (ones[2] + ones[3]);
+    gap = (gaps[0] + gaps[1]) + (gaps[2] + gaps[3]);
+}
+
+/// The sum of each of eight vectors, by three rounds of halving.
+inline Lanes sum_each(const Lanes v[width]) {
+    Lanes pairs[4], fours[2];
+    for (int k = 0; k < 4; ++k)
+        pairs[k] = __builtin_shufflevector(v[2 * k], v[2 * k + 1], 0, 8, 2, 10, 4, 12, 6, 14) +
+                   __builtin_shufflevector(v[2 * k], v[2 * k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    for (int k = 0; k < 2; ++k)
+        fours[k] = __builtin_shufflevector(pairs[2 * k], pairs[2 * k + 1], 0, 1, 8, 9, 4, 5, 12, 13) +
+                   __builtin_shufflevector(pairs[2 * k], pairs[2 * k + 1], 2, 3, 10, 11, 6, 7, 14, 15);
+    return __builtin_shufflevector(fours[0], fours[1], 0, 1, 2, 3, 8, 9, 10, 11) +
+           __builtin_shufflevector(fours[0], fours[1], 4, 5, 6, 7, 12, 13, 14, 15);
+}
+
 } // namespace
 
 GrowingFactor::GrowingFactor(const Eigen::VectorXd& influence_column, const Eigen::VectorXd& gap)
@@ -50,13 +78,11 @@ Index GrowingFactor::append(const std::vector<int>& nodes) {
     const Index before = size();
     nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
     const Index count = size(), panels = (count + width - 1) / width;
-    inverse_diagonal_.resize(static_cast<std::size_t>(panels * width));
-    one_.resize(inverse_diagonal_.size());
-    gap_image_.resize(inverse_diagonal_.size());
+    resize_vectors();
     while (static_cast<Index>(panels_.size()) < panels)
         panels_.emplace_back(width * width * (static_cast<Index>(panels_.size()) + 1));
     for (Index panel = before / width; panel < panels; ++panel) {
-        const Index failed = build_panel(panel);
+        const Index failed = build_panel(panel, 0);
         if (failed < width) {
             cut(std::max(before, width * panel + failed));
             break;
@@ -65,12 +91,17 @@ Index GrowingFactor::append(const std::vector<int>& nodes) {
     return size() - before;
 }
 
-void GrowingFactor::cut(Index size) {
-    nodes_.resize(static_cast<std::size_t>(size));
-    const auto padded = static_cast<std::size_t>((size + width - 1) / width * width);
+void GrowingFactor::resize_vectors() {
+    const auto padded = static_cast<std::size_t>((size() + width - 1) / width * width);
     inverse_diagonal_.resize(padded);
     one_.resize(padded);
     gap_image_.resize(padded);
+}
+
+void GrowingFactor::cut(Index size) {
+    nodes_.resize(static_cast<std::size_t>(size));
+    resize_vectors();
+    const auto padded = one_.size();
     if (size % width == 0)
         return;
     // Rows past the end of the last panel become rows of the identity, so that whole panels can be worked on.
@@ -84,36 +115,78 @@ void GrowingFactor::cut(Index size) {
     }
 }
 
-/// Returns the first row whose pivot is not positive, or `width`.
-Index GrowingFactor::build_panel(Index panel) {
-    double* rows = panels_[static_cast<std::size_t>(panel)].data();
-    const Index first = panel * width, filled = std::min(width, size() - first), columns = first + width;
-
-    int own[width];
-    for (Index r = 0; r < width; ++r)
-        own[r] = r < filled ? nodes_[static_cast<std::size_t>(first + r)] : -1;
-    for (Index j = 0; j < std::min(columns, size()); ++j) {
-        const double* h = centre_ + nodes_[static_cast<std::size_t>(j)];
-        double* entry = rows + width * j;
-        if (filled == width) {
-            for (Index r = 0; r < width; ++r)
-                entry[r] = h[-own[r]];
+void GrowingFactor::remove(const std::vector<Index>& positions) {
+    const Index head = positions.front() / width; // panels before it stay as they are
+    std::vector<Index> sources;                   // where each row from panel `head` on comes from
+    std::vector<int> kept;
+    auto removed = positions.begin();
+    for (Index row = head * width; row < size(); ++row) {
+        if (removed != positions.end() && *removed == row) {
+            ++removed;
         } else {
-            for (Index r = 0; r < width; ++r)
-                entry[r] = r < filled ? h[-own[r]] : 0;
+            sources.push_back(row);
+            kept.push_back(nodes_[static_cast<std::size_t>(row)]);
         }
     }
-    for (Index j = size(); j < columns; ++j) // padding: rows of the identity
+    cut(head * width);
+    nodes_.insert(nodes_.end(), kept.begin(), kept.end());
+    resize_vectors();
+    const Index panels = static_cast<Index>(one_.size()) / width;
+    for (Index panel = head; panel < panels; ++panel)
+        move_row_heads(panel, sources, head * width);
+    for (Index panel = head; panel < panels; ++panel)
+        build_panel(panel, head);
+}
+
+/// The rows of `panel` take the first `columns` columns of the rows they come from.
+void GrowingFactor::move_row_heads(Index panel, const std::vector<Index>& sources, Index columns) {
+    const Index first = panel * width - columns;
+    const Index filled = std::min(width, static_cast<Index>(sources.size()) - first);
+    const double* from[width];
+    for (Index r = 0; r < filled; ++r) {
+        const Index source = sources[static_cast<std::size_t>(first + r)];
+        from[r] = panels_[static_cast<std::size_t>(source / width)].data() + source % width;
+    }
+    double* target = panels_[static_cast<std::size_t>(panel)].data();
+    for (Index j = 0; j < columns; ++j) {
+        Lanes row{};
+        for (Index r = 0; r < filled; ++r)
+            row[r] = from[r][width * j];
+        lanes(target + width * j) = row;
+    }
+}
+
+/// H's entries of a panel's rows from `first_column` on, and rows of the identity past the end.
+void GrowingFactor::fill_influence(Index panel, Index first_column) {
+    double* rows = panels_[static_cast<std::size_t>(panel)].data();
+    const Index first = panel * width, filled = std::min(width, size() - first), columns = first + width;
+    std::ptrdiff_t own[width] = {};
+    for (Index r = 0; r < filled; ++r)
+        own[r] = nodes_[static_cast<std::size_t>(first + r)];
+    for (Index j = first_column; j < std::min(columns, size()); ++j) {
+        const double* h = centre_ + nodes_[static_cast<std::size_t>(j)];
+        double* entry = rows + width * j;
+        if (filled == width)
+            for (Index r = 0; r < width; ++r)
+                entry[r] = h[-own[r]];
+        else
+            for (Index r = 0; r < width; ++r)
+                entry[r] = r < filled ? h[-own[r]] : 0;
+    }
+    for (Index j = size(); j < columns; ++j)
         for (Index r = 0; r < width; ++r)
             rows[width * j + r] = first + r == j;
+}
+
+/// Eliminates a panel's rows; the blocks of columns before `first_block` are already those of L.
+/// Returns the first row whose pivot is not positive, or `width`.
+Index GrowingFactor::build_panel(Index panel, Index first_block) {
+    double* rows = panels_[static_cast<std::size_t>(panel)].data();
+    const Index first = panel * width, filled = std::min(width, size() - first);
+    fill_influence(panel, first_block * width);
 
     Lanes block[width];
-    Lanes one{}, gap{};
-    for (Index r = 0; r < filled; ++r) {
-        one[r] = 1;
-        gap[r] = gap_[own[r]];
-    }
-    for (Index b = 0; b < panel; ++b) {
+    for (Index b = first_block; b < panel; ++b) {
         const double* head = panels_[static_cast<std::size_t>(b)].data();
         double* target = rows + width * width * b;
         for (Index c = 0; c < width; ++c)
@@ -126,10 +199,15 @@ Index GrowingFactor::build_panel(Index panel) {
                 block[c] -= block[k] * diagonal[width * k + c];
             block[c] *= inverse[c];
             lanes(target + width * c) = block[c];
-            one -= block[c] * one_[static_cast<std::size_t>(width * b + c)];
-            gap -= block[c] * gap_image_[static_cast<std::size_t>(width * b + c)];
         }
     }
+
+    Lanes one{}, gap{};
+    for (Index r = 0; r < filled; ++r) {
+        one[r] = 1;
+        gap[r] = gap_[nodes_[static_cast<std::size_t>(first + r)]];
+    }
+    eliminate(rows, one_.data(), gap_image_.data(), first, one, gap);
 
     double* target = rows + width * first;
     double original[width];
@@ -172,11 +250,10 @@ void GrowingFactor::back_substitute(Eigen::VectorXd& x) const {
                 sums[c] += lanes(rows + width * c) * known;
         }
         const double* diagonal = panels_[static_cast<std::size_t>(b)].data() + width * width * b;
+        const Lanes sum = sum_each(sums);
         for (Index c = width - 1; c >= 0; --c) {
-            double value = x[width * b + c];
-            for (Index r = 0; r < width; ++r)
-                value -= sums[c][r];
-            for (Index r = c + 1; r < width; ++r)
+            double value = x[width * b + c] - sum[c];
+            for (Index r = width - 1; r > c; --r) // the latest last, so that only it is waited for
                 value -= diagonal[width * c + r] * x[width * b + r];
             x[width * b + c] = value * inverse_diagonal_[static_cast<std::size_t>(width * b + c)];
         }

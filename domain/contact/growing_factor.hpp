@@ -19,8 +19,9 @@ class GrowingFactor {
 
     /// Appends nodes; stops before the first whose pivot is not positive. Returns how many were appended.
     Index append(const std::vector<int>& nodes);
-    /// Keeps the first `size` nodes.
-    void cut(Index size);
+    /// Removes the nodes at these positions (increasing). The rows below the first keep their columns left of
+    /// it.
+    void remove(const std::vector<Index>& positions);
 
     /// p = L^-T (approach z - v), size() entries
     void pressures(double approach, Eigen::VectorXd& p) const;
@@ -34,7 +35,11 @@ class GrowingFactor {
     }
 
   private:
-    Index build_panel(Index panel);
+    void resize_vectors();
+    void cut(Index size);
+    void move_row_heads(Index panel, const std::vector<Index>& sources, Index columns);
+    Index build_panel(Index panel, Index first_block);
+    void fill_influence(Index panel, Index first_column);
     void back_substitute(Eigen::VectorXd& x) const;
 
     std::vector<double> influence_; ///< h[|i|], i = -(N-1)..N-1

@@ -15,6 +15,8 @@ namespace {
 constexpr double rounding = 1e-13;
 constexpr double tolerance = 1e-9;
 constexpr int most_rounds = 100;
+/// A summit that touches anew does so where it penetrates by this share of its greatest depth.
+constexpr double new_summit_share = 0.6;
 
 /// One load step after the other on one factor.
 class NestedContact {
@@ -59,51 +61,74 @@ class NestedContact {
     /// Removes nodes under tension until none is left; the factor keeps its head.
     void drop_tension(double approach) {
         for (;;) {
-            Index first = 0;
-            while (first < pressure_.size() && pressure_[first] > 0)
-                ++first;
-            if (first == pressure_.size())
+            std::vector<Index> dropped;
+            for (Index k = 0; k < pressure_.size(); ++k)
+                if (!(pressure_[k] > 0))
+                    dropped.push_back(k);
+            if (dropped.empty())
                 return;
-            std::vector<int> kept;
-            for (Index k = first; k < pressure_.size(); ++k) {
-                const int node = factor_.nodes()[static_cast<std::size_t>(k)];
-                if (pressure_[k] > 0)
-                    kept.push_back(node);
-                else
-                    touching_[static_cast<std::size_t>(node)] = 0;
-            }
-            factor_.cut(first);
-            factor_.append(kept);
+            for (const Index k : dropped)
+                touching_[static_cast<std::size_t>(factor_.nodes()[static_cast<std::size_t>(k)])] = 0;
+            factor_.remove(dropped);
             factor_.pressures(approach, pressure_);
             ++rounds_;
         }
     }
 
-    /// Appends the penetrating nodes, deepest first; false if none could be.
+    /// Appends the nodes that penetrate and will stay in contact, by their first-order estimate; false if
+    /// none penetrates. A node left out for too low an estimate still penetrates in the next round, which
+    /// costs a check; one taken for too high an estimate costs a new factor of the tail.
     bool add_penetrating(double approach, const double* u) {
-        std::vector<std::pair<double, int>> penetrating;
-        for (Index i = 0; i < problem_.nodes(); ++i) {
-            const double depth = approach - problem_.gap[i] - u[i];
-            if (depth > rounding * approach && !touching_[static_cast<std::size_t>(i)])
-                penetrating.emplace_back(-depth, static_cast<int>(i));
+        const double least = rounding * approach;
+        auto depth = [&](Index i) { return approach - problem_.gap[i] - u[i]; };
+        auto penetrates = [&](Index i) { return !in_contact(i) && depth(i) > least; };
+        std::vector<std::pair<double, int>> doubt; // 0: sure to stay in contact, 1: as likely to be dropped
+        auto add = [&](Index node, double share) { doubt.emplace_back(share, static_cast<int>(node)); };
+        const Index n = problem_.nodes();
+        for (Index first = 0; first < n; ++first) {
+            if (!penetrates(first))
+                continue;
+            Index last = first;
+            double deepest = depth(first);
+            while (last + 1 < n && penetrates(last + 1))
+                deepest = std::max(deepest, depth(++last));
+            const bool left = first > 0 && in_contact(first - 1),
+                       right = last + 1 < n && in_contact(last + 1);
+            const Index length = last - first + 1;
+            // An edge advancing by s gives penetration over 3s/2 before it has advanced.
+            const double advance = (2 * static_cast<double>(length) + 2) / 3;
+            for (Index i = first; i <= last; ++i) {
+                const double from_left = static_cast<double>(i - first),
+                             from_right = static_cast<double>(last - i);
+                const double share = left && right
+                                         ? std::min(from_left, from_right) / static_cast<double>(length)
+                                     : left  ? from_left / advance
+                                     : right ? from_right / advance
+                                             : (1 - depth(i) / deepest) / (1 - new_summit_share);
+                if (share < 1)
+                    add(i, share);
+            }
+            first = last;
         }
-        std::sort(penetrating.begin(), penetrating.end());
-        std::vector<int> nodes;
-        for (const auto& entry : penetrating)
-            nodes.push_back(entry.second);
-        const Index size = factor_.size() + static_cast<Index>(nodes.size());
+        std::sort(doubt.begin(), doubt.end());
+        std::vector<int> added;
+        for (const auto& entry : doubt)
+            added.push_back(entry.second);
+        const Index size = factor_.size() + static_cast<Index>(added.size());
         if (GrowingFactor::bytes(size) > memory_limit_) {
             std::ostringstream line;
             line << "nested Cholesky on " << size << " nodes would take " << GrowingFactor::bytes(size) / 1e9
                  << " GB, at most " << memory_limit_ / 1e9 << " GB is expected: take --solver active-set";
             throw InputError(line.str());
         }
-        nodes.resize(static_cast<std::size_t>(factor_.append(nodes)));
-        for (const int node : nodes)
+        added.resize(static_cast<std::size_t>(factor_.append(added)));
+        for (const int node : added)
             touching_[static_cast<std::size_t>(node)] = 1;
         ++rounds_;
-        return !nodes.empty();
+        return !added.empty();
     }
+
+    bool in_contact(Index node) const { return touching_[static_cast<std::size_t>(node)] != 0; }
 
     const ContactProblem& problem_;
     double memory_limit_;

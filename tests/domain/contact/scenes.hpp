@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,48 @@ inline std::vector<Reference> reference_curves() {
         scenes.push_back(std::move(r));
     }
     return scenes;
+}
+
+/// The 100 one-series genomes of tests/data/database.csv: lambda = L = 0.84942 mm, A = 1, M = 1, waves down
+/// to L/511 whatever the number of nodes.
+inline std::vector<rough::Profile> database(rough::Index nodes) {
+    std::ifstream file(std::string(RUGOSA_TEST_DATA) + "/database.csv");
+    std::vector<std::vector<double>> pairs, phases;
+    std::string line;
+    std::getline(file, line); // the header
+    while (std::getline(file, line)) {
+        std::istringstream cells(line);
+        std::string kind, cell;
+        std::getline(cells, kind, ',');
+        std::getline(cells, cell, ',');
+        std::vector<double> values;
+        while (std::getline(cells, cell, ',') && !cell.empty())
+            values.push_back(std::stod(cell));
+        if (kind == "pair_H_gamma")
+            pairs.push_back(values);
+        else
+            phases.push_back(values);
+    }
+    const double length = 0.84942;
+    std::vector<rough::Profile> profiles;
+    for (const auto& pair : pairs)
+        for (std::size_t column = 0; column < 5; ++column) {
+            nlohmann::json series{{"A", 1}, {"H", pair[0]}, {"gamma", pair[1]}, {"lambda", length}};
+            for (std::size_t n = 1;
+                 n <= phases.size() && std::pow(pair[1], 1.0 - double(n)) >= (1 - 1e-12) / 511; ++n)
+                series["chromosomes"].push_back({{"n", n}, {"phases", {phases[n - 1][column]}}});
+            profiles.push_back(profile_of({{"series", {series}}}, nodes, length, false));
+        }
+    return profiles;
+}
+
+/// t range, t = reach j/steps, j = 1..steps, mm
+inline std::vector<double> load_steps(const rough::Profile& profile, int steps, double reach = 1) {
+    const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
+    std::vector<double> displacements;
+    for (int j = 1; j <= steps; ++j)
+        displacements.push_back(reach * j / steps * range);
+    return displacements;
 }
 
 } // namespace scenes

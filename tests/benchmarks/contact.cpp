@@ -1,0 +1,68 @@
+#include "domain/contact/problem.hpp"
+#include "tests/domain/contact/scenes.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+
+using namespace rough;
+
+namespace {
+
+double seconds(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+/// Median time of one zero-padded FFT apply.
+double apply_seconds(const Profile& profile) {
+    ContactProblem problem = make_problem(profile, Body{}, scenes::load_steps(profile, 1));
+    FourierOperator op = fourier_operator(problem);
+    std::vector<double> times;
+    const int inner = std::max(1, static_cast<int>(200000 / profile.nodes()));
+    for (int k = 0; k < 21; ++k)
+        times.push_back(seconds([&] {
+                            for (int i = 0; i < inner; ++i) {
+                                std::copy_n(problem.gap.data(), problem.nodes(), op.input());
+                                op.apply();
+                            }
+                        }) /
+                        inner);
+    return median(times);
+}
+
+double curve_seconds(const Profile& profile, Solver solver, int repeats, ContactCurve& curve) {
+    const auto steps = scenes::load_steps(profile, 20);
+    ContactOptions options;
+    options.solver = solver;
+    std::vector<double> times;
+    for (int k = 0; k < repeats; ++k)
+        times.push_back(seconds([&] { curve = solve_contact(profile, Body{}, steps, options); }));
+    return median(times);
+}
+
+} // namespace
+
+int main() {
+    for (const Index nodes : {512, 2048}) {
+        const auto profiles = scenes::database(nodes);
+        const double apply = apply_seconds(profiles[0]);
+        std::printf("N = %ld: one apply %.3g us\n", static_cast<long>(nodes), apply * 1e6);
+        std::vector<double> times, rounds, contact;
+        ContactCurve curve;
+        for (std::size_t k = 0; k < profiles.size(); k += 2) {
+            times.push_back(curve_seconds(profiles[k], Solver::nested, 9, curve));
+            rounds.push_back(static_cast<double>(curve.iterations));
+            contact.push_back(static_cast<double>(curve.steps.back().contact_nodes));
+        }
+        std::printf("  nested: %.4g us a curve, %.4g applies, %g rounds, %g nodes\n", median(times) * 1e6,
+                    median(times) / apply, median(rounds), median(contact));
+    }
+}
