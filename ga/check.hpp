@@ -1,0 +1,41 @@
+#pragma once
+
+#include "ga/errors.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ga {
+
+/// What is known of a population at a place of a pipeline before anything runs. Each stage checks what it
+/// needs and leaves what it makes known; a pipeline that cannot work is refused here, with a UsageError.
+struct Known {
+    std::vector<std::string> objectives; ///< of the problem; the first is the default
+    std::optional<std::string> scored;   ///< the objective under which every individual is scored
+    bool in_generation = false;          ///< inside a repeat or until
+
+    void need_score(const std::string& stage) const {
+        if (!scored)
+            throw UsageError("stage '" + stage + "' needs a scored population; expected score before it");
+    }
+    void need_generation(const std::string& stage) const {
+        if (!in_generation)
+            throw UsageError("stage '" + stage +
+                             "' reads the start of a generation; expected it inside repeat or until");
+    }
+    /// The objective's own name; an empty one stands for the problem's first.
+    std::string objective(const std::string& stage, const std::string& name) const {
+        if (name.empty())
+            return objectives.front();
+        if (std::find(objectives.begin(), objectives.end(), name) != objectives.end())
+            return name;
+        std::string list;
+        for (const auto& each : objectives)
+            list += (list.empty() ? "" : ", ") + each;
+        throw UsageError("stage '" + stage + "': unknown objective '" + name + "'; expected one of " + list);
+    }
+};
+
+} // namespace ga

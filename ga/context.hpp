@@ -1,0 +1,221 @@
+#pragma once
+
+#include "ga/evaluator.hpp"
+
+#include <deque>
+
+namespace ga {
+
+/// What an observer sees after a stage.
+template <class G>
+struct Event {
+    const std::string& path;             ///< where the stage stands, e.g. "sog/refine.2"
+    std::vector<std::size_t> generation; ///< of each enclosing repeat, outermost first, from 0
+    const Population<G>& population;     ///< as the stage left it
+    const Counters& counters;
+    double seconds; ///< since the run began
+};
+
+/// Called after every stage, on the thread that runs the pipeline.
+template <class G>
+using Observer = std::function<void(const Event<G>&)>;
+
+/// All that a block of stages must know to go on from where it stands. The frames of the blocks that are open
+/// are the whole state of a run, so a checkpoint is their list.
+template <class G>
+struct Frame {
+    std::size_t next = 0;            ///< the block's own count: the stage or generation to come
+    Population<G> population;        ///< on its way through the block
+    std::vector<Population<G>> kept; ///< populations the block holds aside
+    std::vector<double> numbers;     ///< numbers the block holds aside
+};
+
+/// What stages share while a pipeline runs: the evaluator, random streams keyed by where a stage stands, the
+/// identities, the best so far, and the observers. One for each run, passed down, never global.
+template <Problem P>
+class Context {
+  public:
+    using Genome = typename P::Genome;
+    using Outcome = typename P::Outcome;
+
+    Context(Evaluator<P>& evaluator, std::string variant, std::uint64_t seed, Identity next_identity,
+            std::vector<Observer<Genome>> observers)
+        : evaluator_(evaluator), next_identity_(next_identity), observers_(std::move(observers)) {
+        for (const auto& objective : problem().objectives())
+            names_.push_back(Name(objective.name));
+        const std::uint64_t key = fold(0, seed);
+        places_.push_back({Name(variant), 0, key, key, {}});
+    }
+    Context(const Context&) = delete;
+
+    const P& problem() const { return evaluator_.problem(); }
+    Evaluator<P>& evaluator() { return evaluator_; }
+    Counters& counters() { return evaluator_.counters; }
+    int threads() const { return evaluator_.threads(); }
+
+    /// Random numbers for the index-th piece of work of the stage that runs, in this generation.
+    Stream stream(std::size_t index) const { return Stream(fold(places_.back().key, index)); }
+    /// The identity of a new individual.
+    Identity new_identity() { return next_identity_++; }
+
+    /// Position of an objective in the problem's list; an empty name stands for the first.
+    std::size_t objective_index(const std::string& name) const {
+        const auto& objectives = problem().objectives();
+        for (std::size_t i = 0; i < objectives.size(); ++i)
+            if (name.empty() || objectives[i].name == name)
+                return i;
+        throw UsageError("unknown objective '" + name + "'");
+    }
+
+    /// Gives every individual its fitness under an objective (empty: the problem's first), evaluating where
+    /// needed.
+    void score(Population<Genome>& population, const std::string& objective_name,
+               Patience patience = Patience::none) {
+        const std::size_t which = objective_index(objective_name);
+        const auto& objective = problem().objectives()[which];
+        const Name name = names_[which];
+        evaluator_.visit(
+            population, [&](const auto& individual) { return !individual.fitness.known(name); },
+            [&](auto& individual, const Evaluation<Outcome>& evaluation) {
+                individual.fitness = Evaluator<P>::judge(evaluation, objective, name);
+                if (individual.fitness.has_failed())
+                    ++counters().failures;
+                else if constexpr (Settling<P>)
+                    individual.genome = problem().settled(individual.genome, std::get<Outcome>(evaluation));
+                if (which == 0)
+                    offer(individual);
+            },
+            patience);
+    }
+
+    /// Remembers the individual if it is the best so far under the problem's first objective.
+    void offer(const Individual<Genome>& individual) {
+        if (individual.fitness.known(names_[0]) && !individual.fitness.has_failed() &&
+            (!best_ || individual.value() > best_->value()))
+            best_ = individual;
+    }
+    const std::optional<Individual<Genome>>& best() const { return best_; }
+
+    /// A remark for the run's result, under the path of the stage that runs.
+    void note(const std::string& text) { notes_.push_back(path() + ": " + text); }
+    const std::vector<std::string>& notes() const { return notes_; }
+
+    /// The place of the stage that runs: the enclosing blocks, then its name with its ordinal among equal
+    /// names.
+    std::string path() const {
+        std::string path;
+        for (const Place& place : places_) {
+            path += (path.empty() ? "" : "/") + place.name.text();
+            if (place.ordinal > 0)
+                path += "." + std::to_string(place.ordinal);
+        }
+        return path;
+    }
+
+    /// Stands on a place of the pipeline while it lives. Ordinal 0 is not shown.
+    class Scope {
+      public:
+        Scope(Context& context, Name name, std::size_t ordinal) : context_(context) {
+            const std::uint64_t key = fold(fold(context.places_.back().inner, name.text()), ordinal);
+            context.places_.push_back({name, ordinal, key, key, {}});
+        }
+        Scope(const Scope&) = delete;
+        ~Scope() { context_.places_.pop_back(); }
+
+      private:
+        Context& context_;
+    };
+    /// Opens a generation of the block that runs while it lives: stages inside draw other random numbers in
+    /// each, and find what is kept of its start.
+    class Generation {
+      public:
+        Generation(Context& context, std::size_t generation, const Population<Genome>& start)
+            : context_(context) {
+            Place& place = context.places_.back();
+            place.generation = generation;
+            place.inner = fold(place.key, generation);
+            context.starts_.push_back(&start);
+        }
+        Generation(const Generation&) = delete;
+        ~Generation() {
+            context_.places_.back().generation.reset();
+            context_.starts_.pop_back();
+        }
+
+      private:
+        Context& context_;
+    };
+
+    /// Holds a block's frame while it lives: a new one, or the saved one when a run is resumed.
+    class OpenFrame {
+      public:
+        OpenFrame(Context& context, Population<Genome> population) : context_(context) {
+            const std::size_t depth = context.frames_.size();
+            resumed_ = depth < context.saved_.size();
+            if (resumed_) {
+                context.frames_.push_back(std::move(context.saved_[depth]));
+                if (depth + 1 == context.saved_.size())
+                    context.saved_.clear();
+            } else {
+                context.frames_.push_back({});
+                context.frames_.back().population = std::move(population);
+            }
+            frame_ = &context.frames_.back();
+        }
+        OpenFrame(const OpenFrame&) = delete;
+        ~OpenFrame() { context_.frames_.pop_back(); }
+        Frame<Genome>* operator->() { return frame_; }
+        Frame<Genome>& operator*() { return *frame_; }
+        /// Whether the block goes on from a checkpoint.
+        bool resumed() const { return resumed_; }
+
+      private:
+        Context& context_;
+        Frame<Genome>* frame_;
+        bool resumed_;
+    };
+
+    /// The best of the population at the start of the innermost generation, as many as `elite` and `plus`
+    /// read.
+    const Population<Genome>& generation_start() const { return *starts_.back(); }
+
+    /// Shows the observers what the stage that runs has made.
+    void show(const Population<Genome>& population) {
+        if (observers_.empty())
+            return;
+        const std::string where = path();
+        std::vector<std::size_t> generation;
+        for (const Place& place : places_)
+            if (place.generation)
+                generation.push_back(*place.generation);
+        for (const auto& observer : observers_)
+            observer({where, generation, population, evaluator_.counters, evaluator_.watch().seconds()});
+    }
+    /// A moment between two stages, at which a run may end.
+    void pause() {
+        if (evaluator_.watch().expired())
+            throw Stopped{evaluator_.watch().reason()};
+    }
+
+  private:
+    struct Place {
+        Name name;
+        std::size_t ordinal;
+        std::uint64_t key;   ///< of the stage's own random numbers
+        std::uint64_t inner; ///< of the stages inside it
+        std::optional<std::size_t> generation;
+    };
+
+    Evaluator<P>& evaluator_;
+    Identity next_identity_;
+    std::vector<Observer<Genome>> observers_;
+    std::vector<Name> names_; ///< of the problem's objectives, same order
+    std::vector<Place> places_;
+    std::deque<Frame<Genome>> frames_;
+    std::deque<Frame<Genome>> saved_;
+    std::vector<const Population<Genome>*> starts_;
+    std::optional<Individual<Genome>> best_;
+    std::vector<std::string> notes_;
+};
+
+} // namespace ga

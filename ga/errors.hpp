@@ -1,0 +1,23 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace ga {
+
+/// A pipeline or option that cannot work: one line that says what was given, what was expected, and where.
+struct UsageError : std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
+};
+
+/// A selection left nobody, or every evaluation of a run failed: there is nothing to go on with.
+struct NothingLeft : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Thrown through the stages when a budget is spent or a stop was asked for; `run` turns it into a result.
+struct Stopped {
+    std::string reason;
+};
+
+} // namespace ga

@@ -1,0 +1,176 @@
+#pragma once
+
+#include "ga/budget.hpp"
+#include "ga/memory.hpp"
+#include "ga/parallel.hpp"
+#include "ga/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ga {
+
+/// Optional: the bytes an outcome takes in memory, where it owns more than itself.
+template <class P>
+concept Weighed = requires(const P& problem, const typename P::Outcome& outcome) {
+    { problem.bytes(outcome) } -> std::convertible_to<std::size_t>;
+};
+
+/// Whether a request to stop is heeded at once or after the population in hand.
+enum class Patience { none, finish };
+
+/// Makes the paid calls: in parallel, each genome once, failures caught. Requests are queued and answered in
+/// the population's order, so the number of threads decides nothing.
+template <Problem P>
+class Evaluator {
+  public:
+    using Genome = typename P::Genome;
+    using Outcome = typename P::Outcome;
+
+    Evaluator(const P& problem, int threads, std::size_t memory_bytes, const Budget& budget)
+        : problem_(problem), threads_(threads), budget_(budget), watch_(budget), memory_(memory_bytes) {}
+
+    /// Calls use(individual, evaluation) for each individual that is wanted, in order, with its outcome or
+    /// the reason it has none. Throws Stopped when a budget ends first, after what was evaluated is used;
+    /// NothingLeft when no evaluation of the run has succeeded.
+    template <class Wanted, class Use>
+    void visit(Population<Genome>& population, Wanted wanted, Use use, Patience patience = Patience::none) {
+        queue_.clear();
+        fresh_.clear();
+        bool spent = false;
+        for (auto& individual : population) {
+            if (!wanted(individual))
+                continue;
+            if (!individual.fitness.known()) {
+                spent = counters.asked >= budget_.evaluations && patience == Patience::none;
+                if (spent)
+                    break;
+                ++counters.asked;
+            }
+            const Fingerprint print = identify(problem_, individual.genome);
+            Evaluation<Outcome>& place = memory_.at(print);
+            queue_.push_back({&individual, &place});
+            if (auto* pending = std::get_if<Pending>(&place); pending && !pending->queued) {
+                pending->queued = true;
+                fresh_.push_back({&individual.genome, &place, print});
+            } else {
+                ++counters.remembered;
+            }
+        }
+        parallel_for(fresh_.size(), threads_, [&](std::size_t i) {
+            if (patience == Patience::finish || !watch_.expired())
+                *fresh_[i].place = evaluate(*fresh_[i].genome);
+        });
+        for (const Request& request : queue_)
+            if (!std::holds_alternative<Pending>(*request.place))
+                use(*request.individual, *request.place);
+        const bool interrupted = tidy();
+        if (interrupted)
+            throw Stopped{watch_.reason()};
+        if (spent)
+            throw Stopped{"evaluation budget spent"};
+        if (!succeeded_ && counters.evaluations > 0)
+            throw NothingLeft("every one of " + std::to_string(counters.evaluations) +
+                              " evaluations failed; the first: " + *first_failure_);
+    }
+
+    /// The fitness an objective reads from an evaluation; failed when there is none or it is not finite.
+    static Fitness judge(const Evaluation<Outcome>& evaluation, const Objective<Outcome>& objective,
+                         Name name) {
+        if (const Reason* reason = std::get_if<Reason>(&evaluation))
+            return Fitness::failed(name, *reason);
+        try {
+            const double value = objective.fitness(std::get<Outcome>(evaluation));
+            if (std::isfinite(value))
+                return Fitness(name, value);
+            return Fitness::failed(name, std::make_shared<const std::string>("fitness " + objective.name +
+                                                                             " is " + std::to_string(value)));
+        } catch (const std::exception& error) {
+            return Fitness::failed(name, std::make_shared<const std::string>(error.what()));
+        }
+    }
+
+    /// One paid call with its failure caught; counts nothing, touches no memory, safe from any thread.
+    Evaluation<Outcome> evaluate(const Genome& genome) const {
+        try {
+            return problem_.evaluate(genome);
+        } catch (const std::exception& error) {
+            return std::make_shared<const std::string>(error.what());
+        } catch (...) {
+            return std::make_shared<const std::string>("an exception that is no std::exception");
+        }
+    }
+    /// What is remembered of a genome, or null; safe from any thread while no population is visited.
+    const Evaluation<Outcome>* recall(const Genome& genome) const {
+        return memory_.find(identify(problem_, genome));
+    }
+    /// Remembers an evaluation that was made elsewhere.
+    void remember(const Genome& genome, Evaluation<Outcome> evaluation) {
+        memory_.at(identify(problem_, genome)) = std::move(evaluation);
+    }
+
+    /// Whether the budget has no room for more evaluations than these.
+    bool spent(long evaluations) const { return budget_.evaluations - counters.asked <= evaluations; }
+
+    const P& problem() const { return problem_; }
+    int threads() const { return threads_; }
+    const Budget& budget() const { return budget_; }
+    const Watch& watch() const { return watch_; }
+
+    Counters counters;
+
+  private:
+    struct Request {
+        Individual<Genome>* individual;
+        const Evaluation<Outcome>* place;
+    };
+    struct Fresh {
+        const Genome* genome;
+        Evaluation<Outcome>* place;
+        Fingerprint print;
+    };
+
+    /// Counts what was evaluated, forgets what was not; true when something was not.
+    bool tidy() {
+        bool interrupted = false;
+        for (const Fresh& fresh : fresh_) {
+            if (std::holds_alternative<Pending>(*fresh.place)) {
+                memory_.erase(fresh.print);
+                interrupted = true;
+                continue;
+            }
+            ++counters.evaluations;
+            if (const Outcome* outcome = std::get_if<Outcome>(fresh.place)) {
+                succeeded_ = true;
+                heaviest_ = std::max(heaviest_, weight(*outcome));
+            } else if (!first_failure_) {
+                first_failure_ = std::get<Reason>(*fresh.place);
+            }
+        }
+        constexpr std::size_t bookkeeping =
+            sizeof(Evaluation<Outcome>) + sizeof(Fingerprint) + 4 * sizeof(void*);
+        memory_.forget_old(heaviest_ + bookkeeping);
+        return interrupted;
+    }
+    std::size_t weight(const Outcome& outcome) const {
+        if constexpr (Weighed<P>)
+            return problem_.bytes(outcome);
+        else if constexpr (std::ranges::sized_range<Outcome>)
+            return std::ranges::size(outcome) * sizeof(std::ranges::range_value_t<Outcome>);
+        else
+            return 0;
+    }
+
+    const P& problem_;
+    int threads_;
+    Budget budget_;
+    Watch watch_;
+    Memory<Outcome> memory_;
+    std::vector<Request> queue_;
+    std::vector<Fresh> fresh_;
+    std::size_t heaviest_ = 0;
+    bool succeeded_ = false;
+    Reason first_failure_;
+};
+
+} // namespace ga

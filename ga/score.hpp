@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ga/stage.hpp"
+
+namespace ga {
+
+/// Evaluates what has no fitness under the objective. One outcome serves all objectives; known genomes cost
+/// nothing.
+struct Score : Operator {
+    std::string objective; ///< empty: the problem's first
+
+    std::string text() const { return objective.empty() ? "score" : "score " + objective; }
+    void check(Known& known) const { known.scored = known.objective(text(), objective); }
+
+    template <Problem P>
+    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
+                                              Context<P>& context) const {
+        context.score(population, objective);
+        return population;
+    }
+};
+
+inline Score score(std::string objective = {}) {
+    Score stage;
+    stage.objective = std::move(objective);
+    return stage;
+}
+template <class Outcome>
+Score score(const Objective<Outcome>& objective) {
+    return score(objective.name);
+}
+
+} // namespace ga

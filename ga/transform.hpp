@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ga/stage.hpp"
+
+namespace ga {
+
+/// Puts function(genome) in the place of every genome, in parallel. An individual stays itself, unscored;
+/// where the function throws, the individual keeps its genome and is marked as failed.
+template <class Function>
+struct Transform : Operator {
+    std::string name;
+    Function function;
+
+    Transform(std::string name_, Function function_)
+        : name(std::move(name_)), function(std::move(function_)) {}
+    std::string text() const { return name; }
+    void check(Known& known) const { known.scored.reset(); }
+
+    template <Problem P>
+    requires std::is_invocable_r_v<typename P::Genome, const Function&, const typename P::Genome&>
+        Population<typename P::Genome>
+    operator()(Population<typename P::Genome> population, Context<P>& context) const {
+        parallel_for(population.size(), context.threads(), [&](std::size_t i) {
+            auto& individual = population[i];
+            if (individual.fitness.has_failed())
+                return;
+            try {
+                individual.genome = function(std::as_const(individual.genome));
+                individual.fitness = {};
+            } catch (const std::exception& error) {
+                individual.fitness = Fitness::failed(individual.fitness.objective_name(),
+                                                     std::make_shared<const std::string>(error.what()));
+            }
+        });
+        return population;
+    }
+};
+
+/// @param name  as in a text pipeline; more words may follow the first ("reduce dominant")
+template <class Function>
+Transform<Function> transform(std::string name, Function function) {
+    return {std::move(name), std::move(function)};
+}
+
+} // namespace ga

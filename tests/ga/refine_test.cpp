@@ -1,0 +1,71 @@
+#include "tests/ga/curve_fit.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace ga;
+
+TEST_CASE("Levenberg-Marquardt finds the curve's own parameters from every start") {
+    const auto result = run(score() | refine(lm(60)), CurveFit{}, CurveFit::start(30));
+    for (const auto& each : result.population) {
+        CHECK(each.genome[0] == Approx(2).epsilon(1e-6));
+        CHECK(each.genome[1] == Approx(1.5).epsilon(1e-6));
+        CHECK(each.genome[2] == Approx(0.5).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("minimax reaches further than s|s| by the same search in as many evaluations") {
+    const auto by_one_row = run(score() | refine(gcmma(40)), CurveFit{}, CurveFit::start(30));
+    const auto by_all_rows = run(score() | refine(minimax(gcmma(40))), CurveFit{}, CurveFit::start(30));
+    int further = 0;
+    for (std::size_t i = 0; i < 30; ++i)
+        further += by_all_rows.population[i].value() > by_one_row.population[i].value();
+    CHECK(further >= 27);
+    CHECK(by_all_rows.best->value() > 0.999);
+}
+
+TEST_CASE("gcmma spends its evaluations and one for the start on each individual") {
+    const auto result = run(score() | refine(gcmma(5)), CurveFit{}, CurveFit::start(7));
+    CHECK(result.counters.gradients == 7 * 6);
+}
+
+TEST_CASE("a refinement never makes an individual worse and never leaves its bounds") {
+    const auto start = run(score(), CurveFit{}, CurveFit::start(20)).population;
+    const auto check = [&](const auto& method) {
+        const auto result = run(refine(method), CurveFit{}, start);
+        for (std::size_t i = 0; i < start.size(); ++i) {
+            const auto& each = result.population[i];
+            CHECK(each.value() >= start[i].value());
+            for (const double gene : each.genome)
+                CHECK((gene >= 0 && gene <= 5));
+        }
+        CHECK(result.best->value() > 0.4);
+    };
+    check(gcmma(3));
+    check(minimax(gcmma(3)));
+    check(lm(3));
+    check(lm(20, 5));
+    check(nlopt_method("LN_COBYLA", 50));
+    check(nlopt_method("LN_NELDERMEAD", 50));
+    check(nlopt_method("GN_DIRECT_L", 50));
+}
+
+TEST_CASE("failing evaluations inside a refinement are walked around") {
+    struct Hole : CurveFit {
+        Sensitivity sensitivity(const Genome& g, const std::string& objective) const {
+            if (g[0] < 2.2)
+                throw std::domain_error("in the hole");
+            return CurveFit::sensitivity(g, objective);
+        }
+    };
+    Population<Hole::Genome> start = population<Hole::Genome>({{3, 1, 0.7}});
+    for (const auto& method : std::vector<ResidualMethod>{gcmma(30), minimax(gcmma(30)), lm(30)}) {
+        const auto result = run(score() | refine(method), Hole{}, start);
+        CHECK(result.population[0].genome[0] >= 2.2);
+        CHECK(result.population[0].value() > run(score(), Hole{}, start).population[0].value() + 0.1);
+    }
+}
+
+TEST_CASE("an unknown NLopt algorithm is refused by name") {
+    CHECK_THROWS_WITH(nlopt_method("LN_NONE", 5),
+                      "refine nlopt: unknown algorithm 'LN_NONE'; expected one of NLopt's, e.g. LN_COBYLA");
+}

@@ -1,0 +1,180 @@
+#include "tests/ga/curve_fit.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace ga;
+
+namespace {
+
+/// Everything a result says, for comparing bit for bit.
+std::string all_of(const Result<CurveFit::Genome>& result) {
+    std::string text;
+    for (const auto& each : result.population) {
+        text += std::to_string(each.identity) + ":";
+        for (const Identity parent : each.parents)
+            text += std::to_string(parent) + ",";
+        for (const double gene : each.genome)
+            text += number(gene) + " ";
+        text += number(each.value()) + "\n";
+    }
+    return text + std::to_string(result.counters.asked) + " " + std::to_string(result.counters.evaluations) +
+           " " + std::to_string(result.counters.gradients);
+}
+
+Result<CurveFit::Genome> run_with(int threads, const auto& pipeline) {
+    return run(pipeline, CurveFit{}, CurveFit::start(60), {.threads = threads});
+}
+
+} // namespace
+
+TEST_CASE("the paper's three algorithms read as on paper and give the same bits on 1, 2 and 5 threads") {
+    const auto sog = score() | best(3) | refine(gcmma(5), tenth) | refine(minimax(gcmma(8))) | best(1);
+    const auto gco =
+        pair(score("low") | above(0.8, at_least(3)), score("high") | above(0.9, at_least(3)), mean) |
+        score() | best(3) | refine(gcmma(3), tenth) | refine(lm(20)) | best(1);
+    const auto check = [](const auto& pipeline, double expected) {
+        const auto one = run_with(1, pipeline);
+        REQUIRE(one.population.size() == 1);
+        CHECK(one.population[0].value() > expected);
+        CHECK(all_of(one) == all_of(run_with(2, pipeline)));
+        CHECK(all_of(one) == all_of(run_with(5, pipeline)));
+    };
+    check(sog, 0.9);
+    check(gco, 0.999999);
+}
+
+TEST_CASE("an observer sees every stage under its path and each candidate's parents") {
+    const auto gco =
+        pair(score("low") | above(0.8, at_least(3)), score("high") | above(0.9, at_least(3)), mean) |
+        score() | best(3) | refine(gcmma(3), tenth) | refine(gcmma(2), tenth) | best(1);
+    std::vector<std::string> paths;
+    std::vector<std::size_t> parents;
+    const Observer<CurveFit::Genome> observer = [&](const auto& event) {
+        paths.push_back(event.path);
+        parents.push_back(event.population[0].parents.size());
+    };
+    run<CurveFit>(gco, CurveFit{}, CurveFit::start(60), {.variant = "gco"}, {observer});
+    CHECK(paths == std::vector<std::string>{"gco/pair.1/left/score.1", "gco/pair.1/left/above.1",
+                                            "gco/pair.1/right/score.1", "gco/pair.1/right/above.1",
+                                            "gco/pair.1", "gco/score.1", "gco/best.1", "gco/refine.1",
+                                            "gco/refine.2", "gco/best.2"});
+    CHECK(parents == std::vector<std::size_t>{0, 0, 0, 0, 2, 2, 2, 2, 2, 2});
+}
+
+TEST_CASE("one evaluation serves every objective, and no genome is evaluated twice") {
+    auto twice = CurveFit::start(20);
+    for (const auto& individual : CurveFit::start(20))
+        twice.push_back(individual);
+    const auto result = run(score("low") | score("high") | score(), CurveFit{}, twice);
+    CHECK(result.counters.evaluations == 20);
+    CHECK(result.counters.asked == 40);
+    CHECK(result.counters.remembered == 100);
+}
+
+TEST_CASE("a memory too small to hold anything changes no result") {
+    const auto turned = transform("turn", [](const CurveFit::Genome& g) {
+        return CurveFit::Genome{g[1], g[2], g[0]};
+    });
+    const auto pipeline =
+        score() | repeat(6, turned | score("low") | score()) | refine(gcmma(2), tenth) | best(2);
+    const auto large = run(pipeline, CurveFit{}, CurveFit::start(40));
+    const auto small = run(pipeline, CurveFit{}, CurveFit::start(40), {.memory_bytes = 1});
+    CHECK(large.counters.evaluations == 3 * 40 + 40);
+    CHECK(small.counters.evaluations == 7 * 40 + 40);
+    CHECK(small.counters.asked == large.counters.asked);
+    CHECK(small.population[0].genome == large.population[0].genome);
+}
+
+TEST_CASE("an evaluation that throws marks its individual, which ranks last and keeps the reason") {
+    auto start = CurveFit::start(5);
+    start[2].genome[1] = -21;
+    start[3].genome[0] = std::nan("");
+    const auto result = run(score() | best(5), CurveFit{}, start, {.threads = 2});
+    CHECK(result.counters.failures == 2);
+    CHECK(result.population[3].fitness.reason() == "rate under -20");
+    CHECK(result.population[4].fitness.reason() == "fitness fit is nan");
+    CHECK(result.best->identity == result.population[0].identity);
+}
+
+TEST_CASE("a run in which every evaluation fails ends with the first reason") {
+    auto start = CurveFit::start(2);
+    start[0].genome[1] = start[1].genome[1] = -21;
+    CHECK_THROWS_WITH(run(score(), CurveFit{}, start),
+                      "every one of 2 evaluations failed; the first: rate under -20");
+}
+
+TEST_CASE("an unscored fitness cannot be read") {
+    CHECK_THROWS_AS(CurveFit::start(1)[0].value(), UsageError);
+}
+
+TEST_CASE("a pipeline that cannot work is refused before anything is evaluated") {
+    const auto refused = [](const auto& pipeline, const std::string& message) {
+        long calls = 0;
+        struct Counting : CurveFit {
+            long* calls;
+            Outcome evaluate(const Genome& g) const { return ++*calls, CurveFit::evaluate(g); }
+        } problem;
+        problem.calls = &calls;
+        CHECK_THROWS_WITH(run(pipeline, problem, CurveFit::start(5)), message);
+        CHECK(calls == 0);
+    };
+    refused(best(1) | score(), "stage 'best 1' needs a scored population; expected score before it");
+    refused(score() | score("middle"),
+            "stage 'score middle': unknown objective 'middle'; expected one of fit, low, high");
+    refused(refine(lm(3)),
+            "stage 'refine lm 3 genes=all' needs a scored population; expected score before it");
+    refused(until({.fitness = 1}, transform("same", [](const CurveFit::Genome& g) { return g; })),
+            "stage 'until fitness 1' needs a scored population; expected score before it");
+}
+
+TEST_CASE("a threshold that nobody passes takes the best at_least and says so, or ends the run") {
+    const auto result =
+        run(score() | above(2, at_least(3)), CurveFit{}, CurveFit::start(10), {.variant = "v"});
+    CHECK(result.population.size() == 3);
+    CHECK(result.notes == std::vector<std::string>{"v/above.1: 0 of 10 above 2; took the 3 best"});
+    CHECK_THROWS_WITH(run(score() | above(2), CurveFit{}, CurveFit::start(10), {.variant = "v"}),
+                      "v/above.1: 0 of 10 above 2; expected one at least, or at_least=K");
+}
+
+TEST_CASE("an evaluation budget ends a run exactly, with the best so far") {
+    const auto pipeline = score() | repeat(1000, refine(gcmma(2), tenth));
+    const auto whole = run(score() | best(1), CurveFit{}, CurveFit::start(30));
+    const auto part = run(score() | best(1), CurveFit{}, CurveFit::start(30), {.budget = {.evaluations = 7}});
+    CHECK(part.counters.evaluations == 7);
+    CHECK(part.stopped == "evaluation budget spent");
+    CHECK(part.population[0].value() <= whole.population[0].value());
+    const auto refined = run(pipeline, CurveFit{}, CurveFit::start(5), {.budget = {.evaluations = 200}});
+    CHECK(refined.counters.asked <= 200);
+    CHECK(refined.best->value() >= run(score(), CurveFit{}, CurveFit::start(5)).best->value());
+}
+
+TEST_CASE("a stop request ends a run at once with the best so far") {
+    std::atomic<bool> stop = false;
+    long stages = 0;
+    const Observer<CurveFit::Genome> observer = [&](const auto&) { stop = ++stages == 3; };
+    const auto result = run<CurveFit>(score() | repeat(1000, refine(gcmma(2), tenth)), CurveFit{},
+                                      CurveFit::start(5), {.budget = {.stop = &stop}}, {observer});
+    CHECK(result.stopped == "stop requested");
+    CHECK(stages == 3);
+    REQUIRE(result.population.size() == 1);
+    CHECK(result.population[0].identity == result.best->identity);
+}
+
+TEST_CASE("grouping by | changes neither paths nor random numbers") {
+    const Stage<CurveFit> left = Stage<CurveFit>(score() | best(3)) | best(2);
+    const Stage<CurveFit> right = score() | Stage<CurveFit>(best(3) | best(2));
+    CHECK(left.text() == "score | best 3 | best 2");
+    CHECK(right.text() == left.text());
+}
+
+TEST_CASE("bounds of a second refinement are those of the original genome") {
+    const auto start = CurveFit::start(1);
+    const auto result = run(score() | repeat(50, refine(lm(5), tenth)), CurveFit{}, start);
+    const auto& genome = result.population[0].genome;
+    for (std::size_t i = 0; i < genome.size(); ++i) {
+        CHECK(genome[i] >= 0.9 * start[0].genome[i]);
+        CHECK(genome[i] <= 1.1 * start[0].genome[i]);
+    }
+    CHECK(*result.population[0].origin == start[0].genome);
+    CHECK(result.population[0].identity == start[0].identity);
+}
