@@ -1,6 +1,7 @@
 #include "domain/contact/solve.hpp"
 
 #include "domain/contact/nested.hpp"
+#include "domain/contact/nnls.hpp"
 #include "domain/contact/problem.hpp"
 #include "domain/errors.hpp"
 
@@ -33,16 +34,23 @@ ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& 
     return curve;
 }
 
+Solution solve(const ContactProblem& problem, Solver solver, const ContactOptions& options) {
+    switch (solver) {
+    case Solver::nnls:
+        return solve_nnls(problem, options.states);
+    default:
+        return solve_nested(problem, options.states);
+    }
+}
+
 } // namespace
 
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options) {
     const ContactProblem problem = make_problem(profile, body, displacements);
-    if (options.solver != Solver::automatic && options.solver != Solver::nested)
-        throw InputError("this solver is not built in");
-    ContactCurve curve =
-        in_units(problem, displacements, solve_nested(problem, options.states), options.states);
-    curve.solver = Solver::nested;
+    const Solver solver = options.solver == Solver::automatic ? Solver::nested : options.solver;
+    ContactCurve curve = in_units(problem, displacements, solve(problem, solver, options), options.states);
+    curve.solver = solver;
     return curve;
 }
 

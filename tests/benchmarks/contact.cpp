@@ -55,14 +55,22 @@ int main() {
         const auto profiles = scenes::database(nodes);
         const double apply = apply_seconds(profiles[0]);
         std::printf("N = %ld: one apply %.3g us\n", static_cast<long>(nodes), apply * 1e6);
-        std::vector<double> times, rounds, contact;
-        ContactCurve curve;
-        for (std::size_t k = 0; k < profiles.size(); k += 2) {
-            times.push_back(curve_seconds(profiles[k], Solver::nested, 9, curve));
-            rounds.push_back(static_cast<double>(curve.iterations));
-            contact.push_back(static_cast<double>(curve.steps.back().contact_nodes));
+        double nested = 0;
+        for (const Solver solver : {Solver::nested, Solver::nnls}) {
+            std::vector<double> times, iterations, contact;
+            ContactCurve curve;
+            for (std::size_t k = 0; k < profiles.size(); k += 2) {
+                times.push_back(curve_seconds(profiles[k], solver, 3, curve));
+                iterations.push_back(static_cast<double>(curve.iterations));
+                contact.push_back(static_cast<double>(curve.steps.back().contact_nodes));
+            }
+            const double time = median(times);
+            std::printf("  %s: %.4g us a curve, %.4g applies, %g iterations, %g nodes",
+                        solver == Solver::nested ? "nested" : "nnls", time * 1e6, time / apply,
+                        median(iterations), median(contact));
+            if (solver == Solver::nested)
+                nested = time;
+            std::printf(", ratio %.3g\n", time / nested);
         }
-        std::printf("  nested: %.4g us a curve, %.4g applies, %g rounds, %g nodes\n", median(times) * 1e6,
-                    median(times) / apply, median(rounds), median(contact));
     }
 }

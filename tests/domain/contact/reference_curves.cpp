@@ -4,11 +4,12 @@
 
 using namespace rough;
 
-TEST_CASE("the nested solver agrees with an independent oracle on six scenes", "[contact]") {
+TEST_CASE("the direct solvers agree with an independent oracle on six scenes", "[contact]") {
+    const Solver solver = GENERATE(Solver::nested, Solver::nnls);
     for (const auto& scene : scenes::reference_curves()) {
-        INFO(scene.name);
+        INFO(scene.name << ", " << static_cast<int>(solver));
         ContactOptions options;
-        options.solver = Solver::nested;
+        options.solver = solver;
         const ContactCurve curve = solve_contact(scene.profile, scene.body, scene.displacement, options);
         REQUIRE(curve.steps.size() == scene.displacement.size());
         for (std::size_t j = 0; j < curve.steps.size(); ++j) {
