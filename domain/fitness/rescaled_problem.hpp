@@ -1,0 +1,64 @@
+#pragma once
+
+#include "domain/fitness/model.hpp"
+#include "domain/fitness/response_memory.hpp"
+#include "domain/response/similarity.hpp"
+#include "ga/problem.hpp"
+
+#include <memory>
+
+namespace rough {
+
+/// What a contact solution tells the paper's problem of a genome.
+struct RescaledResponse {
+    double scale;      ///< by Eq. 11: brings the genome's last pressure to p_max
+    Curve stiffness;   ///< K(p) with pressures so rescaled
+    Response response; ///< of the genome at scale 1
+};
+
+/// The paper's problem: find the genome whose K(p), rescaled by Eq. 11 so that its last load step lies at
+/// p_max, is similar to the target. Amplitude is no gene here: `settled` sets it.
+class RescaledProblem {
+  public:
+    using Genome = rough::Genome;
+    using Outcome = RescaledResponse;
+
+    /// `threshold` is p_bar (MPa), which parts the objectives `low` on [0, p_bar] and `high` on [p_bar,
+    /// p_max]. Throws InputError if the target reaches beyond max_pressure or one of its two parts has no
+    /// point.
+    RescaledProblem(Model model, Target target, double max_pressure, double threshold,
+                    std::shared_ptr<ResponseMemory> memory = nullptr);
+
+    Outcome evaluate(const Genome& genome) const;
+    /// similarity (Eq. 12 over all points), low, high
+    const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
+
+    std::string key(const Genome& genome) const { return shape_key(genome); }
+    Genome settled(Genome genome, const Outcome& outcome) const;
+
+    std::vector<double> genes(const Genome& genome) const { return rough::genes(genome); }
+    Genome with_genes(const Genome& genome, const std::vector<double>& values) const {
+        return rough::with_genes(genome, values);
+    }
+    /// Relative misfits at the objective's points and their derivatives by the adjoint.
+    ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
+
+    const Model& model() const { return model_; }
+    const Target& target() const { return target_; }
+    double max_pressure() const { return max_pressure_; }
+
+  private:
+    const std::vector<Index>& points_of(const std::string& objective) const;
+
+    Model model_;
+    Target target_;
+    double max_pressure_;
+    std::shared_ptr<ResponseMemory> memory_;
+    std::vector<std::pair<std::string, std::vector<Index>>> points_;
+    std::vector<ga::Objective<Outcome>> objectives_;
+};
+
+/// The similarity of a genome under a problem's set-up, on a grid `refine` times finer; Eq. 11 anew.
+double similarity(const RescaledProblem& problem, const Genome& genome, Index refine = 1);
+
+} // namespace rough

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "domain/fitness/rescaled_problem.hpp"
+#include "domain/variants/vocabulary.hpp"
+
+namespace rough {
+
+/// How GCMMA sees the similarity.
+enum class Form {
+    paper,   ///< maximise s|s|: one point of the target at a time
+    minimax, ///< minimise t with +-(y(xi_k)/y_k - 1) <= t: all points at once
+};
+
+using PaperPipeline = ga::Stage<RescaledProblem>;
+
+/// The paper's three algorithms (Algorithms 3-5). `rule` is Algorithm 1; scoring with Eq. 11 is the
+/// problem's. Stages as the paper's Figure 7 counts them: before the first `refine` GCMMA (0), after it (1),
+/// after the second (2); CCO has no second.
+
+/// Similarity-optimised genomes: the three best of the database, refined.
+PaperPipeline sog(std::shared_ptr<const DominanceRule> rule, Form form = Form::paper);
+/// Genome cross-over: sums of genomes that are good at low with genomes that are good at high pressure,
+/// refined.
+PaperPipeline gco(std::shared_ptr<const DominanceRule> rule, Form form = Form::paper);
+/// Chromosome cross-over: the same with each parent reduced to its dominant chromosomes.
+PaperPipeline cco(std::shared_ptr<const DominanceRule> rule, Form form = Form::paper);
+
+} // namespace rough
