@@ -1,7 +1,92 @@
 #include "apps/commands.hpp"
+#include "apps/output.hpp"
+#include "apps/paper_experiment.hpp"
+#include "apps/result.hpp"
+#include "domain/atomic_file.hpp"
+#include "domain/errors.hpp"
+
+#include <iostream>
 
 namespace app {
 
-int run(const Words&) { return 2; }
+namespace {
+
+std::vector<Setting> run_settings() {
+    return {
+        {"experiment", "", "the experiment's .ini file (may be given without the flag)"},
+        {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
+        {"force", "", "write over an existing result", true},
+        {"seed", "", "seed of everything random [the experiment's]"},
+        {"threads", "", "threads [the experiment's; 0 takes all]"},
+        {"pictures", "on", "off leaves out the report and its pictures"},
+    };
+}
+
+/// Takes the repeatable `--set section.key=value` out of the words.
+std::vector<std::string> taken_overrides(Words& words) {
+    std::vector<std::string> overrides;
+    for (std::size_t i = 0; i < words.size();)
+        if (words[i] == "--set" && i + 1 < words.size()) {
+            overrides.push_back(words[i + 1]);
+            words.erase(words.begin() + static_cast<long>(i), words.begin() + static_cast<long>(i) + 2);
+        } else if (words[i].starts_with("--set=")) {
+            overrides.push_back(words[i].substr(6));
+            words.erase(words.begin() + static_cast<long>(i));
+        } else
+            ++i;
+    return overrides;
+}
+
+nlohmann::json result_json(const PaperRun& run, const TargetRun& target) {
+    nlohmann::json result = model_json(run.model);
+    result["version"] = run.version;
+    result["command"] = run.command;
+    result["seed"] = run.seed;
+    result["threads"] = run.threads;
+    result["max_pressure_MPa"] = run.max_pressure;
+    result["threshold_MPa"] = target.p_bar;
+    result["target"] = target_json(target.target);
+    for (const VariantRun& variant : target.variants)
+        result["variants"][variant.name] = variant_json(variant);
+    return result;
+}
+
+} // namespace
+
+int run(const Words& given) {
+    if (shows_help(given, "run EXPERIMENT.ini [--out DIR] [--set section.key=value]... [flags]",
+                   "Runs an experiment and writes result.json, tables (CSV) and report.html to a folder.\n"
+                   "--set changes one key of the experiment and may be repeated.",
+                   run_settings(),
+                   {"run experiments/paper.ini", "run experiments/paper.ini --out results --seed 7",
+                    "run experiments/paper.ini --set target.profile=scan.txt --set target.unit=um"}))
+        return 0;
+    Words words = given;
+    std::vector<std::string> overrides = taken_overrides(words);
+    const Settings flags = read_command_line(words, run_settings(), {"experiment"});
+    if (!flags.has("experiment"))
+        throw rough::InputError("run: no experiment given, expected an .ini file");
+    for (const char* key : {"seed", "threads"})
+        if (flags.has(key))
+            overrides.push_back(std::string("experiment.") + key + "=" + flags.text(key));
+
+    const std::filesystem::path file = flags.text("experiment");
+    const Settings settings = read_ini(file, paper_settings(), overrides);
+    const auto folder = output_folder(flags.text("out"), file.stem().string(), flags.is_on("force"));
+    Progress progress;
+    PaperRun paper = run_paper(settings, progress);
+    paper.version = RUGOSA_VERSION;
+    paper.command = "rugosa run";
+    for (const auto& word : given)
+        paper.command += " " + word;
+
+    for (const TargetRun& target : paper.targets) {
+        const auto place = &target == &paper.targets.front() ? folder : folder / "heldout";
+        std::filesystem::create_directories(place);
+        rough::write_atomically(place / "result.json", result_json(paper, target).dump(1) + "\n");
+    }
+    std::cout << folder.string() << ": " << paper.seconds << " s\n";
+    return 0;
+}
 
 } // namespace app

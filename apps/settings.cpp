@@ -73,8 +73,9 @@ std::size_t distance(const std::string& left, const std::string& right) {
 
 } // namespace
 
-Settings::Settings(std::string source, std::vector<Setting> known, std::map<std::string, std::string> given)
-    : source_(std::move(source)), given_(std::move(given)) {
+Settings::Settings(std::string source, std::vector<Setting> known, std::map<std::string, std::string> given,
+                   std::set<std::string> overridden)
+    : source_(std::move(source)), given_(std::move(given)), overridden_(std::move(overridden)) {
     for (auto& setting : known)
         known_.emplace(setting.name, setting);
 }
@@ -128,6 +129,12 @@ long Settings::whole(const std::string& name, long from, long to) const {
         throw InputError(place(name) + ": " + text(name) + " given, expected a whole number from " +
                          std::to_string(from) + " to " + std::to_string(to));
     return static_cast<long>(value);
+}
+
+std::filesystem::path Settings::path(const std::string& name) const {
+    if (source_.empty() || overridden_.count(name))
+        return text(name);
+    return std::filesystem::path(source_).parent_path() / text(name);
 }
 
 std::size_t Settings::one_of(const std::string& name, const std::vector<std::string>& words) const {
@@ -189,11 +196,14 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
     } catch (const po::error& error) {
         throw InputError(file.string() + ": " + error.what());
     }
+    std::set<std::string> overridden;
     for (const auto& override_text : overrides) {
         const auto equals = override_text.find('=');
         if (equals == std::string::npos || equals == 0)
             throw InputError("--set: \"" + override_text + "\" given, expected section.key=value");
-        values[override_text.substr(0, equals)] = override_text.substr(equals + 1);
+        const std::string name = override_text.substr(0, equals);
+        values[name] = override_text.substr(equals + 1);
+        overridden.insert(name);
     }
     const auto names = names_of(known);
     for (const auto& [name, value] : values) {
@@ -202,7 +212,7 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
             std::find(names.begin(), names.end(), any) == names.end())
             throw InputError(file.string() + ": unknown key '" + name + "'" + suggestion(name, names));
     }
-    return {file.string(), known, values};
+    return {file.string(), known, values, overridden};
 }
 
 std::string described(const std::vector<Setting>& known) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct Setting {
 /// expected.
 class Settings {
   public:
-    Settings(std::string source, std::vector<Setting> known, std::map<std::string, std::string> given);
+    Settings(std::string source, std::vector<Setting> known, std::map<std::string, std::string> given,
+             std::set<std::string> overridden = {});
 
     bool given(const std::string& name) const { return given_.count(name) > 0; }
     bool has(const std::string& name) const { return !text(name).empty(); }
@@ -28,6 +30,8 @@ class Settings {
     double number(const std::string& name, double from, double to) const;
     double positive(const std::string& name) const;
     long whole(const std::string& name, long from, long to) const;
+    /// A file: as given on the command line, or beside the .ini that names it.
+    std::filesystem::path path(const std::string& name) const;
     std::size_t one_of(const std::string& name, const std::vector<std::string>& words) const;
 
     /// "--nodes" or "paper.ini: model.nodes", for messages.
@@ -39,6 +43,7 @@ class Settings {
     std::string source_; ///< the file, "" for a command line
     std::map<std::string, Setting> known_;
     std::map<std::string, std::string> given_;
+    std::set<std::string> overridden_; ///< by --set
 };
 
 /// Reads a command line. Throws rough::InputError on an unknown flag (with the nearest name) or a word too

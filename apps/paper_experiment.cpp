@@ -1,0 +1,258 @@
+#include "apps/paper_experiment.hpp"
+
+#include "apps/model_settings.hpp"
+#include "apps/recorder.hpp"
+#include "apps/scan_settings.hpp"
+#include "domain/errors.hpp"
+#include "domain/variants/paper.hpp"
+
+#include <omp.h>
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+
+namespace app {
+
+namespace {
+
+using rough::DominanceRule;
+using rough::Form;
+using rough::RescaledProblem;
+using RulePointer = std::shared_ptr<const DominanceRule>;
+
+struct Variant {
+    const char* name;
+    rough::PaperPipeline (*pipeline)(RulePointer, Form);
+    Form form;
+};
+constexpr Variant variants[] = {
+    {"sog", rough::sog, Form::paper},           {"gco", rough::gco, Form::paper},
+    {"cco", rough::cco, Form::paper},           {"sog-minimax", rough::sog, Form::minimax},
+    {"gco-minimax", rough::gco, Form::minimax}, {"cco-minimax", rough::cco, Form::minimax},
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+rough::DatabaseLayout layout_from(const Settings& settings, const rough::Model& model) {
+    rough::DatabaseLayout layout;
+    layout.pairs = static_cast<int>(settings.whole("database.pairs", 1, 100000));
+    layout.phase_columns = static_cast<int>(settings.whole("database.phase-columns", 1, 1000));
+    layout.H_from = settings.number("database.H-from", -10, 10);
+    layout.H_to = settings.number("database.H-to", layout.H_from, 10);
+    layout.gamma_from = settings.number("database.gamma-from", 1.01, 100);
+    layout.gamma_to = settings.number("database.gamma-to", layout.gamma_from, 100);
+    layout.A = settings.positive("database.A");
+    layout.lambda =
+        settings.has("database.lambda") ? settings.positive("database.lambda") : model.grid.length;
+    layout.shortest =
+        settings.has("database.shortest") ? settings.positive("database.shortest") : model.grid.spacing();
+    return layout;
+}
+
+/// The target that a measured profile's own response is: K at 20 even pressures up to its last.
+rough::Target target_of(const rough::Scan& scan, const rough::Model& model, const std::string& name) {
+    const rough::Response response = respond(scan.profile, model.body, model.loading, model.contact);
+    const rough::Curve curve = secant_stiffness(response);
+    rough::Target target{name, Eigen::VectorXd(20), Eigen::VectorXd(20)};
+    for (rough::Index k = 0; k < 20; ++k) {
+        target.pressure[k] = curve.to * static_cast<double>(k + 1) / 20;
+        target.stiffness[k] = curve.at(target.pressure[k]);
+    }
+    return target;
+}
+
+struct Setup {
+    rough::Model model;
+    double max_pressure;
+    std::vector<TargetRun> targets;
+};
+
+Setup setup_from(const Settings& settings) {
+    Setup setup;
+    if (settings.has("target.profile")) {
+        const rough::Scan scan = scan_from(settings.path("target.profile"), settings, 0, "target.");
+        setup.model = model_from(settings, scan.profile, "model.");
+        if (!settings.has("model.nodes"))
+            setup.model.grid.nodes = 512;
+        setup.targets.push_back(
+            {"measured", target_of(scan, setup.model, settings.text("target.profile")), 0, {}, {}, {}});
+        setup.max_pressure = setup.targets[0].target.highest_pressure();
+        return setup;
+    }
+    setup.model = model_from(settings, "model.");
+    setup.max_pressure = settings.positive("paper.max-pressure");
+    setup.targets.push_back({"drawn", rough::read_target(settings.path("target.file")), 0, {}, {}, {}});
+    if (settings.has("heldout.file"))
+        setup.targets.push_back(
+            {"held-out", rough::read_target(settings.path("heldout.file")), 0, {}, {}, {}});
+    return setup;
+}
+
+/// The paper's genomes and targets with what all variants share.
+class Paper {
+  public:
+    Paper(const Settings& settings, PaperRun& run, Progress& progress)
+        : settings_(settings), run_(run), progress_(progress),
+          rule_(std::make_shared<DominanceRule>(run.model)), genomes_(sobol_database(run.layout)) {}
+
+    void answer_database() {
+        run_.database.resize(genomes_.size());
+#pragma omp parallel for schedule(dynamic) num_threads(run_.threads)
+        for (std::size_t i = 0; i < genomes_.size(); ++i) {
+            rough::Genome genome = genomes_[i];
+            rough::Response response = respond(genome, run_.model);
+            genome.scale = run_.max_pressure / response.pressure[response.steps() - 1]; // Eq. 11
+            run_.database[i] = {genome, scaled(std::move(response), genome.scale)};
+        }
+    }
+
+    void design(TargetRun& target) {
+        const RescaledProblem problem(run_.model, target.target, run_.max_pressure, target.p_bar);
+        for (const Answered& one : run_.database) {
+            const rough::Curve curve = secant_stiffness(one.response);
+            const auto points = [&](double from, double to) {
+                return points_within(target.target, {from, to});
+            };
+            target.database.push_back(
+                {similarity(target.target, curve), similarity(target.target, curve, points(0, target.p_bar)),
+                 similarity(target.target, curve, points(target.p_bar, run_.max_pressure))});
+        }
+        for (const Variant& variant : variants) {
+            progress_.show(target.title + ": " + variant.name);
+            VariantRun run = run_variant(variant, problem);
+            run.similarity_refined = similarity(problem, run.answer.genome, 4);
+            target.variants.push_back(std::move(run));
+        }
+    }
+
+    void sweep(TargetRun& target) {
+        const double from = settings_.number("paper.sweep-from", 0.01, 1),
+                     to = settings_.number("paper.sweep-to", from, 1);
+        const long count = settings_.whole("paper.sweep-points", 0, 1000);
+        for (long i = 0; i < count; ++i) {
+            const double fraction =
+                count > 1 ? from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1)
+                          : from;
+            const RescaledProblem problem(run_.model, target.target, run_.max_pressure,
+                                          fraction * run_.max_pressure, memory_);
+            for (const Variant& variant : {variants[1], variants[2]}) {
+                progress_.show(target.title + ": threshold " + std::to_string(i + 1) + " of " +
+                               std::to_string(count));
+                target.thresholds.push_back(
+                    threshold_row(run_variant(variant, problem), fraction * run_.max_pressure));
+            }
+        }
+    }
+
+  private:
+    VariantRun run_variant(const Variant& variant, const RescaledProblem& problem) {
+        const auto start = std::chrono::steady_clock::now();
+        VariantRun run;
+        run.name = variant.name;
+        ga::RunOptions options;
+        options.variant = variant.name;
+        options.seed = run_.seed;
+        options.threads = run_.threads;
+        const auto result = ga::run(variant.pipeline(rule_, variant.form), problem, ga::population(genomes_),
+                                    options, {recorder(run.stages)});
+        run.seconds = seconds_since(start);
+        run.notes = result.notes;
+        run.answer.genome = result.population.front().genome;
+        run.answer.response = respond(run.answer.genome, run_.model);
+        run.similarity = similarity(problem, run.answer.genome);
+        run.curves = result.counters.evaluations;
+        run.gradients = result.counters.gradients;
+        return run;
+    }
+
+    static ThresholdRow threshold_row(const VariantRun& run, double p_bar) {
+        const auto size = [&](const std::string& path) {
+            const StageRecord* stage = stage_at(run.stages, run.name + "/" + path);
+            return stage ? stage->candidates.size() : 0;
+        };
+        ThresholdRow row;
+        row.p_bar = p_bar;
+        row.variant = run.name;
+        row.u1 = size("pair.1/left/above.1");
+        row.u2 = size("pair.1/right/above.1");
+        row.at_least_used = !run.notes.empty();
+        row.children = size("score.1");
+        row.best_child = -INFINITY;
+        double above = 0;
+        for (const Candidate& child : stage_at(run.stages, run.name + "/score.1")->candidates) {
+            above += child.similarity > 0.95;
+            row.best_child = std::max(row.best_child, child.similarity);
+        }
+        row.share_above = above / static_cast<double>(row.children);
+        row.parents = run.stages.back().candidates.front().parents;
+        row.similarity = run.similarity;
+        return row;
+    }
+
+    const Settings& settings_;
+    PaperRun& run_;
+    Progress& progress_;
+    RulePointer rule_;
+    std::shared_ptr<rough::ResponseMemory> memory_ =
+        std::make_shared<rough::ResponseMemory>(); ///< of the sweep
+    std::vector<rough::Genome> genomes_;
+};
+
+} // namespace
+
+std::vector<Setting> paper_settings() {
+    std::vector<Setting> settings{
+        {"experiment.kind", "", "paper"},
+        {"experiment.seed", "1", "seed of everything random"},
+        {"experiment.threads", "0", "threads; 0 takes all"},
+        {"target.file", "", "target curve (CSV)"},
+        {"target.profile", "", "measured profile whose response is the target, in place of target.file"},
+        {"heldout.file", "", "second target curve (CSV)"},
+        {"paper.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"},
+        {"paper.threshold", "0.5", "p_bar over p_max"},
+        {"paper.sweep-from", "0.31", "first p_bar over p_max of the threshold sweep"},
+        {"paper.sweep-to", "0.69", "last one"},
+        {"paper.sweep-points", "20", "how many; 0: no sweep"},
+        {"database.pairs", "20", "Sobol pairs (H, gamma)"},
+        {"database.phase-columns", "5", "Sobol phase columns"},
+        {"database.H-from", "0.5", "lowest H"},
+        {"database.H-to", "1.5", "highest H"},
+        {"database.gamma-from", "1.4", "lowest gamma"},
+        {"database.gamma-to", "2", "highest gamma"},
+        {"database.A", "1", "amplitude A"},
+        {"database.lambda", "", "longest wave, mm [L]"},
+        {"database.shortest", "", "shortest wave, mm [the grid's spacing]"},
+    };
+    for (const auto& more : {scan_settings("target."), model_settings("model.")})
+        settings.insert(settings.end(), more.begin(), more.end());
+    return settings;
+}
+
+PaperRun run_paper(const Settings& settings, Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    PaperRun run;
+    Setup setup = setup_from(settings);
+    run.model = setup.model;
+    run.max_pressure = setup.max_pressure;
+    run.targets = std::move(setup.targets);
+    run.layout = layout_from(settings, run.model);
+    run.seed = static_cast<std::uint64_t>(settings.whole("experiment.seed", 0, 1L << 53));
+    const long threads = settings.whole("experiment.threads", 0, 1024);
+    run.threads = threads > 0 ? static_cast<int>(threads) : omp_get_max_threads();
+
+    Paper paper(settings, run, progress);
+    progress.show("database");
+    paper.answer_database();
+    for (TargetRun& target : run.targets) {
+        target.p_bar = settings.number("paper.threshold", 0, 1) * run.max_pressure;
+        paper.design(target);
+        paper.sweep(target);
+    }
+    run.seconds = seconds_since(start);
+    return run;
+}
+
+} // namespace app

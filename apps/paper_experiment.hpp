@@ -1,0 +1,16 @@
+#pragma once
+
+#include "apps/progress.hpp"
+#include "apps/report/paper_data.hpp"
+#include "apps/settings.hpp"
+
+namespace app {
+
+/// The keys that experiments/paper.ini may set.
+std::vector<Setting> paper_settings();
+
+/// Runs the paper's experiment: the database, the variants on every target, the threshold sweep. Relative
+/// paths in the file are looked for beside it.
+PaperRun run_paper(const Settings& settings, Progress& progress);
+
+} // namespace app

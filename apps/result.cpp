@@ -1,0 +1,57 @@
+#include "apps/result.hpp"
+
+#include "apps/model_settings.hpp"
+#include "domain/mwm/genome_json.hpp"
+
+#include <cmath>
+
+namespace app {
+
+using nlohmann::json;
+
+json variant_json(const VariantRun& variant) {
+    json stages = json::array();
+    for (const StageRecord& stage : variant.stages) {
+        json candidates = json::array();
+        for (const Candidate& one : stage.candidates)
+            candidates.push_back(
+                {{"id", one.id},
+                 {"parents", one.parents},
+                 {"similarity", std::isnan(one.similarity) ? json() : json(one.similarity)}});
+        stages.push_back({{"path", stage.path}, {"candidates", std::move(candidates)}});
+    }
+    return {{"similarity", variant.similarity},
+            {"similarity_refined", variant.similarity_refined},
+            {"genome", genome_to_json(variant.answer.genome)},
+            {"stages", std::move(stages)},
+            {"notes", variant.notes},
+            {"seconds", variant.seconds},
+            {"curves", variant.curves},
+            {"gradients", variant.gradients}};
+}
+
+json model_json(const rough::Model& model) {
+    json result = {{"nodes", model.grid.nodes},
+                   {"length_mm", model.grid.length},
+                   {"effective_modulus_MPa", model.body.effective_modulus},
+                   {"kernel", name_of(model.body.kernel)},
+                   {"datum_mm", nullptr},
+                   {"strip_width_mm", nullptr},
+                   {"steps", model.loading.steps},
+                   {"reach", model.loading.reach}};
+    if (model.body.kernel == rough::Kernel::free)
+        result["datum_mm"] = model.body.datum;
+    if (model.body.kernel == rough::Kernel::strip)
+        result["strip_width_mm"] = model.body.strip_width;
+    return result;
+}
+
+json target_json(const rough::Target& target) {
+    json points = json::array();
+    for (rough::Index k = 0; k < target.points(); ++k)
+        points.push_back(
+            {{"pressure_MPa", target.pressure[k]}, {"stiffness_MPa_per_mm", target.stiffness[k]}});
+    return {{"name", target.name}, {"points", std::move(points)}};
+}
+
+} // namespace app

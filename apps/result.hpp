@@ -1,0 +1,17 @@
+#pragma once
+
+#include "apps/report/paper_data.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+/// One variant's way and answer, as result.json holds it.
+nlohmann::json variant_json(const VariantRun& variant);
+
+/// The model set-up at the top of every result.json: grid, body, load steps.
+nlohmann::json model_json(const rough::Model& model);
+
+nlohmann::json target_json(const rough::Target& target);
+
+} // namespace app
