@@ -78,7 +78,8 @@ rough::Model model_from(const Settings& settings, const rough::Profile& scan, co
     rough::Grid grid;
     grid.nodes =
         settings.has(prefix + "nodes") ? settings.whole(prefix + "nodes", 2, 10000000) : scan.nodes();
-    const double own = scan.spacing * static_cast<double>(scan.nodes() - 1);
+    const bool wraps = settings.text(prefix + "kernel") == name_of(rough::Kernel::periodic);
+    const double own = scan.spacing * static_cast<double>(wraps ? scan.nodes() : scan.nodes() - 1);
     grid.length = settings.has(prefix + "length") ? settings.positive(prefix + "length") : own;
     return model_on(grid, settings, prefix);
 }

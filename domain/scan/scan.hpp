@@ -15,8 +15,8 @@ enum class Detrend { none, mean, line, parabola };
 Detrend detrend_named(std::string_view name, const std::string& where);
 
 struct ScanOptions {
-    std::string unit =
-        {}; ///< unit of the columns whose header names none, e.g. "um"; empty: none given, mm is assumed
+    /// unit of the columns whose header names none, e.g. "um"; empty: none given, mm is assumed
+    std::string unit = {};
     double spacing = 0; ///< distance of a one-column file's points, in `unit` (mm without); 0: none given
     Detrend detrend = Detrend::line;
     bool fill = false; ///< replace missing heights by linear interpolation instead of refusing them
