@@ -1,0 +1,41 @@
+#include "domain/database/build.hpp"
+
+#include "domain/errors.hpp"
+#include "ga/parallel.hpp"
+
+#include <limits>
+
+namespace rough {
+namespace {
+
+Response no_response(int steps) {
+    const double nothing = std::numeric_limits<double>::quiet_NaN();
+    const Eigen::VectorXd column = Eigen::VectorXd::Constant(steps, nothing);
+    return {nothing, column, column, column, column, column, Solver::automatic};
+}
+
+} // namespace
+
+void build(GenomeStore& store, const BuildOptions& options) {
+    const Model& model = store.setup().model;
+    const GenomeLaw& law = store.setup().law;
+    validate(law);
+    const int threads = ga::thread_count(options.threads);
+    while (const auto span = store.take(options.genomes, options.batch)) {
+        std::vector<Genome> genomes(span->count);
+        std::vector<Response> responses(span->count);
+        ga::parallel_for(span->count, threads, [&](std::size_t i) {
+            genomes[i] = drawn(law, span->first + i);
+            try {
+                responses[i] = respond(genomes[i], model);
+            } catch (const NotConverged&) {
+                responses[i] = no_response(model.loading.steps);
+            }
+        });
+        store.add(*span, genomes, responses);
+        if (!options.go_on(store.stored()))
+            return;
+    }
+}
+
+} // namespace rough

@@ -1,0 +1,124 @@
+#include "domain/database/setup.hpp"
+
+#include "domain/errors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+
+namespace rough {
+namespace {
+
+constexpr std::array<const char*, 3> kernels{"free", "periodic", "strip"}; // in the order of Kernel
+
+std::string text(double value) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.17g", value);
+    return digits;
+}
+
+const std::string* find(const Fields& fields, const std::string& name) {
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.first == name; });
+    return found == fields.end() ? nullptr : &found->second;
+}
+
+/// Reads fields one by one.
+class Reader {
+  public:
+    Reader(const Fields& fields, const std::string& where) : fields_(fields), where_(where) {}
+
+    template <class Number>
+    void operator()(const char* name, Number& value) const {
+        const std::string& word = text(name);
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (error != std::errc{} || end != word.data() + word.size())
+            throw InputError(where_ + ": " + name + " is '" + word + "', expected a number");
+    }
+    const std::string& text(const char* name) const {
+        if (const std::string* value = find(fields_, name))
+            return *value;
+        throw InputError(where_ + ": no " + name + " in it, expected a genome database");
+    }
+
+  private:
+    const Fields& fields_;
+    const std::string& where_;
+};
+
+} // namespace
+
+Fields fields(const Model& model) {
+    const Body& body = model.body;
+    Fields all{{"nodes", std::to_string(model.grid.nodes)},
+               {"length_mm", text(model.grid.length)},
+               {"kernel", kernels[static_cast<std::size_t>(body.kernel)]},
+               {"effective_modulus_MPa", text(body.effective_modulus)},
+               {"steps", std::to_string(model.loading.steps)},
+               {"reach", text(model.loading.reach)}};
+    if (body.kernel == Kernel::free)
+        all.emplace_back("datum_mm", text(body.datum));
+    if (body.kernel == Kernel::strip)
+        all.emplace_back("strip_width_mm", text(body.strip_width));
+    return all;
+}
+
+Fields fields(const DatabaseSetup& setup) {
+    Fields all = fields(setup.model);
+    const GenomeLaw& law = setup.law;
+    for (const auto& [name, value] : Fields{{"series", std::to_string(law.series)},
+                                            {"ridges", std::to_string(law.ridges)},
+                                            {"H_from", text(law.H_from)},
+                                            {"H_to", text(law.H_to)},
+                                            {"gamma_from", text(law.gamma_from)},
+                                            {"gamma_to", text(law.gamma_to)},
+                                            {"lambda_mm", text(law.lambda)},
+                                            {"shortest_wave_mm", text(law.shortest)},
+                                            {"seed", std::to_string(law.seed)}})
+        all.emplace_back(name, value);
+    return all;
+}
+
+DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
+    const Reader read(fields, where);
+    DatabaseSetup setup;
+    Model& model = setup.model;
+    const auto kernel = std::find(kernels.begin(), kernels.end(), read.text("kernel"));
+    if (kernel == kernels.end())
+        throw InputError(where + ": kernel is '" + read.text("kernel") +
+                         "', expected free, periodic or strip");
+    model.body.kernel = static_cast<Kernel>(kernel - kernels.begin());
+    model.grid.wraps = model.body.kernel == Kernel::periodic;
+    read("nodes", model.grid.nodes);
+    read("length_mm", model.grid.length);
+    read("effective_modulus_MPa", model.body.effective_modulus);
+    read("steps", model.loading.steps);
+    read("reach", model.loading.reach);
+    if (model.body.kernel == Kernel::free)
+        read("datum_mm", model.body.datum);
+    if (model.body.kernel == Kernel::strip)
+        read("strip_width_mm", model.body.strip_width);
+    GenomeLaw& law = setup.law;
+    read("series", law.series);
+    read("ridges", law.ridges);
+    read("H_from", law.H_from);
+    read("H_to", law.H_to);
+    read("gamma_from", law.gamma_from);
+    read("gamma_to", law.gamma_to);
+    read("lambda_mm", law.lambda);
+    read("shortest_wave_mm", law.shortest);
+    read("seed", law.seed);
+    return setup;
+}
+
+std::string difference(const Fields& there, const Fields& wanted) {
+    for (const auto& [name, value] : wanted) {
+        const std::string* own = find(there, name);
+        if (!own || *own != value)
+            return name + " is " + (own ? *own : "not set") + ", not " + value;
+    }
+    return "";
+}
+
+} // namespace rough

@@ -1,0 +1,229 @@
+#include "domain/database/store.hpp"
+
+#include "domain/database/codec.hpp"
+#include "domain/errors.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace rough {
+namespace {
+
+// SQLite's own marks of whose file it is and in which form.
+constexpr std::int64_t application = 0x52554741; // "RUGA"
+constexpr std::int64_t form = 1;
+
+std::int64_t as_key(std::uint64_t index) { return static_cast<std::int64_t>(index); }
+std::uint64_t as_index(std::int64_t key) { return static_cast<std::uint64_t>(key); }
+
+/// Blobs in tables of their own, so that scoring reads the pressures alone.
+void make_tables(Sqlite& sqlite) {
+    sqlite.run("PRAGMA application_id = " + std::to_string(application));
+    sqlite.run("PRAGMA user_version = " + std::to_string(form));
+    sqlite.run("CREATE TABLE setup(name TEXT PRIMARY KEY, value TEXT NOT NULL)");
+    sqlite.run("CREATE TABLE batch(first INTEGER PRIMARY KEY, count INTEGER NOT NULL)");
+    for (const char* table : {"pressure", "contact", "genome"})
+        sqlite.run(std::string("CREATE TABLE ") + table +
+                   "(first INTEGER PRIMARY KEY, numbers BLOB NOT NULL)");
+    sqlite.run("CREATE TABLE taken(first INTEGER PRIMARY KEY)");
+}
+
+void expect_ours(Sqlite& sqlite) {
+    if (sqlite.number("PRAGMA application_id") != application)
+        throw InputError(sqlite.file().string() +
+                         ": is no genome database, expected one made by 'rugosa database build'");
+    const std::int64_t version = sqlite.number("PRAGMA user_version");
+    if (version != form)
+        throw InputError(sqlite.file().string() + ": a genome database of form " + std::to_string(version) +
+                         ", expected form " + std::to_string(form));
+}
+
+Fields stored_fields(Sqlite& sqlite) {
+    Fields fields;
+    Statement rows(sqlite, "SELECT name, value FROM setup");
+    while (rows.step())
+        fields.emplace_back(rows.bytes(0), rows.bytes(1));
+    return fields;
+}
+
+/// The gaps below `end`, cut at the multiples of `batch`.
+std::vector<Span> gaps(Sqlite& sqlite, std::uint64_t end, std::uint64_t batch) {
+    std::vector<Span> found;
+    std::uint64_t next = 0;
+    const auto fill_to = [&](std::uint64_t stop) {
+        while (next < stop) {
+            const std::uint64_t cut = std::min(stop, (next / batch + 1) * batch);
+            found.push_back({next, cut - next});
+            next = cut;
+        }
+    };
+    Statement rows(sqlite, "SELECT first, count FROM batch ORDER BY first");
+    while (rows.step()) {
+        const std::uint64_t first = as_index(rows.number(0));
+        fill_to(std::min(first, end));
+        next = std::max(next, first + as_index(rows.number(1)));
+    }
+    fill_to(end);
+    return found;
+}
+
+Eigen::VectorXd displacements(const Model& model, double range) {
+    const auto steps = load_displacements(range, model.loading, model.body.kernel);
+    return Eigen::Map<const Eigen::VectorXd>(steps.data(), static_cast<Index>(steps.size()));
+}
+
+} // namespace
+
+GenomeStore::GenomeStore(Sqlite sqlite) : sqlite_(std::move(sqlite)) {
+    expect_ours(sqlite_);
+    const Fields fields = stored_fields(sqlite_);
+    setup_ = setup_from(fields, file().string());
+    for (const auto& [name, value] : fields)
+        if (name == "version")
+            version_ = value;
+}
+
+GenomeStore GenomeStore::create(const std::filesystem::path& file, const DatabaseSetup& setup) {
+    validate(setup.law);
+    const Fields wanted = fields(setup);
+    Sqlite sqlite(file, Sqlite::Access::create);
+    Transaction transaction(sqlite);
+    if (sqlite.number("SELECT count(*) FROM sqlite_master") == 0) {
+        make_tables(sqlite);
+        Fields named = wanted;
+        named.emplace_back("version", RUGOSA_VERSION);
+        Statement insert(sqlite, "INSERT INTO setup VALUES(?, ?)");
+        for (const auto& [name, value] : named) {
+            insert.bind_text(name).bind_text(value).step();
+            insert.reset();
+        }
+    }
+    expect_ours(sqlite);
+    transaction.commit();
+    const std::string differs = difference(stored_fields(sqlite), wanted);
+    if (!differs.empty())
+        throw InputError(file.string() + ": a database of another set-up: its " + differs);
+    return GenomeStore(std::move(sqlite));
+}
+
+GenomeStore GenomeStore::open(const std::filesystem::path& file) {
+    if (!std::filesystem::is_regular_file(file))
+        throw InputError(file.string() + ": there is no such file, expected a genome database");
+    return GenomeStore(Sqlite(file, Sqlite::Access::existing));
+}
+
+std::uint64_t GenomeStore::stored() const {
+    return as_index(sqlite_.number("SELECT total(count) FROM batch"));
+}
+
+std::optional<Span> GenomeStore::take(std::uint64_t end, std::uint64_t batch) {
+    Transaction transaction(sqlite_);
+    const auto open_spans = gaps(sqlite_, end, batch);
+    if (open_spans.empty())
+        return std::nullopt;
+    std::vector<std::uint64_t> taken;
+    Statement rows(sqlite_, "SELECT first FROM taken ORDER BY first");
+    while (rows.step())
+        taken.push_back(as_index(rows.number(0)));
+    for (const Span& span : open_spans)
+        if (!std::binary_search(taken.begin(), taken.end(), span.first)) {
+            Statement(sqlite_, "INSERT INTO taken VALUES(?)").bind(as_key(span.first)).step();
+            rows.reset();
+            transaction.commit();
+            return span;
+        }
+    // What is left was taken by builders that still work or were killed: computing it again does no harm,
+    // from the end, where those that still work come last.
+    return open_spans.back();
+}
+
+void GenomeStore::add(const Span& span, const std::vector<Genome>& genomes,
+                      const std::vector<Response>& responses) {
+    std::vector<double> pressure, contact;
+    for (const Response& response : responses) {
+        pressure.push_back(response.range);
+        pressure.insert(pressure.end(), response.pressure.begin(), response.pressure.end());
+        contact.insert(contact.end(), response.contact_fraction.begin(), response.contact_fraction.end());
+        contact.insert(contact.end(), response.tangent_stiffness.begin(), response.tangent_stiffness.end());
+    }
+    Transaction transaction(sqlite_);
+    Statement known(sqlite_, "SELECT 1 FROM batch WHERE first = ?");
+    const bool there = known.bind(as_key(span.first)).step();
+    known.reset();
+    if (!there) {
+        Statement(sqlite_, "INSERT INTO batch VALUES(?, ?)")
+            .bind(as_key(span.first))
+            .bind(as_key(span.count))
+            .step();
+        const auto put = [&](const char* table, const std::vector<double>& values) {
+            Statement(sqlite_, std::string("INSERT INTO ") + table + " VALUES(?, ?)")
+                .bind(as_key(span.first))
+                .bind_blob(packed(values))
+                .step();
+        };
+        put("pressure", pressure);
+        put("contact", contact);
+        put("genome", numbers(genomes));
+    }
+    Statement(sqlite_, "DELETE FROM taken WHERE first = ?").bind(as_key(span.first)).step();
+    transaction.commit();
+}
+
+StoredCurves GenomeStore::curves() const {
+    const auto steps = static_cast<std::size_t>(setup_.model.loading.steps);
+    StoredCurves curves;
+    const std::uint64_t all = stored();
+    curves.index.reserve(all);
+    curves.range.reserve(all);
+    curves.pressure.reserve(all * steps);
+    Statement rows(sqlite_, "SELECT first, numbers FROM pressure ORDER BY first");
+    while (rows.step()) {
+        const auto values = unpacked(rows.bytes(1));
+        for (std::size_t g = 0; (g + 1) * (steps + 1) <= values.size(); ++g) {
+            const auto response = values.begin() + static_cast<std::ptrdiff_t>(g * (steps + 1));
+            curves.index.push_back(as_index(rows.number(0)) + g);
+            curves.range.push_back(*response);
+            curves.pressure.insert(curves.pressure.end(), response + 1,
+                                   response + 1 + static_cast<std::ptrdiff_t>(steps));
+        }
+    }
+    return curves;
+}
+
+namespace {
+
+struct Place {
+    std::vector<double> numbers;
+    std::size_t within; ///< of the batch
+};
+
+Place look_up(Sqlite& sqlite, const char* table, std::uint64_t index) {
+    Statement row(sqlite, std::string("SELECT batch.first, count, numbers FROM batch JOIN ") + table +
+                              " USING(first) WHERE batch.first <= ? ORDER BY batch.first DESC LIMIT 1");
+    if (row.bind(as_key(index)).step() && index < as_index(row.number(0)) + as_index(row.number(1)))
+        return {unpacked(row.bytes(2)), static_cast<std::size_t>(index - as_index(row.number(0)))};
+    throw InputError(sqlite.file().string() + ": genome " + std::to_string(index) + " is not stored");
+}
+
+} // namespace
+
+Genome GenomeStore::genome(std::uint64_t index) const {
+    const Place place = look_up(sqlite_, "genome", index);
+    return genomes_from(place.numbers).at(place.within);
+}
+
+Response GenomeStore::response(std::uint64_t index) const {
+    const Index steps = setup_.model.loading.steps;
+    const Place pressure = look_up(sqlite_, "pressure", index), contact = look_up(sqlite_, "contact", index);
+    const double* p = pressure.numbers.data() + pressure.within * static_cast<std::size_t>(steps + 1);
+    const double* c = contact.numbers.data() + contact.within * static_cast<std::size_t>(2 * steps);
+    Response response;
+    response.range = p[0];
+    response.displacement = displacements(setup_.model, p[0]);
+    response.pressure = Eigen::Map<const Eigen::VectorXd>(p + 1, steps);
+    response.contact_fraction = Eigen::Map<const Eigen::VectorXd>(c, steps);
+    response.tangent_stiffness = Eigen::Map<const Eigen::VectorXd>(c + steps, steps);
+    return response;
+}
+
+} // namespace rough

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "domain/database/setup.hpp"
+#include "domain/database/sqlite.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace rough {
+
+/// Genomes first .. first + count - 1 of a law.
+struct Span {
+    std::uint64_t first = 0, count = 0;
+};
+
+/// The responses' numbers that scoring needs, one genome after another.
+struct StoredCurves {
+    std::vector<std::uint64_t> index; ///< the genomes' numbers
+    std::vector<double>
+        range; ///< height range (periodic: to full contact), mm; NaN where there is no response
+    std::vector<double> pressure; ///< genomes x steps, MPa
+};
+
+/// A genome database: an SQLite file with the genomes of a law and their responses, in batches. A batch is
+/// written whole or not at all, whatever ends the program; several programs may read and build one file at
+/// once.
+class GenomeStore {
+  public:
+    /// Opens a database; where there is none, makes one. Throws InputError on a file of another set-up,
+    /// naming the first difference, and on one that is no genome database.
+    static GenomeStore create(const std::filesystem::path& file, const DatabaseSetup& setup);
+    /// Opens one that exists, to read or to go on building.
+    static GenomeStore open(const std::filesystem::path& file);
+
+    const DatabaseSetup& setup() const { return setup_; }
+    const std::string& version() const { return version_; } ///< of the program that made the file
+    std::uint64_t stored() const;                           ///< genomes
+    const std::filesystem::path& file() const { return sqlite_.file(); }
+
+    /// The next genomes below `end` to compute, at most `batch`: first such that no other builder has taken,
+    /// then those taken and never delivered. Nothing when all are stored.
+    std::optional<Span> take(std::uint64_t end, std::uint64_t batch);
+    /// Stores a batch; where another builder was faster, its copy stays.
+    void add(const Span& span, const std::vector<Genome>& genomes, const std::vector<Response>& responses);
+
+    StoredCurves curves() const;
+    Genome genome(std::uint64_t index) const;     ///< throws InputError when it is not stored
+    Response response(std::uint64_t index) const; ///< displacement, pressure, contact fraction and tangents
+
+  private:
+    GenomeStore(Sqlite sqlite);
+    mutable Sqlite sqlite_;
+    DatabaseSetup setup_;
+    std::string version_;
+};
+
+} // namespace rough

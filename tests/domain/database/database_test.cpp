@@ -1,0 +1,238 @@
+#include "domain/atomic_file.hpp"
+#include "domain/database/build.hpp"
+#include "domain/database/codec.hpp"
+#include "domain/database/screen.hpp"
+#include "domain/errors.hpp"
+#include "domain/mwm/waves.hpp"
+#include "domain/response/curve.hpp"
+#include "domain/response/similarity.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+
+using namespace rough;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+    fs::path path;
+    Folder() {
+        std::string name = (fs::temp_directory_path() / "rugosa-XXXXXX").string();
+        path = mkdtemp(name.data());
+    }
+    ~Folder() { fs::remove_all(path); }
+};
+
+DatabaseSetup small_setup() {
+    DatabaseSetup setup;
+    setup.model.grid.nodes = 64;
+    setup.model.loading.steps = 8;
+    setup.law.series = 2;
+    setup.law.shortest = 0.1;
+    return setup;
+}
+
+Target target_of(const Response& response, double factor, double reach) {
+    const Curve curve = stretched(secant_stiffness(response), factor);
+    Target target{"a stored genome", Eigen::VectorXd(5), Eigen::VectorXd(5)};
+    for (Index k = 0; k < 5; ++k) {
+        target.pressure[k] = reach * curve.to * double(k + 1) / 5;
+        target.stiffness[k] = curve.at(target.pressure[k]);
+    }
+    return target;
+}
+
+} // namespace
+
+TEST_CASE("a law's genome depends on its number alone, is valid and keeps to the law") {
+    GenomeLaw law;
+    law.series = 2;
+    law.ridges = 3;
+    law.shortest = 0.05;
+    for (std::uint64_t index = 0; index < 50; ++index) {
+        const Genome genome = drawn(law, index);
+        CHECK_NOTHROW(validate(genome, "genome"));
+        CHECK(genes(genome) == genes(drawn(law, index)));
+        REQUIRE(genome.series.size() == 2);
+        for (const Series& series : genome.series) {
+            CHECK((series.H >= 0.5 && series.H <= 1.5 && series.gamma >= 1.4 && series.gamma <= 2));
+            CHECK(wave_length(series, series.chromosomes.back().n) >= 0.05);
+            CHECK(wave_length(series, series.chromosomes.back().n + 1) < 0.05);
+        }
+    }
+    CHECK(genes(drawn(law, 1)) != genes(drawn(law, 2)));
+    law.gamma_from = 1;
+    CHECK_THROWS_WITH(validate(law), Catch::Contains("gamma"));
+}
+
+TEST_CASE("genomes survive packing to the bit") {
+    GenomeLaw law;
+    law.ridges = 2;
+    std::vector<Genome> genomes;
+    for (std::uint64_t i = 0; i < 7; ++i)
+        genomes.push_back(drawn(law, i));
+    const auto back = genomes_from(unpacked(packed(numbers(genomes))));
+    REQUIRE(back.size() == 7);
+    for (std::size_t i = 0; i < 7; ++i) {
+        CHECK(genes(back[i]) == genes(genomes[i]));
+        CHECK(back[i].series[0].chromosomes.back().n == genomes[i].series[0].chromosomes.back().n);
+    }
+    auto cut = numbers(genomes);
+    cut.pop_back();
+    CHECK_THROWS_AS(genomes_from(cut), InputError);
+}
+
+TEST_CASE("a set-up survives being written as text, for every kernel") {
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
+        DatabaseSetup setup = small_setup();
+        setup.model.body.kernel = kernel;
+        setup.model.body.datum = 1.0 / 3;
+        setup.model.body.strip_width = 0.1;
+        setup.law.seed = ~0ULL;
+        CHECK(fields(setup_from(fields(setup), "text")) == fields(setup));
+    }
+}
+
+TEST_CASE("a database holds the genomes of its law and their responses to the bit") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    GenomeStore store = GenomeStore::create(folder.path / "genomes.db", setup);
+    build(store, {.genomes = 30, .batch = 8});
+    CHECK(store.stored() == 30);
+    for (const std::uint64_t index : {0, 7, 8, 29}) {
+        const Genome genome = drawn(setup.law, index);
+        CHECK(genes(store.genome(index)) == genes(genome));
+        const Response computed = respond(genome, setup.model), stored = store.response(index);
+        CHECK(stored.range == computed.range);
+        CHECK(stored.displacement == computed.displacement);
+        CHECK(stored.pressure == computed.pressure);
+        CHECK(stored.contact_fraction == computed.contact_fraction);
+        CHECK(stored.tangent_stiffness == computed.tangent_stiffness);
+    }
+    CHECK_THROWS_WITH(store.genome(30), Catch::Contains("genome 30 is not stored"));
+}
+
+TEST_CASE("a build that was stopped goes on where it ended, in any pieces, to the same database") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    GenomeStore whole = GenomeStore::create(folder.path / "whole.db", setup);
+    build(whole, {.genomes = 50, .batch = 10});
+    {
+        GenomeStore pieces = GenomeStore::create(folder.path / "pieces.db", setup);
+        build(pieces, {.genomes = 25, .batch = 10});
+        int batches = 0;
+        build(pieces, {.genomes = 50, .batch = 10, .go_on = [&](std::uint64_t) { return ++batches < 2; }});
+        CHECK(pieces.stored() == 40);
+        CHECK(pieces.take(50, 10)); // a builder that dies with its batch
+    }
+    GenomeStore pieces = GenomeStore::open(folder.path / "pieces.db");
+    build(pieces, {.genomes = 50, .batch = 10});
+    CHECK(pieces.stored() == 50);
+    CHECK(pieces.curves().pressure == whole.curves().pressure);
+    CHECK(pieces.curves().index == whole.curves().index);
+}
+
+TEST_CASE("two builders of one file share the work and store each genome once") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    GenomeStore one = GenomeStore::create(folder.path / "genomes.db", setup);
+    GenomeStore two = GenomeStore::create(folder.path / "genomes.db", setup);
+    const auto first = one.take(40, 10), second = two.take(40, 10);
+    REQUIRE((first && second));
+    CHECK(first->first == 0);
+    CHECK(second->first == 10);
+    std::uint64_t other = 0;
+    build(one, {.genomes = 40, .batch = 10, .go_on = [&](std::uint64_t) {
+                    if (other++ == 0)
+                        build(two, {.genomes = 40, .batch = 10});
+                    return true;
+                }});
+    CHECK(one.stored() == 40);
+    CHECK(other <= 2); // the second did the rest, with what the takers above never delivered
+    const auto index = two.curves().index;
+    for (std::size_t i = 0; i < index.size(); ++i)
+        CHECK(index[i] == i);
+}
+
+TEST_CASE("a database of another set-up is refused with the difference named, and stays as it was") {
+    const Folder folder;
+    const fs::path file = folder.path / "genomes.db";
+    GenomeStore::create(file, small_setup());
+    const std::string before = read_whole(file);
+    DatabaseSetup other = small_setup();
+    other.model.body.datum = 2;
+    CHECK_THROWS_WITH(GenomeStore::create(file, other),
+                      Catch::Contains("datum_mm is 0.8494") && Catch::Contains("not 2"));
+    other = small_setup();
+    other.model.body.kernel = Kernel::strip;
+    CHECK_THROWS_WITH(GenomeStore::create(file, other), Catch::Contains("kernel is free, not strip"));
+    other = small_setup();
+    other.law.seed = 2;
+    CHECK_THROWS_WITH(GenomeStore::create(file, other), Catch::Contains("seed is 1, not 2"));
+    CHECK(read_whole(file) == before);
+    CHECK_NOTHROW(GenomeStore::create(file, small_setup()));
+}
+
+TEST_CASE("what is no genome database is refused") {
+    const Folder folder;
+    CHECK_THROWS_WITH(GenomeStore::open(folder.path / "none.db"), Catch::Contains("none.db"));
+    write_atomically(folder.path / "text.db", std::string(5000, 'x'));
+    CHECK_THROWS_WITH(GenomeStore::open(folder.path / "text.db"), Catch::Contains("no genome database"));
+    Sqlite(folder.path / "other.db", Sqlite::Access::create).run("CREATE TABLE t(a)");
+    CHECK_THROWS_WITH(GenomeStore::open(folder.path / "other.db"), Catch::Contains("no genome database"));
+    CHECK_THROWS_WITH(GenomeStore::create(folder.path / "other.db", small_setup()),
+                      Catch::Contains("no genome database"));
+    CHECK_THROWS_AS(GenomeStore::create(folder.path / "missing" / "a.db", small_setup()), InputError);
+}
+
+TEST_CASE("screening by Eq. 11 finds the genomes that similarity ranks first, on any number of threads") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    GenomeStore store = GenomeStore::create(folder.path / "genomes.db", setup);
+    build(store, {.genomes = 200});
+    const double max_pressure = 1.6e-4;
+    const Response wanted = store.response(123);
+    const Target target = target_of(wanted, max_pressure / wanted.pressure[7], 0.9);
+    std::vector<std::pair<double, std::uint64_t>> expected;
+    for (std::uint64_t g = 0; g < 200; ++g) {
+        const Response response = store.response(g);
+        const Curve curve = stretched(secant_stiffness(response), max_pressure / response.pressure[7]);
+        expected.emplace_back(-similarity(target, curve), g);
+    }
+    std::sort(expected.begin(), expected.end());
+    for (const int threads : {1, 2, 5}) {
+        const auto matches = screen(store.curves(), setup.model, target,
+                                    {.max_pressure = max_pressure, .best = 20, .threads = threads});
+        REQUIRE(matches.size() == 20);
+        CHECK(matches[0].index == 123);
+        CHECK(matches[0].similarity == Approx(1).epsilon(1e-12));
+        for (std::size_t i = 0; i < 20; ++i) {
+            CHECK(matches[i].index == expected[i].second);
+            CHECK(matches[i].similarity == Approx(-expected[i].first).epsilon(1e-12));
+            CHECK(matches[i].scale == Approx(max_pressure / store.response(matches[i].index).pressure[7]));
+        }
+    }
+    CHECK_THROWS_WITH(screen(store.curves(), setup.model, target, {.max_pressure = 1e-5}),
+                      Catch::Contains("reaches"));
+    CHECK_THROWS_AS(screen({}, setup.model, target, {}), InputError);
+}
+
+TEST_CASE("screening with free amplitude finds a stored genome at the amplitude that its curve was given") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    GenomeStore store = GenomeStore::create(folder.path / "genomes.db", setup);
+    build(store, {.genomes = 200});
+    for (const double reach : {0.95, 0.4, 0.2}) {
+        const Target target = target_of(store.response(77), 0.037, reach);
+        const auto matches = screen(store.curves(), setup.model, target, {.best = 3});
+        INFO(reach);
+        CHECK(matches[0].index == 77);
+        CHECK(matches[0].scale == Approx(0.037).epsilon(1e-3));
+        CHECK(matches[0].similarity > 0.999);
+        const Curve curve = stretched(secant_stiffness(store.response(77)), matches[0].scale);
+        CHECK(matches[0].similarity == Approx(similarity(target, curve)).epsilon(1e-12));
+    }
+}
