@@ -21,25 +21,31 @@ fs::path first_free(const fs::path& wanted) {
 
 } // namespace
 
-fs::path output_folder(const std::string& given, const std::string& name, bool force) {
-    const fs::path folder = given.empty() ? first_free(fs::path("out") / name) : fs::path(given);
+OutputFolder::OutputFolder(const std::string& given, const std::string& name, bool force)
+    : path_(given.empty() ? first_free(fs::path("out") / name) : fs::path(given)) {
     std::error_code error;
-    if (!given.empty() && fs::exists(folder / result_name, error) && !force)
+    if (!given.empty() && fs::exists(path_ / result_name, error) && !force)
         throw InputError("--out: " + given + " holds a result, expected another folder or --force");
-    const bool made = fs::create_directories(folder, error);
-    if (error || !fs::is_directory(folder))
-        throw InputError("--out: " + folder.string() +
+    for (fs::path missing = path_; !missing.empty() && !fs::exists(missing, error);
+         missing = missing.parent_path())
+        made_.push_back(missing);
+    fs::create_directories(path_, error);
+    if (error || !fs::is_directory(path_))
+        throw InputError("--out: " + path_.string() +
                          " cannot be made, expected a folder that can be written");
-    const fs::path probe = folder / ".writable";
+    const fs::path probe = path_ / ".writable";
     try {
         rough::write_atomically(probe, "");
     } catch (const InputError&) {
-        if (made)
-            fs::remove(folder, error);
-        throw InputError("--out: " + folder.string() + " cannot be written, expected a folder that can be");
+        throw InputError("--out: " + path_.string() + " cannot be written, expected a folder that can be");
     }
     fs::remove(probe, error);
-    return folder;
+}
+
+OutputFolder::~OutputFolder() {
+    std::error_code not_empty;
+    for (const fs::path& folder : made_)
+        fs::remove(folder, not_empty);
 }
 
 void expect_writable(const fs::path& file, bool force) {

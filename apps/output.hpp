@@ -2,14 +2,26 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace app {
 
 /// Where a run's results go. Without a path given: out/NAME below the working directory, or out/NAME-2 and on
 /// where that exists. A path given that holds a result is refused without `force`. Throws rough::InputError,
-/// before any work is done, when the folder cannot be made or written; a folder made in vain is taken away
+/// before any work is done, when the folder cannot be made or written. Folders made in vain are taken away
 /// again.
-std::filesystem::path output_folder(const std::string& given, const std::string& name, bool force);
+class OutputFolder {
+  public:
+    OutputFolder(const std::string& given, const std::string& name, bool force);
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+    std::vector<std::filesystem::path> made_; ///< the innermost first
+};
 
 /// A file to write at an explicit place: its folder must exist, and it must not be there unless `force`.
 void expect_writable(const std::filesystem::path& file, bool force);

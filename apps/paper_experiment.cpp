@@ -100,13 +100,12 @@ class Paper {
 
     void answer_database() {
         run_.database.resize(genomes_.size());
-#pragma omp parallel for schedule(dynamic) num_threads(run_.threads)
-        for (std::size_t i = 0; i < genomes_.size(); ++i) {
+        ga::parallel_for(genomes_.size(), run_.threads, [&](std::size_t i) {
             rough::Genome genome = genomes_[i];
             rough::Response response = respond(genome, run_.model);
             genome.scale = run_.max_pressure / response.pressure[response.steps() - 1]; // Eq. 11
             run_.database[i] = {genome, scaled(std::move(response), genome.scale)};
-        }
+        });
     }
 
     void design(TargetRun& target) {

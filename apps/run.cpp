@@ -72,7 +72,8 @@ int run(const Words& given) {
 
     const std::filesystem::path file = flags.text("experiment");
     const Settings settings = read_ini(file, paper_settings(), overrides);
-    const auto folder = output_folder(flags.text("out"), file.stem().string(), flags.is_on("force"));
+    const OutputFolder output(flags.text("out"), file.stem().string(), flags.is_on("force"));
+    const auto& folder = output.path();
     Progress progress;
     PaperRun paper = run_paper(settings, progress);
     paper.version = RUGOSA_VERSION;

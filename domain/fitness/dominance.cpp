@@ -46,10 +46,7 @@ std::optional<Curve> stiffness_of(const Genome& genome, const LengthScale& scale
         return std::find(scale.members.begin(), scale.members.end(), std::pair(s, c)) != scale.members.end();
     });
     const Profile profile = sample(alone, model.grid);
-    double amplitudes = 0;
-    for (const Wave& wave : waves(alone))
-        amplitudes += std::abs(wave.amplitude);
-    if (profile.heights.maxCoeff() - profile.heights.minCoeff() < 1e-12 * amplitudes || amplitudes == 0)
+    if (is_flat(profile, alone))
         return std::nullopt;
     return secant_stiffness(respond(profile, model.body, model.loading, model.contact));
 }

@@ -1,5 +1,10 @@
 #include "domain/fitness/model.hpp"
 
+#include "domain/errors.hpp"
+
+#include <cmath>
+#include <string>
+
 namespace rough {
 
 Model refined(const Model& model, Index refine) {
@@ -9,7 +14,18 @@ Model refined(const Model& model, Index refine) {
 }
 
 Response respond(const Genome& genome, const Model& model) {
-    return respond(sample(genome, model.grid), model.body, model.loading, model.contact);
+    const Profile profile = sample(genome, model.grid);
+    if (is_flat(profile, genome))
+        throw InputError("profile: all heights are equal at its " + std::to_string(model.grid.nodes) +
+                         " nodes, expected waves that the grid can show");
+    return respond(profile, model.body, model.loading, model.contact);
+}
+
+bool is_flat(const Profile& sampled, const Genome& genome) {
+    double amplitudes = 0;
+    for (const Wave& wave : waves(genome))
+        amplitudes += std::abs(wave.amplitude);
+    return !(sampled.heights.maxCoeff() - sampled.heights.minCoeff() > 1e-12 * amplitudes);
 }
 
 } // namespace rough

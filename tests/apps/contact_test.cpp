@@ -1,0 +1,168 @@
+#include "tests/apps/program.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+using app::testing::Ended;
+using app::testing::Folder;
+using app::testing::rugosa;
+using nlohmann::json;
+
+namespace {
+
+const std::string one_wave =
+    R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]}]}]})";
+
+std::vector<std::vector<double>> rows_of(const std::filesystem::path& file, std::string& header) {
+    std::ifstream in(file);
+    std::getline(in, header);
+    std::vector<std::vector<double>> rows;
+    for (std::string line; std::getline(in, line);) {
+        rows.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');)
+            rows.back().push_back(std::stod(cell));
+    }
+    return rows;
+}
+
+void check_refused(const Ended& ended, const std::string& expected) {
+    INFO(ended.err);
+    CHECK(ended.code == 2);
+    CHECK(ended.error_lines() == 1);
+    CHECK_THAT(ended.err, Catch::Contains(expected));
+}
+
+} // namespace
+
+TEST_CASE("the program gives the six reference curves") {
+    const json scenes = json::parse(rough::read_whole(RUGOSA_TEST_DATA "/curves.json"));
+    REQUIRE(scenes.size() == 6);
+    for (const auto& scene : scenes) {
+        const Folder folder;
+        folder.write("g.json", scene["genome"].dump());
+        std::ostringstream words;
+        words.precision(17);
+        words << "contact --genome g.json --out c.csv --nodes " << scene["nodes"] << " --length "
+              << scene["length_mm"] << " --kernel " << scene["kernel"].get<std::string>() << " --reach "
+              << scene["reach"];
+        if (scene["kernel"] == "free")
+            words << " --datum " << scene["datum_mm"];
+        if (scene["kernel"] == "strip")
+            words << " --strip-width " << scene["strip_width_mm"];
+        const Ended ended = rugosa(words.str(), folder.path());
+        INFO(scene["name"] << " " << ended.err);
+        REQUIRE(ended.code == 0);
+        std::string header;
+        const auto rows = rows_of(folder / "c.csv", header);
+        CHECK(header ==
+              "displacement_mm,pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm,kkt_residual");
+        REQUIRE(rows.size() == 20);
+        for (std::size_t j = 0; j < 20; ++j) {
+            CHECK(rows[j][0] == Approx(scene["displacement_mm"][j].get<double>()).epsilon(1e-9));
+            CHECK(rows[j][1] == Approx(scene["pressure_MPa"][j].get<double>()).epsilon(1e-9));
+            CHECK(std::lround(rows[j][2] * scene["nodes"].get<double>()) ==
+                  scene["contact_nodes"][j].get<long>());
+            CHECK(rows[j][3] == Approx(scene["tangent_stiffness_MPa_per_mm"][j].get<double>()).epsilon(1e-9));
+            CHECK(rows[j][4] < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("modulus and Poisson's ratio scale pressure and stiffness by E*") {
+    const Folder folder;
+    folder.write("g.json", one_wave);
+    REQUIRE(rugosa("contact --genome g.json --out one.csv", folder.path()).code == 0);
+    REQUIRE(rugosa("contact --genome g.json --out steel.csv --modulus 210000 --poisson 0.3", folder.path())
+                .code == 0);
+    std::string header;
+    const auto one = rows_of(folder / "one.csv", header), steel = rows_of(folder / "steel.csv", header);
+    for (std::size_t j = 0; j < one.size(); ++j) {
+        CHECK(steel[j][1] == Approx(one[j][1] * 210000 / 0.91).epsilon(1e-9));
+        CHECK(steel[j][2] == one[j][2]);
+    }
+}
+
+TEST_CASE("a measured scan is pressed as it stands, its tilt removed") {
+    const Folder folder;
+    std::ostringstream scan;
+    scan.precision(12);
+    for (int i = 0; i < 200; ++i)
+        scan << i * 0.5 << "\t" << 3 * std::cos(0.2 * i) + 0.01 * i << "\r\n";
+    folder.write("scan.txt", scan.str());
+    const Ended ended = rugosa("contact --profile scan.txt --unit um --out c.csv", folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    CHECK_THAT(ended.out, Catch::Contains("200 points"));
+    std::string header;
+    CHECK(rows_of(folder / "c.csv", header).size() == 20);
+
+    folder.write("gap.txt", "0 1\n1 NaN\n2 3\n3 1\n");
+    check_refused(rugosa("contact --profile gap.txt --unit um --out d.csv", folder.path()), "gap.txt, line 2");
+    CHECK_FALSE(std::filesystem::exists(folder / "d.csv"));
+}
+
+TEST_CASE("bad input to contact gets one line and exit code 2, and leaves no file") {
+    const Folder folder;
+    folder.write("g.json", one_wave);
+    folder.write("broken.json", "{\"series\":[");
+    folder.write("steep.json", std::string(one_wave).replace(one_wave.find("1.5"), 3, "0.9"));
+    // A wave of exactly the spacing is the same height at every node.
+    folder.write(
+        "flat.json",
+        R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.1,"chromosomes":[{"n":1,"phases":[0.3]}]}]})");
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {"--genome missing.json", "missing.json: cannot be read"},
+        {"--genome broken.json", "broken.json: not JSON"},
+        {"--genome steep.json", "gamma is 0.9"},
+        {"--genome flat.json --nodes 11 --length 1", "all heights are equal"},
+        {"--genome g.json --nodes 1", "--nodes: 1 given"},
+        {"--genome g.json --nodes 20000000", "--nodes: 20000000 given"},
+        {"--genome g.json --nodes 12.5", "whole number"},
+        {"--genome g.json --nodes nan", "--nodes"},
+        {"--genome g.json --length nan", "--length"},
+        {"--genome g.json --length -1", "--length: -1 given"},
+        {"--genome g.json --datum 0.2", "0.212"},
+        {"--genome g.json --kernel fre", "did you mean 'free'?"},
+        {"--genome g.json --kernel periodic --reach 1", "less than 1"},
+        {"--genome g.json --steps 1", "--steps: 1 given"},
+        {"--genome g.json --poisson 0.7", "--poisson: 0.7 given"},
+        {"--genome g.json --modulus 0", "--modulus: 0 given"},
+        {"--genome g.json --no-such-flag 3", "unknown flag"},
+        {"--genome g.json --profile g.json", "either --genome or --profile"},
+        {"--genome g.json --unit um", "expected with --profile only"},
+        {"", "either --genome or --profile"},
+    };
+    for (const auto& [words, expected] : cases)
+        check_refused(rugosa("contact --out c.csv " + words, folder.path()), expected);
+    check_refused(rugosa("contact --genome g.json", folder.path()), "--out is missing");
+    check_refused(rugosa("contact --genome g.json --out no/such/c.csv", folder.path()), "no folder");
+    CHECK(folder.names().size() == 4);
+}
+
+TEST_CASE("a curve is not written over unasked") {
+    const Folder folder;
+    folder.write("g.json", one_wave);
+    REQUIRE(rugosa("contact --genome g.json --out c.csv", folder.path()).code == 0);
+    const std::string before = rough::read_whole(folder / "c.csv");
+    check_refused(rugosa("contact --genome g.json --steps 5 --out c.csv", folder.path()), "--force");
+    CHECK(rough::read_whole(folder / "c.csv") == before);
+    CHECK(rugosa("contact --genome g.json --steps 5 --out c.csv --force", folder.path()).code == 0);
+    CHECK(rough::read_whole(folder / "c.csv") != before);
+}
+
+TEST_CASE("every subcommand has a help page") {
+    const Ended all = rugosa("--help");
+    CHECK(all.code == 0);
+    for (const char* name : {"contact", "run"}) {
+        CHECK_THAT(all.out, Catch::Contains(name));
+        const Ended help = rugosa(std::string(name) + " --help");
+        CHECK(help.code == 0);
+        CHECK_THAT(help.out, Catch::Contains("Usage: rugosa ") && Catch::Contains("Examples:"));
+    }
+    check_refused(rugosa("contcat"), "did you mean 'contact'?");
+}

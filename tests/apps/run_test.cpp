@@ -1,0 +1,167 @@
+#include "domain/fitness/rescaled_problem.hpp"
+#include "domain/mwm/genome_json.hpp"
+#include "tests/apps/program.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+using app::testing::Ended;
+using app::testing::Folder;
+using app::testing::rugosa;
+using nlohmann::json;
+
+namespace {
+
+const std::string paper = "run '" RUGOSA_SOURCE "/experiments/paper.ini'";
+const std::string coarse =
+    " --pictures off --set model.nodes=64 --set database.pairs=6 --set paper.sweep-points=2";
+
+json result_in(const std::filesystem::path& folder) {
+    return json::parse(rough::read_whole(folder / "result.json"));
+}
+
+/// Without what a clock or the command line decides.
+json timeless(json result) {
+    for (auto& variant : result["variants"])
+        variant.erase("seconds");
+    result.erase("threads");
+    result.erase("command");
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("the paper's experiment gives six variants on both targets, each similarity to be computed again") {
+    const Folder folder;
+    const Ended ended = rugosa(paper + coarse + " --out r", folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    for (const char* place : {"r", "r/heldout"}) {
+        const json result = result_in(folder / place);
+        std::set<std::string> names;
+        for (const auto& [name, variant] : result["variants"].items())
+            names.insert(name);
+        CHECK(names ==
+              std::set<std::string>{"sog", "gco", "cco", "sog-minimax", "gco-minimax", "cco-minimax"});
+
+        rough::Model model;
+        model.grid = {result["nodes"], result["length_mm"], false};
+        model.body.datum = result["datum_mm"];
+        model.loading = {result["steps"], result["reach"]};
+        rough::Target target{"again", Eigen::VectorXd(20), Eigen::VectorXd(20)};
+        for (rough::Index k = 0; k < 20; ++k) {
+            const json& point = result["target"]["points"][static_cast<std::size_t>(k)];
+            target.pressure[k] = point["pressure_MPa"];
+            target.stiffness[k] = point["stiffness_MPa_per_mm"];
+        }
+        for (const auto& [name, variant] : result["variants"].items()) {
+            INFO(place << " " << name);
+            const auto genome = rough::genome_from_json(variant["genome"], name);
+            // The amplitude is in final form: no rescaling is needed on the run's own grid.
+            CHECK(similarity(target, secant_stiffness(respond(genome, model))) ==
+                  Approx(variant["similarity"].get<double>()).margin(1e-9));
+            const rough::RescaledProblem problem(model, target, result["max_pressure_MPa"], 8e-5);
+            CHECK(similarity(problem, genome, 4) ==
+                  Approx(variant["similarity_refined"].get<double>()).margin(1e-9));
+            CHECK(variant["stages"].back()["candidates"].size() == 1);
+            CHECK(variant["curves"].get<int>() >= 30);
+        }
+    }
+}
+
+TEST_CASE("the same seed gives the same result on 1, 2 and 5 threads") {
+    const Folder folder;
+    REQUIRE(rugosa(paper + coarse + " --threads 1 --out t1", folder.path()).code == 0);
+    for (const char* threads : {"2", "5"}) {
+        const std::string out = std::string("t") + threads;
+        REQUIRE(rugosa(paper + coarse + " --threads " + threads + " --out " + out, folder.path()).code == 0);
+        CHECK(timeless(result_in(folder / out)) == timeless(result_in(folder / "t1")));
+        CHECK(timeless(result_in(folder / (out + "/heldout"))) == timeless(result_in(folder / "t1/heldout")));
+    }
+}
+
+TEST_CASE("a measured profile can be the target") {
+    const Folder folder;
+    std::string scan;
+    for (int i = 0; i < 150; ++i)
+        scan += std::to_string(i * 0.7) + " " + std::to_string(std::sin(0.21 * i) + 0.3 * std::sin(0.9 * i)) +
+                "\n";
+    folder.write("scan.txt", scan);
+    const Ended ended =
+        rugosa(paper + coarse + " --set target.profile=scan.txt --set target.unit=um --out r", folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    const json result = result_in(folder / "r");
+    CHECK(result["length_mm"].get<double>() == Approx(149 * 0.7e-3));
+    CHECK(result["datum_mm"] == result["length_mm"]);
+    CHECK_FALSE(std::filesystem::exists(folder / "r/heldout"));
+}
+
+TEST_CASE("without --out a run finds a free folder, and a result is not written over unasked") {
+    const Folder folder;
+    const std::string quick = paper + coarse + " --set paper.sweep-points=0";
+    REQUIRE(rugosa(quick, folder.path()).code == 0);
+    REQUIRE(rugosa(quick, folder.path()).code == 0);
+    CHECK(std::filesystem::exists(folder / "out/paper/result.json"));
+    CHECK(std::filesystem::exists(folder / "out/paper-2/result.json"));
+    const Ended again = rugosa(quick + " --out out/paper", folder.path());
+    CHECK(again.code == 2);
+    CHECK_THAT(again.err, Catch::Contains("--force"));
+    CHECK(rugosa(quick + " --out out/paper --force", folder.path()).code == 0);
+}
+
+TEST_CASE("bad input to an experiment gets one line and exit code 2, and leaves no folder") {
+    const Folder folder;
+    const auto target_of = [&](const std::string& name, const std::string& points) {
+        return " --set target.file=" +
+               folder.write(name, "pressure_MPa,stiffness_MPa_per_mm\n" + points).filename().string();
+    };
+    folder.write("scan.txt", "0 1\n1 2\n2 x\n");
+    folder.write("unknown.ini", "[model]\nnodez = 512\n");
+    folder.write("section.ini", "[modle]\nnodes = 512\n");
+    folder.write("broken.ini", "[model\nnodes 512\n");
+    folder.write("twice.ini", "[model]\nnodes = 512\nnodes = 256\n");
+    folder.write("file", "");
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {"run", "no experiment given"},
+        {"run missing.ini", "missing.ini: cannot be read"},
+        {"run unknown.ini", "unknown.ini: unknown key 'model.nodez' (did you mean 'model.nodes'?)"},
+        {"run section.ini", "section.ini: unknown key 'modle.nodes'"},
+        {"run broken.ini", "broken.ini"},
+        {"run twice.ini", "model.nodes: given twice"},
+        {paper + " --set nodes", "--set"},
+        {paper + " --set model.nodez=5", "did you mean"},
+        {paper + " --set model.nodes=1", "model.nodes: 1 given"},
+        {paper + " --set model.nodes=1e8", "model.nodes: 1e8 given"},
+        {paper + " --set model.steps=1", "model.steps: 1 given"},
+        {paper + " --set model.datum=0.2", "0.21"},
+        {paper + " --set database.gamma-from=1", "database.gamma-from"},
+        {paper + " --set database.A=0", "database.A: 0 given"},
+        {paper + " --set paper.max-pressure=1e-5", "expected at most max-pressure"},
+        {paper + " --set paper.threshold=0", "low part"},
+        {paper + " --set paper.threshold=1", "high part"},
+        {paper + " --seed x", "experiment.seed"},
+        {paper + " --set target.file=none.csv", "none.csv: cannot be read"},
+        {paper + target_of("zero.csv", "0,1\n1e-5,1\n"), "point 1: pressure is 0"},
+        {paper + target_of("negative.csv", "1e-5,-1\n"), "point 1: stiffness is -1"},
+        {paper + target_of("nan.csv", "1e-5,nan\n"), "stiffness is nan"},
+        {paper + target_of("unsorted.csv", "2e-5,1\n1e-5,1\n"), "point 2: pressure"},
+        {paper + target_of("duplicate.csv", "1e-5,1\n1e-5,1\n"), "point 2: pressure"},
+        {paper + target_of("word.csv", "1e-5,abc\n"), "word.csv:2"},
+        {paper + target_of("empty.csv", ""), "no points given"},
+        {paper + " --set target.profile=scan.txt", "scan.txt, line 3"},
+        {paper + " --out file", "--out"},
+        {paper + " --out file/below", "--out"},
+    };
+    const auto files = folder.names().size();
+    for (const auto& [words, expected] : cases) {
+        const Ended ended = rugosa(words, folder.path());
+        INFO(words << "\n" << ended.err);
+        CHECK(ended.code == 2);
+        CHECK(ended.error_lines() == 1);
+        CHECK_THAT(ended.err, Catch::Contains(expected));
+        CHECK(folder.names().size() == files);
+    }
+}
