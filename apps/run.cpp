@@ -1,6 +1,7 @@
 #include "apps/commands.hpp"
 #include "apps/output.hpp"
 #include "apps/paper_experiment.hpp"
+#include "apps/report/paper_page.hpp"
 #include "apps/result.hpp"
 #include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
@@ -86,6 +87,8 @@ int run(const Words& given) {
         std::filesystem::create_directories(place);
         rough::write_atomically(place / "result.json", result_json(paper, target).dump(1) + "\n");
     }
+    if (flags.one_of("pictures", {"on", "off"}) == 0)
+        rough::write_atomically(folder / "report.html", paper_page(paper));
     std::cout << folder.string() << ": " << paper.seconds << " s\n";
     return 0;
 }

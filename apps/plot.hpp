@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace app {
+
+constexpr double unset = std::numeric_limits<double>::quiet_NaN();
+
+struct Axis {
+    std::string label; ///< with its unit, e.g. "Mean pressure p (Pa)"
+    bool logarithmic = false;
+    double from = unset, to = unset;                        ///< what is shown; unset: as the data have it
+    std::vector<std::pair<double, std::string>> ticks = {}; ///< names in place of numbers
+};
+
+enum class Style { line, points, line_points, steps, bars };
+
+/// Colours by meaning: `text` is that of the page's own letters and `faint` a quiet one; the rest are the
+/// eight colours of Okabe and Ito's set that people who see colours differently can tell apart, as the page
+/// shows them.
+enum class Colour { text, faint, blue, orange, green, purple, sky, red };
+
+enum class Dash { solid, dashed, dotted };
+
+struct Series {
+    std::string label;    ///< in the key; "" keeps it out
+    Eigen::VectorXd x, y; ///< equal lengths; a NaN in y breaks the line
+    Colour colour = Colour::blue;
+    Style style = Style::line;
+    double width = 2; ///< of the line or, times three, of the points, px; of bars in units of x
+    Dash dash = Dash::solid;
+};
+
+/// A thin line across the picture where an axis has a value.
+struct Guide {
+    double at;
+    bool across = false; ///< horizontal, at a value of y
+};
+
+struct Plot {
+    std::string alt; ///< what there is to see, for who does not see it
+    Axis x, y;
+    std::vector<Series> series = {};
+    std::vector<Guide> guides = {};
+    std::string key = "tmargin left horizontal"; ///< where the labels stand, in gnuplot's words; or "off"
+    double height = 300;                         ///< of 480 units wide
+};
+
+/// Draws plots by gnuplot, all in one process: an <svg> element each, to stand in a page next to others
+/// (nothing in it has an id that another one has; its colours are the classes of `plot_style`). `name` begins
+/// the ids. Throws rough::InputError when gnuplot is missing or refuses.
+std::vector<std::string> svg(const std::vector<Plot>& plots, const std::string& name = "plot");
+
+/// The same as a file of its own.
+std::string svg_file(const Plot& plot);
+
+/// CSS for the pictures, light and dark.
+const std::string& plot_style();
+
+/// A series that draws several curves in one style, each from its first point on.
+Series bundle(const std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>>& curves, Series look);
+
+} // namespace app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "domain/response/curve.hpp"
+
+#include <vector>
+
+namespace app {
+
+/// Pearson correlation of two lists of equal length; NaN where one does not vary.
+double correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
+double median(std::vector<double> values);      ///< NaN of none; those that are NaN are left out
+double mean(const std::vector<double>& values); ///< the same
+
+/// Mean relative difference |b - a|/a at the points of `a` that both can be read at; NaN if there is none, or
+/// a is 0.
+double relative_gap(const rough::Curve& a, const rough::Curve& b);
+
+/// Largest difference |b - a| at the points of `a` that both can be read at.
+double gap(const rough::Curve& a, const rough::Curve& b);
+
+/// Slope of a least-squares line through the points.
+double slope(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
+
+} // namespace app

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "apps/report/fractal_study.hpp"
+#include "apps/report/page.hpp"
+#include "apps/report/paper_data.hpp"
+#include "apps/report/ridge_study.hpp"
+
+/// The paper's figures, each from data to a picture with its caption.
+namespace app {
+
+Figure chromosomes_figure(std::uint64_t seed);               ///< 1
+Figure ridges_figure(const std::vector<RidgeCount>& counts); ///< 2
+Figure fractal_figure(const FractalStudy& study);            ///< 3
+Figure parts_figure(const PaperRun& run);                    ///< 4
+Figure pairs_figure(const PaperRun& run);                    ///< 5
+Figure database_figure(const PaperRun& run);                 ///< 6
+Figure stages_figure(const PaperRun& run);                   ///< 7
+Figure thresholds_figure(const PaperRun& run);               ///< 8
+Figure answers_figure(const PaperRun& run);                  ///< 9
+Figure profiles_figure(const PaperRun& run);                 ///< 10
+Figure spectra_figure(const PaperRun& run);                  ///< 11
+
+} // namespace app

@@ -1,0 +1,96 @@
+#include "apps/report/page.hpp"
+
+#include "apps/plot_svg.hpp"
+#include "apps/report/page_style.hpp"
+
+namespace app {
+
+namespace {
+
+const std::string next_figure = "\x01";
+
+std::string with_panels(const Figure& figure, const std::vector<std::string>& pictures, std::size_t first,
+                        std::size_t number) {
+    std::string html = "<figure id=\"figure-" + std::to_string(number) + "\"><div class=\"panels of-" +
+                       std::to_string(std::min<std::size_t>(figure.panels.size(), 3)) + "\">\n";
+    for (std::size_t i = 0; i < figure.panels.size(); ++i)
+        html += "<div>" + pictures[first + i] + "</div>\n";
+    return html + "</div><figcaption><b>" + figure.title + "</b> " + figure.caption +
+           "</figcaption></figure>\n";
+}
+
+} // namespace
+
+void Page::section(const std::string& heading) {
+    const std::string id = "section-" + std::to_string(sections_.size() + 1);
+    sections_.emplace_back(id, heading);
+    blocks_.push_back("<h2 id=\"" + id + "\">" + escaped(heading) + "</h2>\n");
+}
+
+void Page::prose(const std::string& html) { blocks_.push_back("<p>" + html + "</p>\n"); }
+
+void Page::code(const std::string& text) {
+    blocks_.push_back("<pre><code>" + escaped(text) + "</code></pre>\n");
+}
+
+void Page::figure(Figure figure) {
+    figures_.push_back(std::move(figure));
+    blocks_.push_back(next_figure);
+}
+
+void Page::table(const Table& table) {
+    const auto cell = [&](const std::string& tag, std::size_t column, const std::string& content) {
+        const bool numeric = column < table.numeric.size() && table.numeric[column];
+        return "<" + tag + (tag == "th" ? " scope=\"col\"" : " data-label=\"" + table.header[column] + "\"") +
+               (numeric ? " class=\"number\">" : ">") + content + "</" + tag + ">";
+    };
+    const auto row = [&](const std::string& tag, const std::vector<std::string>& cells) {
+        std::string html = "<tr>";
+        for (std::size_t column = 0; column < cells.size(); ++column)
+            html += cell(tag, column, cells[column]);
+        return html + "</tr>\n";
+    };
+    std::string html = "<div class=\"table" + std::string(table.stacks ? " stacks" : "") + "\"><table>" +
+                       (table.title.empty() ? "" : "<caption>" + table.title + "</caption>") + "<thead>" +
+                       row("th", table.header) + "</thead><tbody>\n";
+    for (const auto& cells : table.rows)
+        html += row("td", cells);
+    blocks_.push_back(html + "</tbody></table></div>\n");
+}
+
+void Page::tiles(const std::vector<std::pair<std::string, std::string>>& tiles) {
+    std::string html = "<dl class=\"tiles\">";
+    for (const auto& [what, value] : tiles)
+        html += "<div><dt>" + what + "</dt><dd>" + value + "</dd></div>";
+    blocks_.push_back(html + "</dl>\n");
+}
+
+std::string Page::html() const {
+    std::vector<Plot> plots;
+    for (const Figure& figure : figures_)
+        plots.insert(plots.end(), figure.panels.begin(), figure.panels.end());
+    const std::vector<std::string> pictures = plots.empty() ? std::vector<std::string>{} : svg(plots);
+
+    std::string contents;
+    for (const auto& [id, heading] : sections_)
+        contents += "<a href=\"#" + id + "\">" + escaped(heading) + "</a>\n";
+    std::string body;
+    std::size_t figure = 0, picture = 0;
+    for (const std::string& block : blocks_)
+        if (block == next_figure) {
+            body += with_panels(figures_[figure], pictures, picture, figure + 1);
+            picture += figures_[figure++].panels.size();
+        } else {
+            body += block;
+        }
+    return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+           "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
+           "<meta name=\"color-scheme\" content=\"light dark\">\n"
+           "<link rel=\"icon\" href=\"data:,\">\n<title>" +
+           escaped(title_) + "</title>\n<style>" + page_style + plot_style() +
+           "</style>\n</head>\n<body>\n<header><h1>" + escaped(title_) + "</h1>\n<p class=\"lead\">" + lead_ +
+           "</p>\n" + (contents.empty() ? "" : "<nav aria-label=\"Contents\">" + contents + "</nav>") +
+           "</header>\n<main>\n" + body + "</main>\n</body>\n</html>\n";
+}
+
+} // namespace app

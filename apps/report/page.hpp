@@ -1,0 +1,50 @@
+#pragma once
+
+#include "apps/plot.hpp"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// A picture of one or more plots under one caption. Texts are HTML.
+struct Figure {
+    std::string title;   ///< e.g. "Figure 6. The database and the target"
+    std::string caption; ///< what to see in it
+    std::vector<Plot> panels;
+};
+
+/// Cells are HTML.
+struct Table {
+    std::string title;
+    std::vector<std::string> header;
+    std::vector<std::vector<std::string>> rows; ///< as wide as the header
+    std::vector<bool> numeric = {};             ///< columns set flush right; missing: all false
+    bool stacks = false; ///< on a narrow screen each row becomes a card; for cells of whole sentences
+};
+
+/// A self-contained web page, in light and dark, for a phone, a desk and paper: no script, no request to any
+/// network. Blocks stand in the order in which they are added; pictures are drawn when the page is asked for.
+class Page {
+  public:
+    Page(std::string title, std::string lead) : title_(std::move(title)), lead_(std::move(lead)) {}
+
+    void section(const std::string& heading);
+    void prose(const std::string& html); ///< one paragraph
+    void figure(Figure figure);
+    void table(const Table& table);
+    void code(const std::string& text); ///< plain text, e.g. a command
+    /// Figures at a glance: what it is, and its value.
+    void tiles(const std::vector<std::pair<std::string, std::string>>& tiles);
+
+    /// The page. Throws rough::InputError when gnuplot is missing.
+    std::string html() const;
+
+  private:
+    std::string title_, lead_;
+    std::vector<std::pair<std::string, std::string>> sections_; ///< id, heading
+    std::vector<Figure> figures_;
+    std::vector<std::string> blocks_; ///< HTML, or "\x01" for the next figure
+};
+
+} // namespace app

@@ -1,0 +1,203 @@
+#include "apps/report/paper_page.hpp"
+
+#include "apps/plot_svg.hpp"
+#include "apps/report/claims.hpp"
+#include "apps/report/compare.hpp"
+#include "apps/report/figures.hpp"
+#include "apps/report/paper_lookup.hpp"
+#include "apps/units.hpp"
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+const char* const verdict_names[] = {"reproduced", "contradicted", "undecidable"};
+
+std::string badge(Verdict verdict) {
+    const std::string name = verdict_names[static_cast<int>(verdict)];
+    return "<span class=\"badge " + name + "\">" + name + "</span>";
+}
+
+std::string count_of(const std::vector<Claim>& claims, Verdict verdict) {
+    return std::to_string(std::count_if(claims.begin(), claims.end(),
+                                        [&](const Claim& claim) { return claim.verdict == verdict; }));
+}
+
+Table claims_table(const std::vector<Claim>& claims) {
+    Table table{"", {"Where", "The paper says", "Measured here", "Verdict"}, {}, {}, true};
+    for (const Claim& claim : claims)
+        table.rows.push_back({claim.place, claim.says,
+                              claim.measured + "<span class=\"rule\">" + claim.rule + "</span>",
+                              badge(claim.verdict)});
+    return table;
+}
+
+/// "sog-minimax" as "SOG, minimax"
+std::string shown_name(const std::string& name) {
+    std::string result;
+    for (char c : name.substr(0, name.find('-')))
+        result += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+    return name.find('-') == std::string::npos ? result : result + ", " + name.substr(name.find('-') + 1);
+}
+
+Table runs_table(const PaperRun& run, const TargetRun& target) {
+    Table table{
+        "Runs on the " + target.title + " target",
+        {"Algorithm", "Similarity", "on the fine grid", "before GCMMA", "curves", "gradients", "seconds"},
+        {},
+        {false, true, true, true, true, true, true}};
+    for (const VariantRun& variant : target.variants) {
+        const auto candidates = refinements(variant);
+        table.rows.push_back({shown_name(variant.name), readable(variant.similarity, 4),
+                              readable(variant.similarity_refined, 4),
+                              candidates.empty() ? "–" : readable(candidates.front().similarity[0], 4),
+                              std::to_string(variant.curves), std::to_string(variant.gradients),
+                              readable(variant.seconds, 2)});
+    }
+    (void)run;
+    return table;
+}
+
+double best_similarity(const TargetRun& target) {
+    double best = unset;
+    for (const VariantRun& variant : target.variants)
+        best = std::fmax(best, variant.similarity);
+    return best;
+}
+
+void add_glance(Page& page, const PaperRun& run, const std::vector<Claim>& claims) {
+    std::vector<std::pair<std::string, std::string>> tiles;
+    for (const TargetRun& target : run.targets)
+        tiles.emplace_back("best similarity, " + target.title + " target",
+                           readable(best_similarity(target), 3));
+    tiles.emplace_back("claims reproduced", count_of(claims, Verdict::reproduced));
+    tiles.emplace_back("contradicted", count_of(claims, Verdict::contradicted));
+    tiles.emplace_back("undecidable", count_of(claims, Verdict::undecidable));
+    tiles.emplace_back("the whole run, " + std::to_string(run.threads) + " threads",
+                       readable(run.seconds, 2) + " s");
+    page.tiles(tiles);
+}
+
+void add_runs(Page& page, const PaperRun& run) {
+    page.section("The runs");
+    page.prose(
+        "Similarity is 1 − the largest relative misfit over the target's points (Eq. 12). The fine grid has "
+        "four "
+        "elements for each of the run's: an answer that is good on one grid only is tuned to that grid. The "
+        "minimax forms are the same algorithms with all points of the target seen by GCMMA at once.");
+    for (const TargetRun& target : run.targets)
+        page.table(runs_table(run, target));
+}
+
+void add_readings(Page& page, const PaperRun& run, const Readings& readings) {
+    page.section("What rests on our reading");
+    page.prose("The paper leaves some choices open. These are ours, with what the other choice gives.");
+    const auto list = [](const std::vector<Reduction>& rows, double Reduction::*which) {
+        std::vector<double> values;
+        for (const Reduction& row : rows)
+            values.push_back(row.*which);
+        return values;
+    };
+    const auto alone = [](const std::vector<Reduction>& rows) {
+        return std::count_if(rows.begin(), rows.end(), [](const Reduction& row) { return row.only_best; });
+    };
+    const auto [least, most] =
+        std::minmax_element(readings.datum_similarity.begin(), readings.datum_similarity.end());
+    std::string best;
+    for (std::size_t t = 0; t < run.targets.size(); ++t) {
+        double here = unset;
+        for (const Scores& scores : run.targets[t].database)
+            here = std::fmax(here, scores.all);
+        best += (t ? "; " : "") + run.targets[t].title + " target: " + readable(here) + " → " +
+                readable(readings.datum_best[t]);
+    }
+    page.table(
+        {"",
+         {"Choice", "Ours", "The other reading gives"},
+         {{"Datum of the half-plane",
+           "d = L = " + readable(run.model.body.datum, 5) +
+               " mm: in plane strain a displacement has no meaning without it",
+           "With d = 4 L a genome's own K(p) has a similarity of only " + readable(*least, 2) + "–" +
+               readable(*most, 2) + " with itself at d = L. Best of the database: " + best + "."},
+          {"Correlation of Algorithm 1",
+           "At equal pressures: s(reduced, whole) " +
+               readable(median(list(readings.same_pressure, &Reduction::similarity)), 3) +
+               " in the median, " + readable(100 * mean(list(readings.same_pressure, &Reduction::kept)), 2) +
+               " % of the chromosomes kept; for " + std::to_string(alone(readings.same_pressure)) + " of " +
+               std::to_string(readings.same_pressure.size()) +
+               " genomes none passes 0.95 and the best one is kept",
+           "By load step: s(reduced, whole) " +
+               readable(median(list(readings.same_step, &Reduction::similarity)), 3) + ", " +
+               readable(100 * mean(list(readings.same_step, &Reduction::kept)), 2) + " % kept; for " +
+               std::to_string(alone(readings.same_step)) + " genomes none passes."},
+          {"Units of p̄ and p<sub>max</sub>",
+           "p̄ as a share of p<sub>max</sub> = " + readable(run.max_pressure, 2) +
+               " MPa; every genome is rescaled to it by Eq. 11",
+           "None: stiffness does not depend on amplitude, so similarities are the same for any "
+           "p<sub>max</sub>."},
+          {"Target",
+           "The paper's is not published; one is drawn in its spirit (the smoothed median of the database)",
+           "The held-out target is the curve of a genome outside the database, so that a perfect answer "
+           "exists; every "
+           "figure shows both."},
+          {"Wavelengths", "Down to the grid's spacing (Eq. 4), as the paper has it",
+           "Waves under eight nodes are poorly resolved: see “on the fine grid” in the table of runs."}},
+         {},
+         true});
+    page.prose("Slips in the paper's text that we read as follows: in SOG, “determined by Algorithm 2” means "
+               "Algorithm 1; "
+               "in section 4.5, “GCO … smaller set” means CCO; the number of chromosomes is n<sub>f</sub> − "
+               "n<sub>s</sub> + 1, one more than its third line.");
+}
+
+void add_repeat(Page& page, const PaperRun& run) {
+    page.section("Repeat it");
+    page.prose("The same seed gives the same bits, whatever the number of threads.");
+    page.code(run.command);
+    page.prose(
+        "rugosa " + escaped(run.version) + ", seed " + std::to_string(run.seed) + ", " +
+        std::to_string(run.model.grid.nodes) + " nodes over " + readable(run.model.grid.length, 5) + " mm, " +
+        std::to_string(run.model.loading.steps) +
+        " load steps. After J. Cinat, G. Gnecco and M. Paggi (2020), "
+        "“Multi-scale surface roughness optimization through genetic algorithms”, Frontiers in Mechanical "
+        "Engineering 6:29.");
+}
+
+} // namespace
+
+std::string paper_page(const PaperRun& run) {
+    const Studies studies = studies_of(run);
+    const std::vector<Claim> claims = paper_claims(run, studies);
+    Page page("Rough surfaces that press back as asked",
+              "Three genetic algorithms design the profile of a rough surface so that its contact stiffness "
+              "follows a "
+              "target. This page repeats the experiment of Cinat, Gnecco and Paggi (2020) and sets every "
+              "claim of the "
+              "paper beside what was measured here.");
+    add_glance(page, run, claims);
+    page.section("The answers");
+    page.figure(answers_figure(run));
+    page.figure(profiles_figure(run));
+    page.figure(spectra_figure(run));
+    add_runs(page, run);
+    page.section("Every claim");
+    page.prose("Each verdict is computed from this run by the rule under its numbers.");
+    page.table(claims_table(claims));
+    page.section("The search");
+    page.figure(stages_figure(run));
+    page.figure(thresholds_figure(run));
+    page.section("The ground");
+    page.figure(chromosomes_figure(run.seed));
+    page.figure(ridges_figure(studies.ridges));
+    page.figure(fractal_figure(studies.fractal));
+    page.figure(parts_figure(run));
+    page.figure(pairs_figure(run));
+    page.figure(database_figure(run));
+    add_readings(page, run, studies.readings);
+    add_repeat(page, run);
+    return page.html();
+}
+
+} // namespace app

@@ -1,0 +1,43 @@
+#include "apps/units.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace app {
+
+namespace {
+
+/// The first unit, from the smallest on, that leaves fewer than four digits before the point.
+Unit fitting(double largest, const std::vector<Unit>& units) {
+    for (const Unit& unit : units)
+        if (std::abs(largest) * unit.factor < 1000)
+            return unit;
+    return units.back();
+}
+
+} // namespace
+
+Unit pressure_unit(double largest) {
+    return fitting(largest, {{"Pa", 1e6}, {"kPa", 1e3}, {"MPa", 1}, {"GPa", 1e-3}});
+}
+
+Unit length_unit(double largest) {
+    return fitting(largest, {{"nm", 1e6}, {"µm", 1e3}, {"mm", 1}, {"m", 1e-3}});
+}
+
+std::string readable(double value, int digits) {
+    if (!std::isfinite(value))
+        return "–";
+    const int order = value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
+    char text[64];
+    if (order >= -4 && order < 6) {
+        std::snprintf(text, sizeof text, "%.*f", std::max(0, digits - 1 - order), value);
+        return value < 0 ? "−" + std::string(text + 1) : text;
+    }
+    std::snprintf(text, sizeof text, "%.*f", digits - 1, std::abs(value) / std::pow(10.0, order));
+    return (value < 0 ? "−" : "") + std::string(text) + " × 10<sup>" + (order < 0 ? "−" : "") +
+           std::to_string(std::abs(order)) + "</sup>";
+}
+
+} // namespace app

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+namespace app {
+
+/// A unit to show a quantity in: the number shown is the program's own times `factor`.
+struct Unit {
+    std::string name;
+    double factor;
+};
+
+/// The unit in which the largest of some pressures (MPa) is a number of 1 to 1000, within Pa to GPa.
+Unit pressure_unit(double largest);
+
+/// The same for lengths (mm), within nm to m.
+Unit length_unit(double largest);
+
+/// A number in `digits` significant digits, as for reading: "0.954", "1.2 × 10⁻⁷" (HTML), "–" if it is none.
+std::string readable(double value, int digits = 3);
+
+} // namespace app
