@@ -110,9 +110,9 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
     const auto secants_of = [&](std::size_t g, Secants& secants) {
         take_secants(secants, &curves.pressure[g * steps], step_of_range * curves.range[g]);
     };
-    const auto smallest = [&](std::size_t g) {
-        return (rescaled ? options.max_pressure : highest) / curves.pressure[(g + 1) * steps - 1];
-    };
+    // The margin lets the same genome on a finer grid, whose last pressure differs, cover the target too.
+    const double covered = rescaled ? options.max_pressure : 1.02 * highest;
+    const auto smallest = [&](std::size_t g) { return covered / curves.pressure[(g + 1) * steps - 1]; };
     // A coarse amplitude can hide a good genome: many more are narrowed than returned.
     const std::size_t candidates =
         rescaled ? std::max<std::size_t>(options.best, 1) : 200 + 20 * options.best;

@@ -20,7 +20,7 @@ struct ScreenOptions {
 
 /// The stored genomes nearest to a target by Eq. 12, best first; equal similarities by index.
 /// Where amplitude is free, each genome takes the best of 33 amplitudes from the one whose last pressure is
-/// the target's highest up to 16 times that; the best are then narrowed between its neighbours.
+/// 2 % above the target's highest up to 16 times that; the best are then narrowed between its neighbours.
 /// Throws InputError when the target reaches beyond max_pressure, or nothing is stored.
 std::vector<Match> screen(const StoredCurves& curves, const Model& model, const Target& target,
                           const ScreenOptions& options);
