@@ -58,6 +58,23 @@ class Context {
     /// The identity of a new individual.
     Identity new_identity() { return next_identity_++; }
 
+    /// Makes an individual whose genome was changed a new, unscored one with these parents.
+    void make_child(Individual<Genome>& individual, Parents parents) {
+        individual.identity = new_identity();
+        individual.parents = parents;
+        individual.fitness = {};
+        individual.origin.reset();
+    }
+
+    /// The individuals at these positions, copied into the memory of a population that is no more.
+    Population<Genome> gather(Population<Genome> population, const std::vector<std::size_t>& positions) {
+        spare_.resize(positions.size());
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            spare_[i] = population[positions[i]];
+        std::swap(spare_, population);
+        return population;
+    }
+
     /// Position of an objective in the problem's list; an empty name stands for the first.
     std::size_t objective_index(const std::string& name) const {
         const auto& objectives = problem().objectives();
@@ -74,18 +91,20 @@ class Context {
         const std::size_t which = objective_index(objective_name);
         const auto& objective = problem().objectives()[which];
         const Name name = names_[which];
-        evaluator_.visit(
+        visit(
             population, [&](const auto& individual) { return !individual.fitness.known(name); },
             [&](auto& individual, const Evaluation<Outcome>& evaluation) {
                 individual.fitness = Evaluator<P>::judge(evaluation, objective, name);
-                if (individual.fitness.has_failed())
-                    ++counters().failures;
-                else if constexpr (Settling<P>)
-                    individual.genome = problem().settled(individual.genome, std::get<Outcome>(evaluation));
-                if (which == 0)
-                    offer(individual);
+                return !individual.fitness.has_failed();
             },
             patience);
+    }
+    /// Calls judge(individual, evaluation) for every individual, evaluating where needed; judge sets the
+    /// fitness and is false when that has failed.
+    template <class Judge>
+    void evaluate(Population<Genome>& population, Judge judge) {
+        visit(
+            population, [](const auto&) { return true; }, judge, Patience::none);
     }
 
     /// Remembers the individual if it is the best so far under the problem's first objective.
@@ -125,22 +144,32 @@ class Context {
       private:
         Context& context_;
     };
-    /// Opens a generation of the block that runs while it lives: stages inside draw other random numbers in
-    /// each, and find what is kept of its start.
-    class Generation {
+    /// Counts a pass through the block that runs while it lives: stages inside draw other random numbers in
+    /// each.
+    class Round {
       public:
-        Generation(Context& context, std::size_t generation, const Population<Genome>& start)
-            : context_(context) {
+        Round(Context& context, std::size_t number) : context_(context) {
             Place& place = context.places_.back();
-            place.generation = generation;
-            place.inner = fold(place.key, generation);
+            place.generation = number;
+            place.inner = fold(place.key, number);
+        }
+        Round(const Round&) = delete;
+        ~Round() {
+            context_.places_.back().generation.reset();
+            context_.places_.back().inner = context_.places_.back().key;
+        }
+
+      private:
+        Context& context_;
+    };
+    /// A round whose stages may read what is kept of its start.
+    class Generation : Round {
+      public:
+        Generation(Context& context, std::size_t number, const Population<Genome>& start)
+            : Round(context, number), context_(context) {
             context.starts_.push_back(&start);
         }
-        Generation(const Generation&) = delete;
-        ~Generation() {
-            context_.places_.back().generation.reset();
-            context_.starts_.pop_back();
-        }
+        ~Generation() { context_.starts_.pop_back(); }
 
       private:
         Context& context_;
@@ -198,6 +227,20 @@ class Context {
     }
 
   private:
+    template <class Wanted, class Judge>
+    void visit(Population<Genome>& population, Wanted wanted, Judge judge, Patience patience) {
+        evaluator_.visit(
+            population, wanted,
+            [&](auto& individual, const Evaluation<Outcome>& evaluation) {
+                if (!judge(individual, evaluation))
+                    ++counters().failures;
+                else if constexpr (Settling<P>)
+                    individual.genome = problem().settled(individual.genome, std::get<Outcome>(evaluation));
+                offer(individual);
+            },
+            patience);
+    }
+
     struct Place {
         Name name;
         std::size_t ordinal;
@@ -214,6 +257,7 @@ class Context {
     std::deque<Frame<Genome>> frames_;
     std::deque<Frame<Genome>> saved_;
     std::vector<const Population<Genome>*> starts_;
+    Population<Genome> spare_;
     std::optional<Individual<Genome>> best_;
     std::vector<std::string> notes_;
 };

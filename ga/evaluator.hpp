@@ -52,15 +52,12 @@ class Evaluator {
             queue_.push_back({&individual, &place});
             if (auto* pending = std::get_if<Pending>(&place); pending && !pending->queued) {
                 pending->queued = true;
-                fresh_.push_back({&individual.genome, &place, print});
+                fresh_.push_back({&individual.genome, &place});
             } else {
                 ++counters.remembered;
             }
         }
-        parallel_for(fresh_.size(), threads_, [&](std::size_t i) {
-            if (patience == Patience::finish || !watch_.expired())
-                *fresh_[i].place = evaluate(*fresh_[i].genome);
-        });
+        make(patience);
         for (const Request& request : queue_)
             if (!std::holds_alternative<Pending>(*request.place))
                 use(*request.individual, *request.place);
@@ -100,14 +97,6 @@ class Evaluator {
             return std::make_shared<const std::string>("an exception that is no std::exception");
         }
     }
-    /// What is remembered of a genome, or null; safe from any thread while no population is visited.
-    const Evaluation<Outcome>* recall(const Genome& genome) const {
-        return memory_.find(identify(problem_, genome));
-    }
-    /// Remembers an evaluation that was made elsewhere.
-    void remember(const Genome& genome, Evaluation<Outcome> evaluation) {
-        memory_.at(identify(problem_, genome)) = std::move(evaluation);
-    }
 
     /// Whether the budget has no room for more evaluations than these.
     bool spent(long evaluations) const { return budget_.evaluations - counters.asked <= evaluations; }
@@ -127,15 +116,36 @@ class Evaluator {
     struct Fresh {
         const Genome* genome;
         Evaluation<Outcome>* place;
-        Fingerprint print;
     };
+
+    /// Evaluates what is fresh. Waking threads costs microseconds, so a batch that takes less by the cost
+    /// seen so far stays on this one; that decides no result.
+    void make(Patience patience) {
+        const auto make_one = [&](std::size_t i) {
+            if (patience == Patience::finish || !watch_.expired())
+                *fresh_[i].place = evaluate(*fresh_[i].genome);
+        };
+        if (threads_ == 1)
+            return parallel_for(fresh_.size(), 1, make_one);
+        constexpr double worth_waking = 50e-6;
+        const std::size_t first = cost_ < 0 && !fresh_.empty() ? 1 : 0;
+        const auto timed = [&](std::size_t from, std::size_t to, int threads) {
+            const double start = watch_.seconds();
+            parallel_for(to - from, threads, [&](std::size_t i) { make_one(from + i); });
+            if (to > from)
+                cost_ = (watch_.seconds() - start) * threads / static_cast<double>(to - from);
+        };
+        timed(0, first, 1);
+        const double expected = cost_ * static_cast<double>(fresh_.size() - first);
+        timed(first, fresh_.size(), expected > worth_waking ? threads_ : 1);
+    }
 
     /// Counts what was evaluated, forgets what was not; true when something was not.
     bool tidy() {
         bool interrupted = false;
         for (const Fresh& fresh : fresh_) {
             if (std::holds_alternative<Pending>(*fresh.place)) {
-                memory_.erase(fresh.print);
+                *fresh.place = Pending{};
                 interrupted = true;
                 continue;
             }
@@ -169,6 +179,7 @@ class Evaluator {
     std::vector<Request> queue_;
     std::vector<Fresh> fresh_;
     std::size_t heaviest_ = 0;
+    double cost_ = -1; ///< seconds an evaluation took lately; negative before the first
     bool succeeded_ = false;
     Reason first_failure_;
 };

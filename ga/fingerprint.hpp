@@ -2,7 +2,6 @@
 
 #include "ga/random.hpp"
 
-#include <bit>
 #include <concepts>
 #include <cstring>
 #include <ranges>
@@ -18,30 +17,31 @@ struct Fingerprint {
     bool operator==(const Fingerprint&) const = default;
 };
 
-/// MurmurHash3_x64_128's rounds (A. Appleby, public domain) over the bytes, little-endian words.
+/// Two independent lanes of folded 64 x 64 -> 128 bit products over the bytes (the scheme of wyhash, Wang Yi
+/// 2019).
 inline Fingerprint fingerprint(const void* data, std::size_t size) {
-    constexpr std::uint64_t c1 = 0x87c37b91114253d5u, c2 = 0x4cf5ad432745937fu;
-    const char* bytes = static_cast<const char*>(data);
-    std::uint64_t h1 = 0, h2 = 0;
-    const auto round = [&](std::uint64_t k1, std::uint64_t k2) {
-        h1 ^= std::rotl(k1 * c1, 31) * c2;
-        h1 = (std::rotl(h1, 27) + h2) * 5 + 0x52dce729u;
-        h2 ^= std::rotl(k2 * c2, 33) * c1;
-        h2 = (std::rotl(h2, 31) + h1) * 5 + 0x38495ab5u;
+    __extension__ using Wide = unsigned __int128;
+    const auto folded = [](std::uint64_t a, std::uint64_t b) {
+        const Wide product = static_cast<Wide>(a) * b;
+        return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
     };
-    std::uint64_t words[2];
+    const char* bytes = static_cast<const char*>(data);
+    std::uint64_t high = 0x2d358dccaa6c78a5u ^ size, low = 0x8bb84b93962eacc9u ^ size, words[2];
+    const auto take = [&] {
+        high = folded(words[0] ^ 0x4b33a62ed433d4a3u, words[1] ^ high);
+        low = folded(words[1] ^ 0x4d5a2da51de1aa47u, words[0] ^ low);
+    };
     std::size_t done = 0;
     for (; done + sizeof words <= size; done += sizeof words) {
         std::memcpy(words, bytes + done, sizeof words);
-        round(words[0], words[1]);
+        take();
     }
     if (done < size) {
         words[0] = words[1] = 0;
         std::memcpy(words, bytes + done, size - done);
-        round(words[0], words[1]);
+        take();
     }
-    h1 = mix(h1 ^ size), h2 = mix(h2 ^ size);
-    return {mix(h1 + h2), mix(h1 + std::rotl(h2, 32) + golden_step)};
+    return {mix(high + golden_step), mix(low)};
 }
 
 template <class T>

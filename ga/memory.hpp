@@ -3,7 +3,7 @@
 #include "ga/fingerprint.hpp"
 #include "ga/individual.hpp"
 
-#include <unordered_map>
+#include <deque>
 #include <variant>
 
 namespace ga {
@@ -17,6 +17,65 @@ struct Pending {
 template <class Outcome>
 using Evaluation = std::variant<Pending, Outcome, Reason>;
 
+/// Values by fingerprint: entries in the order they came, which never move, and an open-addressed index of 8
+/// bytes a slot, so that a look-up for what is not there touches one cache line.
+template <class Value>
+class Table {
+  public:
+    /// Null when there is none.
+    Value* find(const Fingerprint& print) {
+        if (index_.empty())
+            return nullptr;
+        for (std::size_t i = print.low & mask();; i = (i + 1) & mask()) {
+            const Slot& slot = index_[i];
+            if (slot.entry == 0)
+                return nullptr;
+            if (slot.tag == tag(print) && entries_[slot.entry - 1].print == print)
+                return &entries_[slot.entry - 1].value;
+        }
+    }
+    /// The value of a fingerprint, made where there is none.
+    Value& at(const Fingerprint& print) {
+        if (Value* found = find(print))
+            return *found;
+        if (2 * (entries_.size() + 1) > index_.size())
+            grow();
+        entries_.push_back({print, {}});
+        place(entries_.size());
+        return entries_.back().value;
+    }
+    std::size_t size() const { return entries_.size(); }
+    void clear() { *this = {}; }
+
+  private:
+    struct Entry {
+        Fingerprint print;
+        Value value;
+    };
+    struct Slot {
+        std::uint32_t tag = 0;
+        std::uint32_t entry = 0; ///< position among the entries plus 1; 0 for a free slot
+    };
+
+    static std::uint32_t tag(const Fingerprint& print) { return static_cast<std::uint32_t>(print.high); }
+    std::size_t mask() const { return index_.size() - 1; }
+    void place(std::size_t entry) {
+        const Fingerprint& print = entries_[entry - 1].print;
+        std::size_t i = print.low & mask();
+        while (index_[i].entry != 0)
+            i = (i + 1) & mask();
+        index_[i] = {tag(print), static_cast<std::uint32_t>(entry)};
+    }
+    void grow() {
+        index_.assign(std::max<std::size_t>(64, 2 * index_.size()), {});
+        for (std::size_t entry = 1; entry <= entries_.size(); ++entry)
+            place(entry);
+    }
+
+    std::deque<Entry> entries_;
+    std::vector<Slot> index_;
+};
+
 /// Evaluations by fingerprint in bounded memory. Two halves: when the young half is full, the old half is
 /// forgotten and the young becomes old; what is read in the old half turns young again. What is forgotten
 /// depends only on the order of requests, and evaluations are pure, so forgetting costs time and never
@@ -27,23 +86,26 @@ class Memory {
     /// @param bytes  at most this much is kept, but for the batch in hand
     explicit Memory(std::size_t bytes) : half_(bytes / 2) {}
 
-    /// The place of a genome's evaluation; stays valid until `forget_old` or `erase`.
+    /// The place of a genome's evaluation; stays valid until `forget_old`.
     Evaluation<Outcome>& at(const Fingerprint& print) {
-        if (!old_.empty())
-            if (auto node = old_.extract(print))
-                return young_.insert(std::move(node)).position->second;
-        return young_[print];
+        Evaluation<Outcome>* known = old_.find(print);
+        if (!known || std::holds_alternative<Pending>(*known))
+            return young_.at(print);
+        Evaluation<Outcome>& place = young_.at(print);
+        if (std::holds_alternative<Pending>(place))
+            place = *known;
+        return place;
     }
-    const Evaluation<Outcome>* find(const Fingerprint& print) const {
-        for (const auto* half : {&young_, &old_})
-            if (const auto found = half->find(print); found != half->end())
-                return &found->second;
+    /// Null when it is not remembered.
+    const Evaluation<Outcome>* find(const Fingerprint& print) {
+        for (auto* half : {&young_, &old_})
+            if (const auto* found = half->find(print); found && !std::holds_alternative<Pending>(*found))
+                return found;
         return nullptr;
     }
-    void erase(const Fingerprint& print) { young_.erase(print); }
     /// To be called between batches. @param bytes_each  what one evaluation takes
     void forget_old(std::size_t bytes_each) {
-        if (young_.size() * bytes_each <= half_)
+        if (young_.size() * bytes_each <= half_ && young_.size() < most)
             return;
         old_ = std::move(young_);
         young_.clear();
@@ -51,12 +113,10 @@ class Memory {
     std::size_t size() const { return young_.size() + old_.size(); }
 
   private:
-    struct Hash {
-        std::size_t operator()(const Fingerprint& print) const { return print.low; }
-    };
-    using Half = std::unordered_map<Fingerprint, Evaluation<Outcome>, Hash>;
+    static constexpr std::size_t most = std::size_t{1}
+                                        << 31; ///< entries that a slot can number, with room to spare
     std::size_t half_;
-    Half young_, old_;
+    Table<Evaluation<Outcome>> young_, old_;
 };
 
 } // namespace ga

@@ -58,16 +58,14 @@ struct Pair : Operator {
     static Population<G> children(const Population<G>& lefts, const Population<G>& rights,
                                   const Combine<G>& combine, Context<P>& context) {
         Population<G> children;
-        Memory<char> seen(static_cast<std::size_t>(-1));
+        Table<bool> seen;
         for (const auto& a : lefts)
             for (const auto& b : rights) {
                 std::optional<G> genome = combine.of(a, b);
                 if (!genome)
                     continue;
-                auto& place = seen.at(identify(context.problem(), *genome));
-                if (!std::holds_alternative<Pending>(place))
+                if (std::exchange(seen.at(identify(context.problem(), *genome)), true))
                     continue;
-                place = 'x';
                 children.push_back(
                     {std::move(*genome), context.new_identity(), Parents(a.identity, b.identity), {}, {}});
             }

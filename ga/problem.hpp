@@ -47,11 +47,30 @@ concept Settling = requires(const P& problem, const typename P::Genome& genome,
 
 /// Optional: a genome as a vector of real genes, and back.
 template <class P>
-concept HasGenes = requires(const P& problem, const typename P::Genome& genome,
-                            const std::vector<double>& genes) {
+concept ConvertsGenes = requires(const P& problem, const typename P::Genome& genome,
+                                 const std::vector<double>& genes) {
     { problem.genes(genome) } -> std::same_as<std::vector<double>>;
     { problem.with_genes(genome, genes) } -> std::same_as<typename P::Genome>;
 };
+
+/// A problem with real genes: it converts its genomes, or they are vectors of double themselves.
+template <class P>
+concept HasGenes = ConvertsGenes<P> || std::same_as<typename P::Genome, std::vector<double>>;
+
+template <HasGenes P>
+std::vector<double> genes_of(const P& problem, const typename P::Genome& genome) {
+    if constexpr (ConvertsGenes<P>)
+        return problem.genes(genome);
+    else
+        return genome;
+}
+template <HasGenes P>
+typename P::Genome with_genes(const P& problem, const typename P::Genome& genome, std::vector<double> genes) {
+    if constexpr (ConvertsGenes<P>)
+        return problem.with_genes(genome, genes);
+    else
+        return genes;
+}
 
 /// Residuals r_k of an objective (a perfect genome has none) and their derivatives: rows k, columns genes.
 struct Sensitivity {
@@ -79,10 +98,17 @@ struct Variables {
     std::function<std::vector<Variable>(const G&)> of;
 };
 
-/// Optional: every gene with its bounds, the choice called `all`.
+/// Optional: genes that operators may move with their bounds, in order; refinement's choice called `all`. It
+/// may return a reference.
 template <class P>
-concept Bounded = HasGenes<P> && requires(const P& problem, const typename P::Genome& genome) {
-    { problem.bounds(genome) } -> std::same_as<std::vector<Variable>>;
+concept Bounded = requires(const P& problem, const typename P::Genome& genome) {
+    { problem.bounds(genome) } -> std::convertible_to<const std::vector<Variable>&>;
+};
+
+/// Optional: a new genome drawn at random.
+template <class P>
+concept Sampled = requires(const P& problem, Stream& stream) {
+    { problem.sample(stream) } -> std::same_as<typename P::Genome>;
 };
 
 /// The identity under which the genome's outcome is remembered.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <boost/random/geometric_distribution.hpp>
+#include <boost/random/bernoulli_distribution.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_01.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
@@ -53,14 +53,12 @@ class Stream {
     /// Normal, mean 0 and deviation 1.
     double normal() { return boost::random::normal_distribution<double>()(*this); }
     /// True with the given probability.
-    bool chance(double probability) { return uniform() < probability; }
+    bool chance(double probability) {
+        return boost::random::bernoulli_distribution<double>(probability)(*this);
+    }
     /// Uniform over 0 .. n-1; n >= 1.
     std::size_t below(std::size_t n) {
         return boost::random::uniform_int_distribution<std::size_t>(0, n - 1)(*this);
-    }
-    /// How many trials of the given probability, in (0, 1), fail before one succeeds.
-    std::size_t failures_before_success(double probability) {
-        return boost::random::geometric_distribution<std::size_t>(probability)(*this);
     }
 
   private:

@@ -99,10 +99,8 @@ struct Generations : Operator {
                    (end.stagnation && since(improved, frame->next) >= static_cast<double>(*end.stagnation));
         };
         for (bool inside = frame.resumed(); inside || !ended(); inside = false, ++frame->next) {
-            if (!inside && reads > 0)
-                frame->kept = {reads == everyone ? frame->population : best_of(frame->population, reads)};
-            else if (!inside)
-                frame->kept = {{}};
+            if (!inside)
+                frame->kept = {start_of_generation(frame->population, reads)};
             const typename Context<P>::Generation generation(context, frame->next, frame->kept[0]);
             frame->population = body(std::move(frame->population), context);
         }

@@ -72,6 +72,8 @@ inline ResidualMethod minimax(const Gcmma& gcmma) {
         upper << land.upper, worst;
         start << land.start, worst;
         NloptSearch search(nlopt::LD_MMA, lower, upper, evaluations + 1);
+        // LD_MMA solves each step's dual to 1e-14 by itself: 160 times the time for the same answers.
+        search->set_param("dual_ftol_rel", 1e-6);
         BestPoint best{land.start, -worst};
         bool at_start = true; // its sensitivity is known
         search.minimize([&](const Eigen::VectorXd& x, double* gradient) {

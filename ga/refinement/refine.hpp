@@ -91,15 +91,16 @@ struct Refine : Operator {
         std::erase_if(moving, [](const Variable& variable) { return !(variable.lower < variable.upper); });
         if (moving.empty())
             return;
-        const std::vector<double> genes = problem.genes(genome);
+        const std::vector<double> genes = genes_of(problem, genome);
         const auto n = static_cast<Eigen::Index>(moving.size());
         const auto at = [&](const Eigen::VectorXd& x) {
             std::vector<double> moved = genes;
             for (Eigen::Index i = 0; i < n; ++i)
                 moved[moving[static_cast<std::size_t>(i)].gene] = x[i];
-            return problem.with_genes(genome, moved);
+            return with_genes(problem, genome, std::move(moved));
         };
         const std::string& objective = job.individual->fitness.objective();
+        const Name name = job.individual->fitness.objective_name();
         const std::size_t which = context.objective_index(objective);
 
         Landscape land;
@@ -116,8 +117,8 @@ struct Refine : Operator {
         };
         land.fitness = [&](const Eigen::VectorXd& x) {
             ++job.evaluations;
-            const Fitness fitness = Evaluator<P>::judge(context.evaluator().evaluate(at(x)),
-                                                        problem.objectives()[which], Name(objective));
+            const Fitness fitness =
+                Evaluator<P>::judge(context.evaluator().evaluate(at(x)), problem.objectives()[which], name);
             return fitness.value();
         };
         if constexpr (Differentiable<P>)

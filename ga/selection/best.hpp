@@ -6,27 +6,34 @@
 
 namespace ga {
 
-/// Positions of the individuals from best to worst; equal ones in the population's order.
+/// Positions of the n best individuals, best first, failed ones last; equal ones in the population's order.
 template <class G>
-std::vector<std::size_t> ranking(const Population<G>& population) {
+std::vector<std::size_t> ranking(const Population<G>& population, std::size_t n = everyone) {
     std::vector<std::size_t> order(population.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return population[a].value() > population[b].value();
+    const auto end = order.begin() + static_cast<std::ptrdiff_t>(std::min(n, order.size()));
+    std::partial_sort(order.begin(), end, order.end(), [&](std::size_t a, std::size_t b) {
+        const double first = population[a].value(), second = population[b].value();
+        return first != second ? first > second : a < b;
     });
+    order.erase(end, order.end());
     return order;
 }
 
 /// The n best, best first, failed ones last; all when there are fewer.
 template <class G>
 Population<G> best_of(const Population<G>& population, std::size_t n) {
-    std::vector<std::size_t> order = ranking(population);
-    order.resize(std::min(n, order.size()));
     Population<G> chosen;
-    chosen.reserve(order.size());
-    for (const std::size_t i : order)
+    chosen.reserve(std::min(n, population.size()));
+    for (const std::size_t i : ranking(population, n))
         chosen.push_back(population[i]);
     return chosen;
+}
+
+/// What a block keeps of a generation's start: as many of the best as its stages read.
+template <class G>
+Population<G> start_of_generation(const Population<G>& population, std::size_t reads) {
+    return reads == 0 ? Population<G>() : reads == everyone ? population : best_of(population, reads);
 }
 
 /// Keeps the n best, best first. n >= 1.

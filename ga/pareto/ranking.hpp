@@ -1,0 +1,72 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace ga {
+
+/// Values of several objectives, greater is better.
+using Point = std::vector<double>;
+
+/// As good in every objective and better in one.
+inline bool dominates(const Point& a, const Point& b) {
+    bool better = false;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a[i] < b[i])
+            return false;
+        better |= a[i] > b[i];
+    }
+    return better;
+}
+
+/// The front each point belongs to, from 0: a point of front r is dominated once the fronts before r are
+/// taken away (Deb, Pratap, Agarwal and Meyarivan 2002). Points are met in an order in which none is
+/// dominated by a later one, so each is compared with earlier ones only (Zhang, Tian, Cheng and Jin 2015).
+inline std::vector<std::size_t> pareto_ranks(const std::vector<Point>& points) {
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return points[a] > points[b]; });
+    std::vector<std::vector<std::size_t>> fronts;
+    std::vector<std::size_t> rank(points.size());
+    for (const std::size_t each : order) {
+        const auto free = std::partition_point(fronts.begin(), fronts.end(), [&](const auto& front) {
+            return std::any_of(front.rbegin(), front.rend(),
+                               [&](std::size_t other) { return dominates(points[other], points[each]); });
+        });
+        rank[each] = static_cast<std::size_t>(free - fronts.begin());
+        if (free == fronts.end())
+            fronts.push_back({each});
+        else
+            free->push_back(each);
+    }
+    return rank;
+}
+
+/// How much room each point has among those of its own front: the sum over objectives of the distance between
+/// its two neighbours, over the front's range; infinite at a front's ends (Deb et al. 2002).
+inline std::vector<double> crowding_distances(const std::vector<Point>& points,
+                                              const std::vector<std::size_t>& ranks) {
+    std::vector<double> room(points.size(), 0);
+    std::vector<std::size_t> order(points.size());
+    for (std::size_t k = 0; !points.empty() && k < points[0].size(); ++k) {
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return ranks[a] != ranks[b] ? ranks[a] < ranks[b] : points[a][k] < points[b][k];
+        });
+        for (std::size_t first = 0, last; first < order.size(); first = last + 1) {
+            last = first;
+            while (last + 1 < order.size() && ranks[order[last + 1]] == ranks[order[first]])
+                ++last;
+            const double range = points[order[last]][k] - points[order[first]][k];
+            room[order[first]] = room[order[last]] = HUGE_VAL;
+            for (std::size_t i = first + 1; i < last && range > 0; ++i)
+                room[order[i]] += (points[order[i + 1]][k] - points[order[i - 1]][k]) / range;
+        }
+    }
+    return room;
+}
+
+} // namespace ga

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "ga/stage.hpp"
+
+namespace ga {
+
+/// Keeps n individuals chosen at random, none twice, in random order; all of them, shuffled, where there are
+/// no more.
+struct Random : Operator {
+    std::size_t n; ///< 0 for all
+
+    explicit Random(std::size_t count) : n(count) {}
+    std::string text() const { return n > 0 ? "random " + std::to_string(n) : "random"; }
+    void check(Known&) const {}
+
+    template <Problem P>
+    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
+                                              Context<P>& context) const {
+        Stream stream = context.stream(0);
+        for (std::size_t i = 0; i + 1 < population.size(); ++i)
+            std::swap(population[i], population[i + stream.below(population.size() - i)]);
+        if (n > 0 && n < population.size())
+            population.resize(n);
+        return population;
+    }
+};
+
+inline Random at_random(std::size_t n = 0) { return Random(n); }
+
+} // namespace ga

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "ga/stage.hpp"
+#include "ga/text/number.hpp"
+
+namespace ga {
+
+/// A way to cross two genomes in place: `std::string text() const` and, constrained by what it uses of the
+/// problem, `void operator()(const P&, Genome& a, Genome& b, Stream&) const`.
+template <class Way, class P>
+concept Crosses = Problem<P> &&
+    requires(const Way& way, const P& problem, typename P::Genome& genome, Stream& stream) {
+    way(problem, genome, genome, stream);
+};
+
+/// Crosses neighbours, first with second, third with fourth and so on, each pair with probability `rate`; an
+/// odd last one stays. The two children take their parents' places, unscored. `random` before it shuffles who
+/// meets whom.
+template <class Way>
+struct Cross : Operator {
+    Way way;
+    double rate;
+
+    Cross(Way w, double r) : way(std::move(w)), rate(r) {
+        if (!(rate >= 0 && rate <= 1))
+            throw UsageError("cross: rate is " + number(rate) + "; expected 0 to 1");
+    }
+    std::string text() const { return "cross " + way.text() + (rate < 1 ? " rate=" + number(rate) : ""); }
+    void check(Known& known) const { known.scored.reset(); }
+
+    template <class P>
+    requires Crosses<Way, P> Population<typename P::Genome>
+    operator()(Population<typename P::Genome> population, Context<P>& context) const {
+        for (std::size_t i = 0; i + 1 < population.size(); i += 2) {
+            Stream stream = context.stream(i);
+            if (rate < 1 && !stream.chance(rate))
+                continue;
+            auto &a = population[i], &b = population[i + 1];
+            way(context.problem(), a.genome, b.genome, stream);
+            const Parents parents(a.identity, b.identity);
+            context.make_child(a, parents);
+            context.make_child(b, parents);
+        }
+        return population;
+    }
+};
+
+/// @param rate  probability that a pair is crossed, 0 to 1
+template <class Way>
+Cross<Way> cross(Way way, double rate = 1) {
+    return {std::move(way), rate};
+}
+
+} // namespace ga

@@ -1,0 +1,237 @@
+#pragma once
+
+#include "ga/variation/genes.hpp"
+#include "ga/variation/mutate.hpp"
+#include "ga/variation/permutation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ga {
+
+/// Calls change(gene, variable) for the real genes that their chance picks; true when one came out different.
+template <HasGenes P, class Change>
+bool mutate_genes(const P& problem, typename P::Genome& genome, double rate, Stream& stream, Change change) {
+    bool changed = false;
+    edit_genes(problem, genome, [&](std::span<double> genes) {
+        each_variable(problem, genome, [&](const Variable& variable) {
+            if (!stream.chance(rate))
+                return;
+            double& gene = genes[variable.gene];
+            const double before = gene;
+            gene = change(before, variable);
+            changed |= gene != before;
+        });
+    });
+    return changed;
+}
+
+/// A value brought back between its bounds by mirrors at them.
+inline double reflected(double value, const Variable& variable) {
+    if (value < variable.lower)
+        value = 2 * variable.lower - value;
+    if (value > variable.upper)
+        value = 2 * variable.upper - value;
+    return std::clamp(value, variable.lower, variable.upper);
+}
+
+/// The length a relative step refers to: the width between the bounds, or 1 where there are none.
+inline double width(const Variable& variable) {
+    const double width = variable.upper - variable.lower;
+    return std::isfinite(width) ? width : 1;
+}
+
+/// Adds a normal step of deviation sigma times the width between the bounds.
+struct Gaussian {
+    double sigma;
+    std::string text() const { return "gaussian " + number(sigma); }
+
+    template <HasGenes P>
+    bool operator()(const P& problem, typename P::Genome& genome, double rate, Stream& stream) const {
+        return mutate_genes(problem, genome, rate, stream, [&](double gene, const Variable& variable) {
+            return reflected(gene + sigma * width(variable) * stream.normal(), variable);
+        });
+    }
+};
+
+/// Adds a step uniform within plus or minus `step` times the width between the bounds.
+struct UniformStep {
+    double step;
+    std::string text() const { return "uniform " + number(step); }
+
+    template <HasGenes P>
+    bool operator()(const P& problem, typename P::Genome& genome, double rate, Stream& stream) const {
+        return mutate_genes(problem, genome, rate, stream, [&](double gene, const Variable& variable) {
+            return reflected(gene + step * width(variable) * stream.uniform(-1, 1), variable);
+        });
+    }
+};
+
+/// Polynomial mutation (Deb and Goyal 1996, as in NSGA-II's code): a step within the bounds whose density
+/// falls as (1 - |step| / width)^eta.
+struct Polynomial {
+    double eta;
+    std::string text() const { return "polynomial " + number(eta); }
+
+    template <HasGenes P>
+    requires Bounded<P>
+    bool operator()(const P& problem, typename P::Genome& genome, double rate, Stream& stream) const {
+        return mutate_genes(problem, genome, rate, stream, [&](double gene, const Variable& variable) {
+            const double width = variable.upper - variable.lower;
+            const double u = stream.uniform(), power = eta + 1;
+            if (!(width > 0))
+                return gene;
+            const double below = std::pow(1 - (gene - variable.lower) / width, power);
+            const double above = std::pow(1 - (variable.upper - gene) / width, power);
+            const double step = u < 0.5 ? std::pow(2 * u + (1 - 2 * u) * below, 1 / power) - 1
+                                        : 1 - std::pow(2 * (1 - u) + (2 * u - 1) * above, 1 / power);
+            return std::clamp(gene + step * width, variable.lower, variable.upper);
+        });
+    }
+};
+
+/// Genes that are whole numbers or bits.
+template <class G>
+concept Discrete = std::ranges::random_access_range<G> && std::integral<std::ranges::range_value_t<G>> &&
+    requires(G& genome) {
+    genome[0] = genome[0];
+};
+template <class G>
+concept Bits = Discrete<G> && std::same_as < std::ranges::range_value_t<G>,
+bool > ;
+
+/// Draws the gene anew: a real one uniformly between its bounds, a whole number among its other values, a bit
+/// flipped.
+struct Reset {
+    std::string text() const { return "reset"; }
+
+    template <Problem P>
+    requires(Bits<typename P::Genome> || (Bounded<P> && (Discrete<typename P::Genome> || HasGenes<P>))) bool
+    operator()(const P& problem, typename P::Genome& genome, double rate, Stream& stream) const {
+        if constexpr (Bits<typename P::Genome>) {
+            bool changed = false;
+            for (std::size_t i = 0; i < genome.size(); ++i)
+                if (stream.chance(rate)) {
+                    genome[i] = !genome[i];
+                    changed = true;
+                }
+            return changed;
+        } else if constexpr (Discrete<typename P::Genome>) {
+            using Gene = std::ranges::range_value_t<typename P::Genome>;
+            bool changed = false;
+            for (const Variable& variable : problem.bounds(genome))
+                if (stream.chance(rate) && variable.upper >= variable.lower + 1) {
+                    const auto others = static_cast<std::size_t>(variable.upper - variable.lower);
+                    const auto value = static_cast<Gene>(static_cast<Gene>(variable.lower) +
+                                                         static_cast<Gene>(stream.below(others)));
+                    Gene& gene = genome[variable.gene];
+                    gene = static_cast<Gene>(value + (value >= gene ? 1 : 0));
+                    changed = true;
+                }
+            return changed;
+        } else {
+            return mutate_genes(problem, genome, rate, stream, [&](double, const Variable& variable) {
+                return stream.uniform(variable.lower, variable.upper);
+            });
+        }
+    }
+};
+
+/// Genes that may change places within a genome: positions, or a permutation's.
+template <class G>
+auto& places(G& genome) {
+    if constexpr (std::same_as<G, Permutation>)
+        return genome.order;
+    else
+        return genome;
+}
+template <class G>
+concept Ordered = std::same_as<G, Permutation> || Discrete<G> || std::same_as<G, std::vector<double>>;
+
+/// Exchanges the gene with another one.
+struct Swap {
+    std::string text() const { return "swap"; }
+
+    template <Problem P>
+    requires Ordered<typename P::Genome>
+    bool operator()(const P&, typename P::Genome& genome, double rate, Stream& stream) const {
+        auto& genes = places(genome);
+        bool changed = false;
+        for (std::size_t i = 0; i < genes.size() && genes.size() > 1; ++i)
+            if (stream.chance(rate)) {
+                const std::size_t j = (i + 1 + stream.below(genes.size() - 1)) % genes.size();
+                const auto kept = genes[i];
+                genes[i] = genes[j];
+                genes[j] = kept;
+                changed = true;
+            }
+        return changed;
+    }
+};
+
+/// Turns round the piece between the gene and another one: for a tour, the exchange of two edges.
+struct Reverse {
+    std::string text() const { return "reverse"; }
+
+    template <Problem P>
+    requires Ordered<typename P::Genome>
+    bool operator()(const P&, typename P::Genome& genome, double rate, Stream& stream) const {
+        auto& genes = places(genome);
+        bool changed = false;
+        for (std::size_t i = 0; i < genes.size() && genes.size() > 1; ++i)
+            if (stream.chance(rate)) {
+                const std::size_t j = (i + 1 + stream.below(genes.size() - 1)) % genes.size();
+                const auto at = [&](std::size_t k) { return genes.begin() + static_cast<std::ptrdiff_t>(k); };
+                std::reverse(at(std::min(i, j)), at(std::max(i, j) + 1));
+                changed = true;
+            }
+        return changed;
+    }
+};
+
+/// Optional: a problem's own mutation of each gene with probability `rate`; true when one changed.
+template <class P>
+concept MutatesItself = requires(const P& problem, typename P::Genome& genome, double rate, Stream& stream) {
+    { problem.mutate(genome, rate, stream) } -> std::same_as<bool>;
+};
+
+/// What a genome's kind makes of `mutate RATE`: the problem's own mutation; else the swap of a permutation,
+/// the reset of bits and whole numbers, a gaussian step of a tenth of the width of real genes.
+struct Natural {
+    std::string text() const { return {}; }
+
+    template <Problem P>
+    requires(MutatesItself<P> || Mutates<Reset, P> || HasGenes<P> || Ordered<typename P::Genome>) bool
+    operator()(const P& problem, typename P::Genome& genome, double rate, Stream& stream) const {
+        if constexpr (MutatesItself<P>)
+            return problem.mutate(genome, rate, stream);
+        else if constexpr (std::same_as<typename P::Genome, Permutation>)
+            return Swap()(problem, genome, rate, stream);
+        else if constexpr (HasGenes<P>)
+            return Gaussian{0.1}(problem, genome, rate, stream);
+        else
+            return Reset()(problem, genome, rate, stream);
+    }
+};
+
+inline double checked_step(const char* name, double value) {
+    if (!(value > 0 && std::isfinite(value)))
+        throw UsageError(std::string("mutate ") + name + " is " + number(value) + "; expected above 0");
+    return value;
+}
+
+inline Gaussian gaussian(double sigma = 0.1) { return {checked_step("gaussian: sigma", sigma)}; }
+inline UniformStep uniform_step(double step = 0.1) { return {checked_step("uniform: step", step)}; }
+/// @param eta  distribution index: the greater, the smaller the steps
+inline Polynomial polynomial(double eta = 20) { return {checked_step("polynomial: eta", eta)}; }
+inline Reset reset() { return {}; }
+inline Swap swap() { return {}; }
+inline Reverse reverse() { return {}; }
+
+/// @param rate  a gene's chance to mutate, 0 to 1
+template <class Way = Natural>
+Mutate<Way> mutate(double rate, Way way = {}) {
+    return {rate, std::move(way)};
+}
+
+} // namespace ga

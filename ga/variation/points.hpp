@@ -1,0 +1,62 @@
+#pragma once
+
+#include "ga/variation/cross.hpp"
+#include "ga/variation/genes.hpp"
+
+namespace ga {
+
+/// Optional: a problem's own cross-over at points, where genomes are more than positions.
+template <class P>
+concept CrossesAtPoints = requires(const P& problem, typename P::Genome& genome, std::size_t n,
+                                   Stream& stream) {
+    problem.cross_points(genome, genome, n, stream);
+};
+
+/// Cuts both genomes at the same n different places between genes and exchanges every other piece (Holland
+/// 1975; De Jong 1975). Genomes of unequal length exchange within the shorter one's; those too short for n
+/// cuts take as many as fit.
+struct Points {
+    std::string words;
+    std::size_t n;
+
+    std::string text() const { return words; }
+
+    template <Problem P>
+    requires(CrossesAtPoints<P> || Positional<typename P::Genome>) void
+    operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
+        if constexpr (CrossesAtPoints<P>) {
+            problem.cross_points(a, b, n, stream);
+        } else {
+            const std::size_t length = std::min<std::size_t>(a.size(), b.size());
+            if (length < 2)
+                return;
+            const auto exchange = [&](std::size_t from, std::size_t to) {
+                const auto at = [](auto& genome, std::size_t i) {
+                    return genome.begin() + static_cast<std::ptrdiff_t>(i);
+                };
+                std::swap_ranges(at(a, from), at(a, to), at(b, from));
+            };
+            if (n == 1)
+                return exchange(1 + stream.below(length - 1), length);
+            std::vector<std::size_t> cuts(length - 1);
+            std::iota(cuts.begin(), cuts.end(), std::size_t{1});
+            const std::size_t count = std::min(n, cuts.size());
+            for (std::size_t i = 0; i < count; ++i)
+                std::swap(cuts[i], cuts[i + stream.below(cuts.size() - i)]);
+            cuts.resize(count);
+            std::sort(cuts.begin(), cuts.end());
+            cuts.push_back(length);
+            for (std::size_t i = 0; i + 1 < cuts.size(); i += 2)
+                exchange(cuts[i], cuts[i + 1]);
+        }
+    }
+};
+
+inline Points one_point() { return {"one_point", 1}; }
+inline Points n_points(std::size_t n) {
+    if (n == 0)
+        throw UsageError("cross n_points 0 cuts nothing; expected at least 1");
+    return {"n_points " + std::to_string(n), n};
+}
+
+} // namespace ga

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ga/variation/cross.hpp"
+#include "ga/variation/genes.hpp"
+
+namespace ga {
+
+/// Optional: a problem's own uniform cross-over.
+template <class P>
+concept CrossesUniformly = requires(const P& problem, typename P::Genome& genome, Stream& stream) {
+    problem.cross_uniform(genome, genome, stream);
+};
+
+/// Exchanges the genes of each position with probability 1/2 (Syswerda 1989), up to the shorter genome's
+/// length.
+struct Uniform {
+    std::string text() const { return "uniform"; }
+
+    template <Problem P>
+    requires(CrossesUniformly<P> || Positional<typename P::Genome>) void
+    operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
+        if constexpr (CrossesUniformly<P>) {
+            problem.cross_uniform(a, b, stream);
+        } else {
+            const std::size_t length = std::min<std::size_t>(a.size(), b.size());
+            std::uint64_t coins = 0;
+            for (std::size_t i = 0; i < length; ++i, coins >>= 1) {
+                if (i % 64 == 0)
+                    coins = stream();
+                if (coins & 1) {
+                    auto kept = a[i]; // vector<bool>'s elements cannot be swapped as references
+                    a[i] = b[i];
+                    b[i] = kept;
+                }
+            }
+        }
+    }
+};
+
+inline Uniform uniform() { return {}; }
+
+} // namespace ga
