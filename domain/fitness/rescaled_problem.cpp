@@ -81,16 +81,13 @@ ga::Sensitivity RescaledProblem::sensitivity(const Genome& genome, const std::st
     const Genome shape = at_scale_one(genome);
     const auto [response, gradient] =
         respond_with_gradient(sample(shape, model_.grid), model_.body, model_.loading, model_.contact);
-    Eigen::MatrixXd rows(gradient.pressure.rows() + 1, gradient.pressure.cols());
-    rows << gradient.pressure, gradient.range;
-    const Eigen::MatrixXd pulled = pulled_back(rows, shape, model_.grid);
-    const ResponseJacobian jacobian{pulled.topRows(response.steps()), pulled.bottomRows(1)};
+    const ResponseJacobian jacobian = in_genes(
+        gradient, [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, shape, model_.grid); });
 
     const auto& points = points_of(objective);
     const Curve curve = rescaled(response, max_pressure_).stiffness;
     return {relative_misfit(target_, curve, points),
-            misfit_jacobian(target_, curve,
-                            rescaled_jacobian(response, jacobian, model_.loading, max_pressure_), points)};
+            misfit_jacobian(target_, curve, rescaled_jacobian(response, jacobian, max_pressure_), points)};
 }
 
 double similarity(const RescaledProblem& problem, const Genome& genome, Index refine) {

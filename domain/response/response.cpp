@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 #include <string>
 
 namespace rough {
@@ -43,60 +45,111 @@ double displacement_range(const Profile& profile, Kernel kernel) {
     return range;
 }
 
-std::vector<double> load_displacements(double range, const Loading& loading, Kernel kernel) {
+namespace {
+
+std::vector<double> even_steps(double last, const Loading& loading) {
     if (loading.steps < 2)
         throw InputError("steps: " + std::to_string(loading.steps) + " given, expected at least 2");
+    std::vector<double> displacements;
+    for (int j = 1; j <= loading.steps; ++j)
+        displacements.push_back(last * (static_cast<double>(j) / loading.steps));
+    return displacements;
+}
+
+std::vector<double> displacements_of(const Profile& profile, const Body& body, const Loading& loading,
+                                     const ContactOptions& options, double range) {
+    if (loading.to_displacement > 0)
+        return even_steps(loading.to_displacement, loading);
+    if (loading.to_pressure > 0)
+        return even_steps(displacement_at_pressure(profile, body, loading.to_pressure, options), loading);
+    return load_displacements(range, loading, body.kernel);
+}
+
+} // namespace
+
+std::vector<double> load_displacements(double range, const Loading& loading, Kernel kernel) {
     const bool periodic = kernel == Kernel::periodic;
     if (!(loading.reach > 0) || loading.reach > 1 || (periodic && loading.reach == 1))
         throw InputError("reach: " + std::to_string(loading.reach) + " given, expected more than 0 and " +
                          (periodic ? "less than 1 (periodic kernel)" : "at most 1"));
-    std::vector<double> displacements;
-    for (int j = 1; j <= loading.steps; ++j)
-        displacements.push_back(loading.reach * j / loading.steps * range);
-    return displacements;
+    return even_steps(loading.reach * range, loading);
+}
+
+double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
+                                const ContactOptions& options) {
+    const double range = displacement_range(profile, body.kernel);
+    const bool periodic = body.kernel == Kernel::periodic;
+    const double farthest = periodic ? range * (1 - 1e-9) : std::numeric_limits<double>::infinity();
+    double displacement = 0.5 * range;
+    for (int round = 0; round < 100; ++round) {
+        const LoadStep step = solve_contact(profile, body, {displacement}, options).steps.front();
+        const double missing = pressure - step.pressure;
+        if (std::abs(missing) <= 1e-12 * pressure)
+            return displacement;
+        if (missing > 0 && displacement == farthest) {
+            std::ostringstream line;
+            line << "profile: in full contact at " << step.pressure << " MPa, expected at " << pressure
+                 << " MPa or more: its heights are too small for the load";
+            throw InputError(line.str());
+        }
+        // The tangent lies below the convex curve: from a pressure too high Newton comes down without
+        // passing the root; from one too low it passes it once.
+        const double next = displacement + missing / step.tangent_stiffness;
+        displacement = next > 0 ? std::min(next, farthest) : 0.5 * displacement;
+    }
+    throw NotConverged("displacement at a given pressure: not settled in 100 rounds");
 }
 
 Response respond(const Profile& profile, const Body& body, const Loading& loading,
                  const ContactOptions& options) {
     const double range = displacement_range(profile, body.kernel);
-    return from_curve(solve_contact(profile, body, load_displacements(range, loading, body.kernel), options),
-                      range);
+    return from_curve(
+        solve_contact(profile, body, displacements_of(profile, body, loading, options, range), options),
+        range);
 }
 
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
                                            ContactOptions options) {
     const double range = displacement_range(profile, body.kernel);
+    const std::vector<double> displacements = displacements_of(profile, body, loading, options, range);
     options.states = true;
-    const ContactCurve curve =
-        solve_contact(profile, body, load_displacements(range, loading, body.kernel), options);
+    const ContactCurve curve = solve_contact(profile, body, displacements, options);
     const Index nodes = profile.nodes(), steps = static_cast<Index>(curve.steps.size());
-
-    // The functional `range`: +1 at the first highest node, -1 at the first lowest (periodic: -1/N
-    // everywhere).
     Index highest = 0, lowest = 0;
     profile.heights.maxCoeff(&highest);
     profile.heights.minCoeff(&lowest);
-    Eigen::RowVectorXd d_range = Eigen::RowVectorXd::Zero(nodes);
-    if (body.kernel == Kernel::periodic)
-        d_range.setConstant(-1.0 / static_cast<double>(nodes));
-    else
-        d_range[lowest] -= 1;
-    d_range[highest] += 1;
 
-    // dP_j = (delta/L) [ w.dZ - sum(w) dZ_max + sum(w) t_j d range ], where (delta/L) sum(w) is the tangent
-    // stiffness.
+    // The functional Delta_last. By pressure: 0 = w.dZ - sum(w) dZ_max + sum(w) dDelta at the last step. By
+    // reach: +reach at the first highest node, -reach at the first lowest (periodic: -reach/N everywhere).
+    Eigen::RowVectorXd d_last = Eigen::RowVectorXd::Zero(nodes);
+    if (!(loading.to_displacement > 0)) {
+        if (loading.to_pressure > 0) {
+            const ContactState& state = curve.states.back();
+            for (std::size_t i = 0; i < state.nodes.size(); ++i)
+                d_last[state.nodes[i]] -= state.tangent[static_cast<Index>(i)] / state.tangent.sum();
+            d_last[highest] += 1;
+        } else {
+            if (body.kernel == Kernel::periodic)
+                d_last.setConstant(-loading.reach / static_cast<double>(nodes));
+            else
+                d_last[lowest] -= loading.reach;
+            d_last[highest] += loading.reach;
+        }
+    }
+
+    // dP_j = (delta/L) [ w.dZ - sum(w) dZ_max + sum(w) (j/n) dDelta_last ], where (delta/L) sum(w) is the
+    // tangent stiffness.
     Eigen::MatrixXd d_pressure = Eigen::MatrixXd::Zero(steps, nodes);
     for (Index j = 0; j < steps; ++j) {
         const ContactState& state = curve.states[static_cast<std::size_t>(j)];
         const LoadStep& step = curve.steps[static_cast<std::size_t>(j)];
-        const double t = loading.reach * static_cast<double>(j + 1) / loading.steps;
         const double cell = step.tangent_stiffness / state.tangent.sum(); // delta/L
-        d_pressure.row(j) = step.tangent_stiffness * t * d_range;
+        d_pressure.row(j) = step.tangent_stiffness * (static_cast<double>(j + 1) / loading.steps) * d_last;
         d_pressure(j, highest) -= step.tangent_stiffness;
         for (std::size_t i = 0; i < state.nodes.size(); ++i)
             d_pressure(j, state.nodes[i]) += cell * state.tangent[static_cast<Index>(i)];
     }
-    return {from_curve(curve, range), {std::move(d_pressure), std::move(d_range)}};
+    return {from_curve(curve, range), {std::move(d_pressure), std::move(d_last)}};
 }
 
 Response scaled(Response response, double factor) {

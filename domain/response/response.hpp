@@ -4,11 +4,14 @@
 
 namespace rough {
 
-/// The load steps: Delta_j = reach * (j / steps) * range, j = 1..steps, where range = max Z - min Z (periodic
-/// kernel: max Z - mean Z, at which contact is full).
+/// The load steps: Delta_j = (j / steps) Delta_last, j = 1..steps. Where the load ends is, in this order,
+/// `to_displacement`, the displacement at which the mean pressure is `to_pressure`, or reach * range with
+/// range = max Z - min Z (periodic kernel: max Z - mean Z, at which contact is full).
 struct Loading {
-    int steps = 20;   ///< n_t >= 2
-    double reach = 1; ///< (0, 1]; below 1 for the periodic kernel
+    int steps = 20;             ///< n_t >= 2
+    double reach = 1;           ///< (0, 1]; below 1 for the periodic kernel
+    double to_pressure = 0;     ///< MPa; 0: not asked for
+    double to_displacement = 0; ///< mm; 0: not asked for
 };
 
 /// What a profile answers to the load steps. The unloaded state (0, 0) is not among the rows.
@@ -26,16 +29,23 @@ struct Response {
 
 /// How a response changes with the heights, by the adjoint (no further solve).
 struct ResponseGradient {
-    Eigen::MatrixXd pressure; ///< dP_j/dZ_i, steps x N, MPa/mm; each row sums to zero
-    Eigen::RowVectorXd range; ///< d range/dZ_i, N
+    Eigen::MatrixXd pressure;             ///< dP_j/dZ_i, steps x N, MPa/mm; each row sums to zero
+    Eigen::RowVectorXd last_displacement; ///< d Delta_nt/dZ_i, N; the other steps' are fractions of it
 };
 
 /// range of a profile: max - min, or max - mean for the periodic kernel. Throws InputError if it is zero
 /// (a constant profile) or a height is not finite.
 double displacement_range(const Profile& profile, Kernel kernel);
 
-/// The displacements of the load steps, mm. Throws InputError on steps < 2 or a reach outside its range.
+/// The displacements of load steps that end by reach alone, mm. Throws InputError on steps < 2 or a reach
+/// outside its range.
 std::vector<double> load_displacements(double range, const Loading& loading, Kernel kernel);
+
+/// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm, to 12 digits of pressure:
+/// Newton's method on the convex P(Delta). Throws InputError where the periodic profile is in full contact
+/// below it.
+double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
+                                const ContactOptions& options = {});
 
 Response respond(const Profile& profile, const Body& body, const Loading& loading,
                  const ContactOptions& options = {});

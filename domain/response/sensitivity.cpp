@@ -2,8 +2,7 @@
 
 namespace rough {
 
-CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& jacobian,
-                              const Loading& loading) {
+CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& jacobian) {
     const Index steps = response.steps(), genes = jacobian.pressure.cols();
     CurveJacobian result{Eigen::MatrixXd(steps, genes), Eigen::MatrixXd(steps, genes)};
     Eigen::RowVectorXd last = Eigen::RowVectorXd::Zero(genes);
@@ -12,9 +11,10 @@ CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& 
         const double step = response.displacement[j] - last_displacement;
         const double K = (response.pressure[j] - last_pressure) / step;
         result.x.row(j) = 0.5 * (jacobian.pressure.row(j) + last);
-        // The step is the range times a constant: dK = (dP_j - dP_{j-1} - K d step)/step.
+        // All steps are equal parts of the last displacement: dK = (dP_j - dP_{j-1} - K d step)/step.
         result.y.row(j) =
-            (jacobian.pressure.row(j) - last - K * loading.reach / loading.steps * jacobian.range) / step;
+            (jacobian.pressure.row(j) - last - K / static_cast<double>(steps) * jacobian.last_displacement) /
+            step;
         last = jacobian.pressure.row(j);
         last_pressure = response.pressure[j];
         last_displacement = response.displacement[j];
@@ -23,8 +23,8 @@ CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& 
 }
 
 CurveJacobian rescaled_jacobian(const Response& response, const ResponseJacobian& jacobian,
-                                const Loading& loading, double max_pressure) {
-    CurveJacobian result = secant_jacobian(response, jacobian, loading);
+                                double max_pressure) {
+    CurveJacobian result = secant_jacobian(response, jacobian);
     const Curve curve = secant_stiffness(response);
     const double last = response.pressure[response.steps() - 1];
     const double factor = max_pressure / last;

@@ -13,10 +13,9 @@ namespace {
 Model paper_model(Index nodes = 256) { return {{nodes, 0.84942, false}, {}, {}, {}}; }
 
 ResponseJacobian jacobian_of(const Genome& genome, const Model& model) {
-    const auto gradient =
-        respond_with_gradient(sample(genome, model.grid), model.body, model.loading, model.contact).gradient;
-    return {pulled_back(gradient.pressure, genome, model.grid),
-            pulled_back(gradient.range, genome, model.grid)};
+    return in_genes(
+        respond_with_gradient(sample(genome, model.grid), model.body, model.loading, model.contact).gradient,
+        [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); });
 }
 
 std::vector<double> contact_counts(const Response& response) {
@@ -36,8 +35,9 @@ TEST_CASE("the adjoint derivative of the pressures follows central differences i
     std::mt19937_64 random(11);
     int probes = 0, kept = 0;
     for (Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
-        for (int series : {1, 2})
+        for (const char* end : {"reach", "pressure", "displacement"})
             for (std::size_t ridges : {1u, 8u}) {
+                const int series = ridges == 1 ? 2 : 1;
                 Model model = paper_model(128);
                 model.body.kernel = kernel;
                 model.body.strip_width = 0.002;
@@ -45,6 +45,11 @@ TEST_CASE("the adjoint derivative of the pressures follows central differences i
                 model.loading.reach = kernel == Kernel::periodic ? 0.9 : 1;
                 const Genome genome =
                     random_genome(random, series, ridges, 0.84942, 8 * model.grid.spacing());
+                const Response whole = respond(genome, model);
+                if (end == std::string("pressure"))
+                    model.loading.to_pressure = 0.3 * whole.pressure.tail(1)[0];
+                if (end == std::string("displacement"))
+                    model.loading.to_displacement = 0.5 * whole.range;
                 const ResponseJacobian jacobian = jacobian_of(genome, model);
                 const auto values = genes(genome);
                 const Response base = respond(genome, model);
@@ -66,15 +71,38 @@ TEST_CASE("the adjoint derivative of the pressures follows central differences i
                         continue;
                     ++kept;
                     const Eigen::VectorXd difference = (right.pressure - left.pressure) / (2 * h);
-                    INFO("kernel " << int(kernel) << ", gene " << g);
+                    INFO("kernel " << int(kernel) << ", load by " << end << ", gene " << g);
                     CHECK((difference - jacobian.pressure.col(static_cast<Index>(g))).cwiseAbs().maxCoeff() <
                           1e-5 * largest);
-                    CHECK(std::abs((right.range - left.range) / (2 * h) -
-                                   jacobian.range[static_cast<Index>(g)]) <
-                          1e-5 * jacobian.range.cwiseAbs().maxCoeff());
+                    const Index last = base.steps() - 1;
+                    CHECK(std::abs((right.displacement[last] - left.displacement[last]) / (2 * h) -
+                                   jacobian.last_displacement[static_cast<Index>(g)]) <=
+                          1e-5 * jacobian.last_displacement.cwiseAbs().maxCoeff());
                 }
             }
     CHECK(kept > probes / 2);
+}
+
+TEST_CASE("load steps to a pressure end at that pressure") {
+    std::mt19937_64 random(14);
+    for (Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
+        Model model = paper_model(128);
+        model.body.kernel = kernel;
+        model.body.strip_width = 0.002;
+        model.grid.wraps = kernel == Kernel::periodic;
+        model.loading.reach = kernel == Kernel::periodic ? 0.9 : 1;
+        const Genome genome = random_genome(random, 1, 1, 0.84942, 0.02);
+        const double highest = respond(genome, model).pressure.tail(1)[0];
+        for (double part : {1e-3, 0.1, 0.9}) {
+            model.loading.to_pressure = part * highest;
+            const Response response = respond(genome, model);
+            CHECK(response.pressure.tail(1)[0] == Approx(part * highest).epsilon(1e-11));
+        }
+        if (kernel == Kernel::periodic) {
+            model.loading.to_pressure = 100 * highest;
+            CHECK_THROWS_WITH(respond(genome, model), Catch::Contains("full contact"));
+        }
+    }
 }
 
 TEST_CASE("a scaled profile has scaled pressures and the same stiffness and contact") {
