@@ -19,11 +19,10 @@ namespace {
 using rough::DominanceRule;
 using rough::Form;
 using rough::RescaledProblem;
-using RulePointer = std::shared_ptr<const DominanceRule>;
 
 struct Variant {
     const char* name;
-    rough::PaperPipeline (*pipeline)(RulePointer, Form);
+    rough::PaperPipeline (*pipeline)(const rough::PaperChoices&);
     Form form;
 };
 constexpr Variant variants[] = {
@@ -64,6 +63,10 @@ rough::Target target_of(const rough::Scan& scan, const rough::Model& model, cons
     return target;
 }
 
+rough::DominanceReading reading_from(const Settings& settings) {
+    return static_cast<rough::DominanceReading>(settings.one_of("paper.dominance", {"pressure", "step"}));
+}
+
 struct Setup {
     rough::Model model;
     double max_pressure;
@@ -95,8 +98,12 @@ Setup setup_from(const Settings& settings) {
 class Paper {
   public:
     Paper(const Settings& settings, PaperRun& run, Progress& progress)
-        : settings_(settings), run_(run), progress_(progress),
-          rule_(std::make_shared<DominanceRule>(run.model)), genomes_(sobol_database(run.layout)) {}
+        : settings_(settings), run_(run),
+          progress_(progress), choices_{std::make_shared<DominanceRule>(run.model, reading_from(settings)),
+                                        Form::paper,
+                                        {settings.number("paper.phase-relative", 0, 10),
+                                         settings.number("paper.phase-absolute", 0, 10)}},
+          genomes_(sobol_database(run.layout)) {}
 
     void answer_database() {
         run_.database.resize(genomes_.size());
@@ -155,8 +162,8 @@ class Paper {
         options.variant = variant.name;
         options.seed = run_.seed;
         options.threads = run_.threads;
-        const auto result = ga::run(variant.pipeline(rule_, variant.form), problem, ga::population(genomes_),
-                                    options, {recorder(run.stages)});
+        const auto result = ga::run(variant.pipeline({choices_.rule, variant.form, choices_.reach}), problem,
+                                    ga::population(genomes_), options, {recorder(run.stages)});
         run.seconds = seconds_since(start);
         run.notes = result.notes;
         run.answer.genome = result.population.front().genome;
@@ -194,7 +201,7 @@ class Paper {
     const Settings& settings_;
     PaperRun& run_;
     Progress& progress_;
-    RulePointer rule_;
+    rough::PaperChoices choices_;
     std::shared_ptr<rough::ResponseMemory> memory_ =
         std::make_shared<rough::ResponseMemory>(); ///< of the sweep
     std::vector<rough::Genome> genomes_;
@@ -215,6 +222,10 @@ std::vector<Setting> paper_settings() {
         {"paper.sweep-from", "0.31", "first p_bar over p_max of the threshold sweep"},
         {"paper.sweep-to", "0.69", "last one"},
         {"paper.sweep-points", "20", "how many; 0: no sweep"},
+        {"paper.dominance", "pressure",
+         "Algorithm 1 compares curves at the same pressure, or at the same load step"},
+        {"paper.phase-relative", "0.1", "how far refinement moves a phase, over its own value"},
+        {"paper.phase-absolute", "0", "the same in rad, added"},
         {"database.pairs", "20", "Sobol pairs (H, gamma)"},
         {"database.phase-columns", "5", "Sobol phase columns"},
         {"database.H-from", "0.5", "lowest H"},

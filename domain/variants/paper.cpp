@@ -13,25 +13,26 @@ auto refine_by(Form form, int n_it, const Variables<Genome>& variables) {
 
 } // namespace
 
-PaperPipeline sog(std::shared_ptr<const DominanceRule> rule, Form form) {
-    const auto dominant = dominant_phases(rule), others = other_phases(rule);
-    return score() | best(3) | refine_by(form, 5, dominant) | refine_by(form, 2, others) |
-           best(1); // Algorithm 3
+PaperPipeline sog(const PaperChoices& choices) { // Algorithm 3
+    const auto& [rule, form, reach] = choices;
+    const auto dominant = dominant_phases(rule, reach), others = other_phases(rule, reach);
+    return score() | best(3) | refine_by(form, 5, dominant) | refine_by(form, 2, others) | best(1);
 }
 
-PaperPipeline gco(std::shared_ptr<const DominanceRule> rule, Form form) {
-    const auto dominant = dominant_phases(rule), others = other_phases(rule);
+PaperPipeline gco(const PaperChoices& choices) { // Algorithm 4
+    const auto& [rule, form, reach] = choices;
+    const auto dominant = dominant_phases(rule, reach), others = other_phases(rule, reach);
     const auto U1 = score("low") | above(0.95, at_least(3));
     const auto U2 = score("high") | above(0.95, at_least(3));
     return pair(U1, U2, unite()) | score() | best(3) | refine_by(form, 3, dominant) |
-           refine_by(form, 2, others) | best(1); // Algorithm 4
+           refine_by(form, 2, others) | best(1);
 }
 
-PaperPipeline cco(std::shared_ptr<const DominanceRule> rule, Form form) {
+PaperPipeline cco(const PaperChoices& choices) { // Algorithm 5
+    const auto& [rule, form, reach] = choices;
     const auto U1 = score("low") | above(0.95, at_least(3)) | reduce(rule);
     const auto U2 = score("high") | above(0.95, at_least(3)) | reduce(rule);
-    return pair(U1, U2, unite()) | score() | best(3) | refine_by(form, 3, all_phases()) |
-           best(1); // Algorithm 5
+    return pair(U1, U2, unite()) | score() | best(3) | refine_by(form, 3, all_phases(reach)) | best(1);
 }
 
 } // namespace rough

@@ -47,10 +47,10 @@ TEST_CASE("the paper's algorithms give the same bits on 1, 2 and 5 threads") {
     const Coarse coarse;
     for (auto algorithm : {sog, gco, cco})
         for (Form form : {Form::paper, Form::minimax}) {
-            const auto one = run_on(coarse, algorithm(coarse.rule, form), 1);
+            const auto one = run_on(coarse, algorithm({coarse.rule, form}), 1);
             REQUIRE(one.population.size() == 1);
             for (int threads : {2, 5}) {
-                const auto many = run_on(coarse, algorithm(coarse.rule, form), threads);
+                const auto many = run_on(coarse, algorithm({coarse.rule, form}), threads);
                 CHECK(shape_key(many.population[0].genome) == shape_key(one.population[0].genome));
                 CHECK(many.population[0].genome.scale == one.population[0].genome.scale);
                 CHECK(many.population[0].value() == one.population[0].value());
@@ -63,7 +63,7 @@ TEST_CASE("refinement keeps the three candidates' identities and never makes one
     const Coarse coarse;
     for (auto algorithm : {sog, gco}) {
         Stages stages;
-        run_on(coarse, algorithm(coarse.rule, Form::paper), 2, &stages);
+        run_on(coarse, algorithm({coarse.rule}), 2, &stages);
         const auto& before = at(stages, "test/best.1");
         for (const char* path : {"test/refine.1", "test/refine.2"}) {
             const auto& after = at(stages, path);
@@ -80,7 +80,7 @@ TEST_CASE("the first refinement moves dominant phases alone, the second the othe
           "original") {
     const Coarse coarse;
     Stages stages;
-    run_on(coarse, gco(coarse.rule), 2, &stages);
+    run_on(coarse, gco({coarse.rule}), 2, &stages);
     const auto &before = at(stages, "test/best.1"), &first = at(stages, "test/refine.1"),
                &second = at(stages, "test/refine.2");
     int moved = 0;
@@ -107,7 +107,7 @@ TEST_CASE("the first refinement moves dominant phases alone, the second the othe
 TEST_CASE("a child of GCO is the sum of its rescaled parents, each pair once") {
     const Coarse coarse;
     Stages stages;
-    run_on(coarse, gco(coarse.rule), 2, &stages);
+    run_on(coarse, gco({coarse.rule}), 2, &stages);
     const auto &left = at(stages, "test/pair.1/left/above.1"),
                &right = at(stages, "test/pair.1/right/above.1"), &children = at(stages, "test/pair.1");
     std::map<ga::Identity, Genome> parents;
@@ -129,7 +129,7 @@ TEST_CASE("a child of GCO is the sum of its rescaled parents, each pair once") {
 TEST_CASE("CCO's parents are reduced to their dominant chromosomes and keep their scale") {
     const Coarse coarse;
     Stages stages;
-    run_on(coarse, cco(coarse.rule), 2, &stages);
+    run_on(coarse, cco({coarse.rule}), 2, &stages);
     const auto &whole = at(stages, "test/pair.1/left/above.1"),
                &part = at(stages, "test/pair.1/left/reduce.1");
     REQUIRE(whole.size() == part.size());
@@ -143,7 +143,7 @@ TEST_CASE("CCO's parents are reduced to their dominant chromosomes and keep thei
 TEST_CASE("an answer's similarity can be computed again from its genome") {
     const Coarse coarse;
     for (auto algorithm : {sog, gco, cco}) {
-        const auto answer = run_on(coarse, algorithm(coarse.rule, Form::paper), 2).population.front();
+        const auto answer = run_on(coarse, algorithm({coarse.rule}), 2).population.front();
         CHECK(similarity(coarse.problem, answer.genome) == Approx(answer.value()).margin(1e-9));
         const Curve curve = secant_stiffness(respond(folded(answer.genome), coarse.model));
         CHECK(similarity(coarse.problem.target(), curve) == Approx(answer.value()).margin(1e-9));
