@@ -1,6 +1,7 @@
 #include "apps/commands.hpp"
 #include "apps/output.hpp"
 #include "apps/paper_experiment.hpp"
+#include "apps/paper_tables.hpp"
 #include "apps/report/paper_page.hpp"
 #include "apps/result.hpp"
 #include "domain/atomic_file.hpp"
@@ -85,8 +86,10 @@ int run(const Words& given) {
     for (const TargetRun& target : paper.targets) {
         const auto place = &target == &paper.targets.front() ? folder : folder / "heldout";
         std::filesystem::create_directories(place);
+        write_target_tables(target, place);
         rough::write_atomically(place / "result.json", result_json(paper, target).dump(1) + "\n");
     }
+    write_database_table(paper, folder);
     if (flags.one_of("pictures", {"on", "off"}) == 0)
         rough::write_atomically(folder / "report.html", paper_page(paper));
     std::cout << folder.string() << ": " << paper.seconds << " s\n";
