@@ -11,6 +11,7 @@ const std::vector<Command>& commands() {
     static const std::vector<Command> all{
         {"contact", "press a rough profile on an elastic body: pressure, area and stiffness", contact},
         {"database", "keep genomes and their responses in a file, and ask it for a target", database},
+        {"profile", "what a profile is: heights, solid (STL), picture, roughness, spectrum", profile},
         {"run", "run an experiment (.ini): design surfaces and report on them", run},
     };
     return all;

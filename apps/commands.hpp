@@ -16,6 +16,7 @@ struct Command {
 
 int contact(const Words& words);
 int database(const Words& words);
+int profile(const Words& words);
 int run(const Words& words);
 
 /// All of them, in the order of the help page.

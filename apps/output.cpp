@@ -10,8 +10,6 @@ using rough::InputError;
 
 namespace {
 
-constexpr const char* result_name = "result.json";
-
 fs::path first_free(const fs::path& wanted) {
     fs::path path = wanted;
     for (int number = 2; fs::exists(path); ++number)
@@ -21,10 +19,11 @@ fs::path first_free(const fs::path& wanted) {
 
 } // namespace
 
-OutputFolder::OutputFolder(const std::string& given, const std::string& name, bool force)
+OutputFolder::OutputFolder(const std::string& given, const std::string& name, bool force,
+                           const std::string& mark)
     : path_(given.empty() ? first_free(fs::path("out") / name) : fs::path(given)) {
     std::error_code error;
-    if (!given.empty() && fs::exists(path_ / result_name, error) && !force)
+    if (!given.empty() && fs::exists(path_ / mark, error) && !force)
         throw InputError("--out: " + given + " holds a result, expected another folder or --force");
     for (fs::path missing = path_; !missing.empty() && !fs::exists(missing, error);
          missing = missing.parent_path())

@@ -7,12 +7,13 @@
 namespace app {
 
 /// Where a run's results go. Without a path given: out/NAME below the working directory, or out/NAME-2 and on
-/// where that exists. A path given that holds a result is refused without `force`. Throws rough::InputError,
-/// before any work is done, when the folder cannot be made or written. Folders made in vain are taken away
-/// again.
+/// where that exists. A path given that holds a result (the file `mark`) is refused without `force`. Throws
+/// rough::InputError, before any work is done, when the folder cannot be made or written. Folders made in
+/// vain are taken away again.
 class OutputFolder {
   public:
-    OutputFolder(const std::string& given, const std::string& name, bool force);
+    OutputFolder(const std::string& given, const std::string& name, bool force,
+                 const std::string& mark = "result.json");
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
 
