@@ -24,4 +24,13 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
     return {misfit / scale, penetration / scale, tension == 0 ? 0 : mean > 0 ? tension / mean : none};
 }
 
+double trusted_residual(const ContactProblem& problem, double approach, const Eigen::VectorXd& pressure,
+                        const Eigen::VectorXd& displacement) {
+    double margin = approach;
+    for (Index i = 0; i < problem.nodes(); ++i)
+        margin = std::min(margin, pressure[i] > 0 ? pressure[i] / 3
+                                                  : (displacement[i] - (approach - problem.gap[i])) / 1.5);
+    return margin / approach;
+}
+
 } // namespace rough

@@ -17,4 +17,10 @@ struct Certificate {
 Certificate certify(const ContactProblem& problem, double approach, const std::vector<int>& contact,
                     const Eigen::VectorXd& pressure, const double* displacement);
 
+/// The residual, over the approach, at which no node could touch or leave unseen: with an error e of the
+/// displacement on the contact set, that off it errs by no more than e and the pressures by a few times e.
+/// `pressure` and `displacement` at every node; a node with pressure is in contact. At most 1.
+double trusted_residual(const ContactProblem& problem, double approach, const Eigen::VectorXd& pressure,
+                        const Eigen::VectorXd& displacement);
+
 } // namespace rough

@@ -1,24 +1,49 @@
 #include "domain/contact/fourier.hpp"
 
 #include <algorithm>
+#include <complex>
 #include <map>
 #include <mutex>
+#include <numbers>
 
 namespace rough {
 
-FourierPlan fourier_plan(Index length) {
+namespace {
+
+std::mutex& planner() {
     static std::mutex lock;
-    static std::map<Index, FourierPlan> plans;
-    const std::lock_guard guard(lock);
+    return lock;
+}
+
+/// Plans are made under a lock: FFTW's planner is not thread-safe, its new-array execution is.
+template <typename Make>
+FourierPlan cached(Index length, std::map<Index, FourierPlan>& plans, Make make) {
+    const std::lock_guard guard(planner());
     const auto known = plans.find(length);
-    if (known != plans.end())
-        return known->second;
-    AlignedBuffer<double> real(length);
-    AlignedBuffer<fftw_complex> transform(length / 2 + 1);
-    const FourierPlan plan{
-        fftw_plan_dft_r2c_1d(static_cast<int>(length), real.data(), transform.data(), FFTW_ESTIMATE),
-        fftw_plan_dft_c2r_1d(static_cast<int>(length), transform.data(), real.data(), FFTW_ESTIMATE)};
-    return plans.emplace(length, plan).first->second;
+    return known != plans.end() ? known->second : plans.emplace(length, make()).first->second;
+}
+
+} // namespace
+
+FourierPlan fourier_plan(Index length) {
+    static std::map<Index, FourierPlan> plans;
+    return cached(length, plans, [length] {
+        AlignedBuffer<double> real(length);
+        AlignedBuffer<fftw_complex> transform(length / 2 + 1);
+        return FourierPlan{
+            fftw_plan_dft_r2c_1d(static_cast<int>(length), real.data(), transform.data(), FFTW_ESTIMATE),
+            fftw_plan_dft_c2r_1d(static_cast<int>(length), transform.data(), real.data(), FFTW_ESTIMATE)};
+    });
+}
+
+FourierPlan complex_fourier_plan(Index length) {
+    static std::map<Index, FourierPlan> plans;
+    return cached(length, plans, [length] {
+        AlignedBuffer<fftw_complex> work(length);
+        const int n = static_cast<int>(length);
+        return FourierPlan{fftw_plan_dft_1d(n, work.data(), work.data(), FFTW_FORWARD, FFTW_ESTIMATE),
+                           fftw_plan_dft_1d(n, work.data(), work.data(), FFTW_BACKWARD, FFTW_ESTIMATE)};
+    });
 }
 
 Index fast_fourier_length(Index length) {
@@ -72,6 +97,38 @@ const double* FourierOperator::apply() {
     }
     fftw_execute_dft_c2r(plan_.backward, transform, real);
     return real;
+}
+
+SplitOperator::SplitOperator(const Eigen::VectorXd& first_column)
+    : nodes_(first_column.size()), plan_(complex_fourier_plan(nodes_)), work_(nodes_), twist_(nodes_),
+      circulant_(nodes_), skew_(nodes_) {
+    for (Index j = 0; j < nodes_; ++j)
+        twist_[j] = std::polar(1.0, -std::numbers::pi * static_cast<double>(j) / static_cast<double>(nodes_));
+    Eigen::Map<Eigen::ArrayXcd> work(reinterpret_cast<std::complex<double>*>(work_.data()), nodes_);
+    for (const bool skew : {false, true}) {
+        work[0] = first_column[0];
+        for (Index j = 1; j < nodes_; ++j)
+            work[j] = first_column[j] + (skew ? -first_column[nodes_ - j] : first_column[nodes_ - j]);
+        if (skew)
+            work *= twist_;
+        fftw_execute_dft(plan_.forward, work_.data(), work_.data());
+        (skew ? skew_ : circulant_) = work.real() / (2 * static_cast<double>(nodes_));
+    }
+}
+
+Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
+    Eigen::Map<Eigen::ArrayXcd> work(reinterpret_cast<std::complex<double>*>(work_.data()), nodes_);
+    work = p.array().cast<std::complex<double>>();
+    fftw_execute_dft(plan_.forward, work_.data(), work_.data());
+    work *= circulant_;
+    fftw_execute_dft(plan_.backward, work_.data(), work_.data());
+    Eigen::VectorXd u = work.real();
+    work = p.array() * twist_;
+    fftw_execute_dft(plan_.forward, work_.data(), work_.data());
+    work *= skew_;
+    fftw_execute_dft(plan_.backward, work_.data(), work_.data());
+    u.array() += (work * twist_.conjugate()).real();
+    return u;
 }
 
 } // namespace rough

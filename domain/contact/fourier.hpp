@@ -12,6 +12,8 @@ struct FourierPlan {
     fftw_plan forward, backward;
 };
 FourierPlan fourier_plan(Index length);
+/// the same for complex transforms in place
+FourierPlan complex_fourier_plan(Index length);
 
 /// Smallest even 2^a 3^b 5^c that is no smaller than `length`.
 Index fast_fourier_length(Index length);
@@ -37,6 +39,21 @@ class FourierOperator {
     Index half_; ///< length/2 + 1
     AlignedBuffer<double> real_, spectrum_;
     AlignedBuffer<fftw_complex> transform_;
+};
+
+/// u = T p for a symmetric Toeplitz matrix without padding: T is half the sum of a circulant, c_j + c_(N-j),
+/// and a skew-circulant, c_j - c_(N-j). Shares no transform and no spectrum with FourierOperator.
+class SplitOperator {
+  public:
+    explicit SplitOperator(const Eigen::VectorXd& first_column);
+    Eigen::VectorXd apply(const Eigen::VectorXd& p);
+
+  private:
+    Index nodes_;
+    FourierPlan plan_;
+    AlignedBuffer<fftw_complex> work_;
+    Eigen::ArrayXcd twist_;           ///< exp(-i pi j/N)
+    Eigen::ArrayXd circulant_, skew_; ///< eigenvalues over 2 N
 };
 
 } // namespace rough

@@ -9,6 +9,9 @@ namespace rough {
 namespace {
 
 constexpr Index width = 8;
+/// Over the diagonal of H. Pivots of a contact set are some hundredths of it; only all nodes of a periodic
+/// profile together, a singular matrix, leave nothing but rounding.
+constexpr double least_pivot = 1e-10;
 /// Eight rows of one column; the compiler maps it to whatever vectors the processor has.
 typedef double Lanes __attribute__((vector_size(width * sizeof(double)), may_alias));
 
@@ -218,7 +221,7 @@ Index GrowingFactor::build_panel(Index panel, Index first_block) {
     eliminate(rows, rows, first, block);
     for (Index c = 0; c < width; ++c) {
         const double pivot = block[c][c];
-        if (!(pivot > 1e-14 * original[c]))
+        if (!(pivot > least_pivot * original[c]))
             return c;
         const auto index = static_cast<std::size_t>(first + c);
         const double inverse = 1 / std::sqrt(pivot);

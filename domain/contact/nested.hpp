@@ -9,6 +9,6 @@ namespace rough {
 /// set, and dropping the nodes under tension from it keeps it so; each step is therefore one sweep of
 /// additions and some of removals. Throws InputError where the factor would take more than `memory_limit`
 /// bytes, NotConverged where it does not settle.
-Solution solve_nested(const ContactProblem& problem, bool tangents, double memory_limit = 2e9);
+Solution solve_nested(const ContactProblem& problem, const ContactOptions& options);
 
 } // namespace rough

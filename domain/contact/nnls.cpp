@@ -35,7 +35,7 @@ class PassiveFactor {
             r[k] = influence[std::abs(nodes_[static_cast<std::size_t>(k)] - node)];
         R_.topLeftCorner(m, m).triangularView<Upper>().transpose().solveInPlace(r);
         const double pivot = influence[0] - r.squaredNorm();
-        if (!(pivot > 1e-14 * influence[0]))
+        if (!(pivot > 1e-10 * influence[0]))
             return false;
         const double diagonal = std::sqrt(pivot);
         R_(m, m) = diagonal;
@@ -79,18 +79,19 @@ class PassiveFactor {
 
 class LawsonHanson {
   public:
-    explicit LawsonHanson(const ContactProblem& problem)
-        : problem_(problem), fourier_(fourier_operator(problem)),
+    LawsonHanson(const ContactProblem& problem, const ContactOptions& options)
+        : problem_(problem), options_(options), fourier_(fourier_operator(problem)),
           passive_(static_cast<std::size_t>(problem.nodes())), influence_(2 * problem.nodes() - 1) {
         const Index n = problem.nodes();
         influence_.tail(n) = problem.column;
         influence_.head(n) = problem.column.reverse();
     }
 
-    StepSolution press(double approach, bool tangent) {
+    StepSolution press(double approach) {
         const long limit = iterations_ + 3 * problem_.nodes();
         reach_solution(approach);
         while (iterations_ < limit) {
+            check_stop(options_);
             const Index worst = most_violated(approach);
             if (worst < 0 || !factor_.append(static_cast<int>(worst), problem_.gap[worst], problem_.column))
                 break;
@@ -102,10 +103,8 @@ class LawsonHanson {
         }
         StepSolution step{factor_.nodes(), pressure_, factor_.stiffness(), {}, residual(approach)};
         if (!(step.residual <= tolerance))
-            throw NotConverged("NNLS did not settle at approach " +
-                               std::to_string(approach * problem_.displacement_unit) + " mm: residual " +
-                               std::to_string(step.residual));
-        if (tangent)
+            fail("NNLS", problem_, approach, step.residual, tolerance);
+        if (options_.states)
             step.tangent = factor_.tangent();
         return step;
     }
@@ -167,6 +166,7 @@ class LawsonHanson {
     }
 
     const ContactProblem& problem_;
+    const ContactOptions& options_;
     FourierOperator fourier_;
     PassiveFactor factor_;
     std::vector<char> passive_;
@@ -178,11 +178,11 @@ class LawsonHanson {
 
 } // namespace
 
-Solution solve_nnls(const ContactProblem& problem, bool tangents) {
-    LawsonHanson solver(problem);
+Solution solve_nnls(const ContactProblem& problem, const ContactOptions& options) {
+    LawsonHanson solver(problem, options);
     Solution solution;
     for (const double approach : problem.approach)
-        solution.steps.push_back(solver.press(approach, tangents));
+        solution.steps.push_back(solver.press(approach));
     solution.iterations = solver.iterations();
     return solution;
 }

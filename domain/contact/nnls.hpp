@@ -8,6 +8,6 @@ namespace rough {
 /// (1974, chapter 23) on a factor that is updated, never rebuilt, each load step starting from the one before
 /// (Bemporad & Paggi 2015). The gradient is summed directly, so that the certificate can take the FFT. Throws
 /// NotConverged where a step takes more than 3 N iterations.
-Solution solve_nnls(const ContactProblem& problem, bool tangents);
+Solution solve_nnls(const ContactProblem& problem, const ContactOptions& options);
 
 } // namespace rough

@@ -4,6 +4,7 @@
 #include "domain/errors.hpp"
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace rough {
@@ -43,12 +44,6 @@ void check_body(const Profile& profile, const Body& body) {
         refuse("strip width ", body.strip_width, " mm was given, a positive finite one is expected");
 }
 
-/// Delta_full of the periodic kernel, mm: max Z - mean Z.
-double full_contact_approach(const Profile& profile) {
-    const double highest = profile.heights.maxCoeff();
-    return (highest - profile.heights.array()).mean();
-}
-
 void check_displacements(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
     double previous = 0;
     for (const double displacement : displacements) {
@@ -59,7 +54,11 @@ void check_displacements(const Profile& profile, const Body& body, const std::ve
     }
     if (body.kernel != Kernel::periodic)
         return;
-    const double full = full_contact_approach(profile);
+    const double full = largest_displacement(profile, body);
+    if (!(full > 0))
+        refuse("a flat profile was given, one with height differences is expected: on a periodic half-plane "
+               "a flat "
+               "one bears any load at no approach");
     const double rounding = 1e-14 * profile.heights.cwiseAbs().maxCoeff();
     if (previous > full * (1 + 1e-12) + rounding)
         refuse("displacement ", previous, " mm was given, at most that of full contact, ", full,
@@ -67,6 +66,13 @@ void check_displacements(const Profile& profile, const Body& body, const std::ve
 }
 
 } // namespace
+
+double largest_displacement(const Profile& profile, const Body& body) {
+    if (body.kernel != Kernel::periodic)
+        return std::numeric_limits<double>::infinity();
+    const double highest = profile.heights.maxCoeff();
+    return (highest - profile.heights.array()).mean(); // Delta_full = max Z - mean Z
+}
 
 ContactProblem make_problem(const Profile& profile, const Body& body,
                             const std::vector<double>& displacements) {
@@ -77,8 +83,9 @@ ContactProblem make_problem(const Profile& profile, const Body& body,
     const double length = profile_length(profile, body.kernel);
     ContactProblem problem;
     problem.kernel = body.kernel;
-    problem.column = influence_column(body.kernel, profile.nodes(), body.datum / profile.spacing,
-                                      body.strip_width / profile.spacing);
+    problem.datum = body.datum / profile.spacing;
+    problem.strip_width = body.strip_width / profile.spacing;
+    problem.column = influence_column(body.kernel, profile.nodes(), problem.datum, problem.strip_width);
     problem.gap = (profile.heights.maxCoeff() - profile.heights.array()) / unit;
     for (const double displacement : displacements)
         problem.approach.push_back(displacement / unit);
@@ -95,6 +102,20 @@ FourierOperator fourier_operator(const ContactProblem& problem) {
     if (problem.kernel == Kernel::periodic)
         return FourierOperator::circulant(problem.nodes(), periodic_spectrum(problem.nodes()));
     return FourierOperator::toeplitz(problem.column);
+}
+
+void check_stop(const ContactOptions& options) {
+    if (options.stop && options.stop())
+        throw NotConverged("stopped before the contact was solved");
+}
+
+void fail(const char* solver, const ContactProblem& problem, double approach, double residual,
+          double tolerance) {
+    std::ostringstream line;
+    line.precision(6);
+    line << solver << " did not settle at an approach of " << approach * problem.displacement_unit
+         << " mm: residual " << residual << " where " << tolerance << " is expected";
+    throw NotConverged(line.str());
 }
 
 } // namespace rough

@@ -10,6 +10,7 @@ namespace rough {
 /// delta.
 struct ContactProblem {
     Kernel kernel;
+    double datum, strip_width;    ///< in units of delta
     Eigen::VectorXd column;       ///< first column of H
     Eigen::VectorXd gap;          ///< g0_i = max Z - Z_i >= 0
     std::vector<double> approach; ///< displacements, increasing, the last one 1 (or all zero)
@@ -28,6 +29,9 @@ struct ContactProblem {
 ContactProblem make_problem(const Profile& profile, const Body& body,
                             const std::vector<double>& displacements);
 
+/// The largest displacement that has a solution, mm: that of full contact (periodic), or infinity.
+double largest_displacement(const Profile& profile, const Body& body);
+
 /// H applied by FFT.
 FourierOperator fourier_operator(const ContactProblem& problem);
 
@@ -44,5 +48,11 @@ struct Solution {
     std::vector<StepSolution> steps;
     long iterations = 0;
 };
+
+/// Throws NotConverged where the options' `stop` says so.
+void check_stop(const ContactOptions& options);
+/// Throws NotConverged in the words every solver uses.
+[[noreturn]] void fail(const char* solver, const ContactProblem& problem, double approach, double residual,
+                       double tolerance);
 
 } // namespace rough

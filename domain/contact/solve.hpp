@@ -3,6 +3,7 @@
 #include "domain/contact/body.hpp"
 #include "domain/profile.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,10 @@ enum class Solver { automatic, nested, nnls, polonsky_keer, active_set };
 
 struct ContactOptions {
     Solver solver = Solver::automatic;
-    double tolerance = 1e-6; ///< relative, iterative solvers only
-    bool states = false;     ///< keep each step's contact set, pressures and tangent vector for the adjoint
+    double tolerance = 1e-6;   ///< relative, iterative solvers only
+    bool states = false;       ///< keep each step's contact set, pressures and tangent vector for the adjoint
+    double memory_limit = 2e9; ///< bytes; a factor predicted to need more is refused
+    std::function<bool()> stop; ///< asked now and then where set; true ends the solution with NotConverged
 };
 
 /// One load step's answer. Pressures are means over the length, MPa; lengths in mm.
@@ -44,9 +47,17 @@ struct ContactCurve {
 
 /// Presses a rigid profile on an elastic body to each of the displacements (mm, >= 0, increasing).
 /// Solves u = H p, p >= 0, u - (Delta - g0) >= 0, p (u - (Delta - g0)) = 0 with g0_i = max(Z) - Z_i.
-/// Throws InputError on a profile, body or displacement that has no solution, NotConverged when the
+/// At Delta = 0 the touching nodes count as contact without pressure, so that K is the stiffness of first
+/// loading. Throws InputError on a profile, body or displacement that has no solution, NotConverged when the
 /// certificate of a step exceeds the solver's tolerance.
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options = {});
+
+/// The same under load control: to each of the mean pressures (MPa, > 0, increasing). Polonsky-Keer takes the
+/// load as published; with the other solvers Newton's method finds the displacement, P being convex in it.
+/// Throws InputError also on a pressure that needs more than full contact (periodic).
+ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
+                                        const std::vector<double>& pressures,
+                                        const ContactOptions& options = {});
 
 } // namespace rough

@@ -73,4 +73,17 @@ int main() {
             std::printf(", ratio %.3g\n", time / nested);
         }
     }
+    for (const Index nodes : {4096, 16384, 65536}) {
+        const auto profiles = scenes::database(nodes);
+        const double apply = apply_seconds(profiles[0]);
+        std::printf("N = %ld: one apply %.3g us\n", static_cast<long>(nodes), apply * 1e6);
+        std::vector<double> times, iterations;
+        ContactCurve curve;
+        for (std::size_t k = 0; k<profiles.size(); k += nodes> 20000 ? 20 : 2) {
+            times.push_back(curve_seconds(profiles[k], Solver::active_set, 1, curve));
+            iterations.push_back(static_cast<double>(curve.iterations));
+        }
+        std::printf("  active set: %.4g s a curve, %.4g applies a step, %g iterations a step\n",
+                    median(times), median(times) / apply / 20, median(iterations) / 20);
+    }
 }

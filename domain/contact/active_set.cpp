@@ -1,0 +1,199 @@
+#include "domain/contact/active_set.hpp"
+
+#include "domain/contact/advance.hpp"
+#include "domain/contact/cascade.hpp"
+#include "domain/contact/certificate.hpp"
+#include "domain/contact/nested.hpp"
+#include "domain/contact/set_solver.hpp"
+#include "domain/errors.hpp"
+
+#include <optional>
+
+namespace rough {
+
+namespace {
+
+/// The residual under which rounding makes further iterations pointless.
+constexpr double finest = 1e-12;
+/// How far the residual falls before the contact set is looked at again.
+constexpr double loosening = 0.1;
+constexpr int most_rounds = 200;
+constexpr long most_iterations = 2000;
+/// Up to this size a dense factor is cheaper than a coarser grid.
+constexpr Index coarsest = 1024;
+constexpr Index stride = 4;
+
+enum class Purpose { curve, guess };
+
+class ActiveSet {
+  public:
+    ActiveSet(const ContactProblem& problem, const ContactOptions& options, Purpose purpose)
+        : problem_(problem), options_(options), purpose_(purpose), solver_(problem), set_(problem.nodes()),
+          load_(problem.nodes()), tangent_(problem.nodes()) {}
+
+    StepSolution press(double approach, const std::optional<Eigen::VectorXd>& guess) {
+        start(approach, guess);
+        double tolerance = options_.tolerance;
+        settle(approach, tolerance);
+        if (purpose_ == Purpose::guess)
+            return step_solution(set_, load_, tangent_, false);
+        for (;;) {
+            solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
+            const double error = load_error(problem_, approach, set_, load_, tangent_);
+            if (error <= options_.tolerance || tolerance <= finest)
+                break;
+            tolerance = std::max(finest, 0.3 * tolerance * options_.tolerance / error);
+            settle(approach, tolerance);
+        }
+        return step_solution(set_, load_, tangent_, options_.states);
+    }
+    const Eigen::VectorXd& pressure() const { return load_.pressure; }
+    long applies() const { return solver_.applies(); }
+
+  private:
+    /// Starts from the step before, moved along its tangent, or from a coarser grid's pressures, whichever
+    /// leaves the smaller residual.
+    void start(double approach, const std::optional<Eigen::VectorXd>& guess) {
+        load_.pressure += (approach - approach_) * tangent_.pressure;
+        load_.displacement += (approach - approach_) * tangent_.displacement;
+        approach_ = approach;
+        if (!guess)
+            return;
+        Loaded other(problem_.nodes());
+        other.pressure = *guess;
+        solver_.load(other);
+        const double a = residual(load_, approach), b = residual(other, approach);
+        if (b > a)
+            return;
+        load_ = std::move(other);
+        for (Index i = 0; i < problem_.nodes(); ++i)
+            load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
+        set_.collect();
+    }
+
+    double residual(const Loaded& x, double approach) const {
+        double worst = 0;
+        for (Index i = 0; i < problem_.nodes(); ++i) {
+            const double depth = approach - problem_.gap[i] - x.displacement[i];
+            worst = std::max(worst, x.pressure[i] > 0 ? std::abs(depth) : depth);
+        }
+        return worst / approach;
+    }
+
+    void settle(double approach, double tolerance) {
+        double target = 1;
+        auto goal = [&](Index i) { return approach - problem_.gap[i]; };
+        for (int round = 0; round < most_rounds; ++round) {
+            check_stop(options_);
+            const double least = 0.3 * std::min(target, tolerance) * approach;
+            double worst = 0;
+            if (change_set(approach, least, worst)) {
+                // The next change is looked for at a residual well under what caused this one.
+                target = std::max(finest, loosening * worst);
+            } else if (target > tolerance) {
+                target = std::max(tolerance, loosening * target);
+            } else {
+                const double trusted =
+                    purpose_ == Purpose::guess
+                        ? target
+                        : trusted_residual(problem_, approach, load_.pressure, load_.displacement);
+                if (target <= finest || target <= trusted)
+                    return;
+                target = std::max(finest, std::min(0.5 * target, trusted));
+            }
+            solver_.improve(
+                set_, goal, load_, [&](double largest, double) { return largest <= target * approach; },
+                most_iterations);
+        }
+    }
+
+    /// Drops the nodes under tension, adds those that penetrate; false if there are none. `worst` becomes the
+    /// largest residual that this leaves, over the approach.
+    bool change_set(double approach, double least, double& worst) {
+        std::vector<int> dropped;
+        for (const int i : set_.nodes())
+            if (!(load_.pressure[i] > 0))
+                dropped.push_back(i);
+        for (const int i : dropped)
+            set_.erase(i);
+        if (dropped.size() < 10) {
+            for (const int i : dropped)
+                SetSolver::unload(problem_, i, load_);
+        } else {
+            for (const int i : dropped)
+                load_.pressure[i] = 0;
+            solver_.load(load_);
+        }
+        depth_ = approach - (problem_.gap + load_.displacement).array();
+        const std::vector<int> added =
+            dropped.empty() ? advancing_nodes(depth_, set_.touching(), least) : std::vector<int>();
+        for (const int i : added)
+            set_.insert(i);
+        if (!dropped.empty() || !added.empty())
+            set_.collect();
+        worst = 0;
+        for (const int i : set_.nodes())
+            worst = std::max(worst, std::abs(depth_[i]) / approach);
+        return !dropped.empty() || !added.empty();
+    }
+
+    const ContactProblem& problem_;
+    const ContactOptions& options_;
+    Purpose purpose_;
+    SetSolver solver_;
+    ContactSet set_;
+    Loaded load_, tangent_;
+    Eigen::ArrayXd depth_;
+    double approach_ = 0;
+};
+
+Solution guess(const ContactProblem& problem, ContactOptions options);
+
+/// Every load step; the coarser grid goes first, as long as it is worth while.
+Solution solve_levels(const ContactProblem& problem, const ContactOptions& options, Purpose purpose) {
+    const bool cascade = problem.nodes() > coarsest;
+    const ContactProblem coarse_problem = cascade ? coarsened(problem, stride) : problem;
+    const Solution coarse = cascade ? guess(coarse_problem, options) : Solution();
+    ActiveSet solver(problem, options, purpose);
+    SplitOperator check(problem.column);
+    Solution solution;
+    for (std::size_t j = 0; j < problem.approach.size(); ++j) {
+        const double approach = problem.approach[j];
+        std::optional<Eigen::VectorXd> start;
+        if (j < coarse.steps.size())
+            start = refined_pressures(coarse.steps[j], coarse_problem.nodes(), stride, problem.nodes());
+        StepSolution found = solver.press(approach, start);
+        if (purpose == Purpose::curve) {
+            const Eigen::VectorXd displacement = check.apply(solver.pressure());
+            found.residual =
+                certify(problem, approach, found.nodes, found.pressure, displacement.data()).residual();
+            if (!(found.residual <= 2 * options.tolerance))
+                fail("active set", problem, approach, found.residual, options.tolerance);
+        }
+        solution.steps.push_back(std::move(found));
+    }
+    solution.iterations = solver.applies();
+    return solution;
+}
+
+/// A coarse grid's solution, or as much of it as there is: it is a start for the fine grid, nothing hangs on
+/// it.
+Solution guess(const ContactProblem& problem, ContactOptions options) {
+    options.tolerance = 1e-3;
+    options.states = false;
+    try {
+        return problem.nodes() <= coarsest ? solve_nested(problem, options)
+                                           : solve_levels(problem, options, Purpose::guess);
+    } catch (const NotConverged&) {
+        check_stop(options);
+        return {};
+    }
+}
+
+} // namespace
+
+Solution solve_active_set(const ContactProblem& problem, const ContactOptions& options) {
+    return solve_levels(problem, options, Purpose::curve);
+}
+
+} // namespace rough

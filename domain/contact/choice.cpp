@@ -1,0 +1,67 @@
+#include "domain/contact/choice.hpp"
+
+#include "domain/contact/cascade.hpp"
+#include "domain/contact/growing_factor.hpp"
+#include "domain/contact/nested.hpp"
+#include "domain/errors.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace rough {
+
+namespace {
+
+/// Up to this many nodes the factor always wins.
+constexpr Index small = 1024;
+constexpr Index sample = 512;
+
+// Nanoseconds on the machine that tests/benchmarks/contact.cpp was fitted on; only their ratios matter.
+constexpr double per_elimination = 0.05; ///< a multiplication of the factor
+constexpr double per_transform = 0.6;    ///< a node of an FFT apply, times log2 of the padded length
+constexpr double applies_per_step = 70;  ///< of the active set at 1e-6
+constexpr double checks_per_step = 3;    ///< of the nested factor
+constexpr double regrowth = 1.5;         ///< eliminations over those of the final factor
+
+double expected_contact(const ContactProblem& problem, ContactOptions options) {
+    const Index stride = (problem.nodes() + sample - 1) / sample;
+    ContactProblem coarse = coarsened(problem, stride);
+    coarse.approach = {problem.approach.back()};
+    options.states = false;
+    try {
+        const Solution solution = solve_nested(coarse, options);
+        return static_cast<double>(solution.steps.back().nodes.size()) / static_cast<double>(coarse.nodes());
+    } catch (const NotConverged&) { // near full contact the coarse grid may have no solution
+        check_stop(options);
+        return 1;
+    }
+}
+
+} // namespace
+
+SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options) {
+    std::ostringstream reason;
+    if (problem.nodes() <= small || problem.approach.empty() || problem.approach.back() == 0) {
+        reason << "nested: up to " << small << " nodes the factor is always the fastest";
+        return {Solver::nested, reason.str()};
+    }
+    const double n = static_cast<double>(problem.nodes()),
+                 steps = static_cast<double>(problem.approach.size());
+    const double m = std::ceil(expected_contact(problem, options) * n);
+    const double apply = per_transform * n * std::log2(2 * n);
+    const double nested = regrowth * per_elimination * m * m * m / 6 +
+                          steps * checks_per_step * (apply + per_elimination * m * m);
+    const double active_set = steps * applies_per_step * apply;
+    // Half as much again, as the estimate comes from a coarse grid.
+    const double memory = 1.5 * GrowingFactor::bytes(static_cast<Index>(m));
+    reason.precision(2);
+    reason << "about " << m << " of " << problem.nodes() << " nodes in contact: a factor of " << memory / 1e9
+           << " GB, cost " << nested / 1e9 << " against " << active_set / 1e9 << " by active set";
+    if (memory > options.memory_limit)
+        return {Solver::active_set, "active-set: " + reason.str() + "; the factor would not fit"};
+    if (nested > active_set)
+        return {Solver::active_set, "active-set: " + reason.str()};
+    return {Solver::nested, "nested: " + reason.str()};
+}
+
+} // namespace rough

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "domain/contact/problem.hpp"
+
+#include <string>
+
+namespace rough {
+
+/// What `automatic` takes, and why in words.
+struct SolverChoice {
+    Solver solver;
+    std::string reason;
+};
+
+/// Between the nested factor and the active set, by predicted memory and cost. The model is fixed and knows
+/// no clock, so that the same problem is solved by the same method everywhere; the contact set's size is that
+/// of a grid of at most 512 nodes, scaled.
+SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options);
+
+} // namespace rough

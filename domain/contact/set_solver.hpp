@@ -1,0 +1,67 @@
+#pragma once
+
+#include "domain/contact/problem.hpp"
+
+#include <functional>
+
+namespace rough {
+
+/// A contact set during an iterative solution: sorted nodes, and the same as a mask over all nodes.
+class ContactSet {
+  public:
+    explicit ContactSet(Index nodes) : touching_(static_cast<std::size_t>(nodes), 0) {}
+    const std::vector<int>& nodes() const { return nodes_; }
+    const std::vector<char>& touching() const { return touching_; }
+    bool holds(Index node) const { return touching_[static_cast<std::size_t>(node)] != 0; }
+    void insert(Index node) { touching_[static_cast<std::size_t>(node)] = 1; }
+    void erase(Index node) { touching_[static_cast<std::size_t>(node)] = 0; }
+    /// To be called after the last insert or erase.
+    void collect();
+
+  private:
+    std::vector<int> nodes_;
+    std::vector<char> touching_;
+};
+
+/// A vector that is zero off the contact set, and H times it at every node.
+struct Loaded {
+    Eigen::VectorXd pressure, displacement;
+    explicit Loaded(Index nodes) : pressure(Eigen::VectorXd::Zero(nodes)), displacement(pressure) {}
+};
+
+/// Conjugate gradients for H_AA x = b on a fixed contact set A, H applied by FFT, preconditioned by the
+/// inverse of the circulant nearest to H (T. Chan 1988), restricted to A.
+class SetSolver {
+  public:
+    explicit SetSolver(const ContactProblem& problem);
+
+    /// u = H p afresh
+    void load(Loaded& x);
+    /// Improves x until `enough(largest |b - H x| on A, energy estimate of the error)` says so.
+    /// Returns false where `most` iterations were not enough or rounding stops it.
+    bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
+                 const std::function<bool(double, double)>& enough, long most);
+    /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
+    /// entries.
+    void tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
+
+    /// Takes the pressure off one node.
+    static void unload(const ContactProblem& problem, Index node, Loaded& x);
+
+    long applies() const { return applies_; }
+
+  private:
+    void precondition(const ContactSet& set, const Eigen::VectorXd& residual, Eigen::VectorXd& z);
+    FourierOperator forward_, inverse_;
+    long applies_ = 0;
+};
+
+/// How far the load sum p is off for the residual that is left on A: w'r, over it.
+double load_error(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,
+                  const Loaded& tangent);
+
+/// A step's solution from vectors over all nodes. K = 2 sum w - w'Hw: its error is the square of w's.
+StepSolution step_solution(const ContactSet& set, const Loaded& load, const Loaded& tangent,
+                           bool with_tangent);
+
+} // namespace rough

@@ -1,0 +1,35 @@
+#include "domain/contact/fourier.hpp"
+
+#include "domain/contact/kernel.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+TEST_CASE("every path of applying the influence matrix gives its direct sums", "[contact]") {
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
+        for (const Index nodes : {2, 3, 17, 64, 243, 509}) {
+            INFO(static_cast<int>(kernel) << ", " << nodes << " nodes");
+            const Eigen::VectorXd column =
+                influence_column(kernel, nodes, 1.1 * static_cast<double>(nodes), 0.3);
+            std::srand(7);
+            const Eigen::VectorXd p = Eigen::VectorXd::Random(nodes).cwiseAbs();
+            Eigen::VectorXd direct(nodes);
+            for (Index i = 0; i < nodes; ++i) {
+                direct[i] = 0;
+                for (Index j = 0; j < nodes; ++j)
+                    direct[i] += column[std::abs(i - j)] * p[j];
+            }
+            const double scale = column.cwiseAbs().sum();
+            auto apply = [&](FourierOperator op) {
+                std::copy_n(p.data(), nodes, op.input());
+                return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(op.apply(), nodes));
+            };
+            CHECK((apply(FourierOperator::toeplitz(column)) - direct).cwiseAbs().maxCoeff() < 1e-14 * scale);
+            CHECK((SplitOperator(column).apply(p) - direct).cwiseAbs().maxCoeff() < 1e-14 * scale);
+            if (kernel == Kernel::periodic)
+                CHECK((apply(FourierOperator::circulant(nodes, periodic_spectrum(nodes))) - direct)
+                          .cwiseAbs()
+                          .maxCoeff() < 1e-14 * scale);
+        }
+}
