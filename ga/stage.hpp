@@ -78,6 +78,15 @@ class Stage {
             place.step.check(known);
     }
 
+    /// The same pipeline with every stage's check made by wrap(check, known).
+    template <class Wrap>
+    Stage with_checks(Wrap wrap) const {
+        Stage wrapped = *this;
+        for (auto& place : wrapped.places_)
+            place.step.check = [wrap, check = place.step.check](Known& known) { wrap(check, known); };
+        return wrapped;
+    }
+
     Population<Genome> operator()(Population<Genome> population, Context<P>& context) const {
         typename Context<P>::OpenFrame frame(context, std::move(population));
         while (frame->next < places_.size()) {

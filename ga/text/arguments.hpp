@@ -1,0 +1,146 @@
+#pragma once
+
+#include "ga/text/nearest.hpp"
+#include "ga/text/number.hpp"
+#include "ga/text/syntax.hpp"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace ga {
+
+/// One parameter of an operator: its name, kind, default, range and meaning.
+struct Parameter {
+    enum class Kind { number, whole, word, words };
+
+    std::string name;
+    Kind kind;
+    std::optional<std::string> standard; ///< the default; none where it must be given, empty for "not at all"
+    double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
+    std::string meaning = {};
+
+    /// What may be given, in words.
+    std::string expected() const {
+        if (kind == Kind::word || kind == Kind::words)
+            return kind == Kind::word ? "a name" : "names";
+        const std::string what = kind == Kind::whole ? "a whole number" : "a number";
+        if (lower > -HUGE_VAL && upper < HUGE_VAL)
+            return what + " from " + ga::number(lower) + " to " + ga::number(upper);
+        return lower > -HUGE_VAL ? what + " from " + ga::number(lower) : what;
+    }
+};
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+inline Parameter number(std::string name, std::optional<std::string> standard, double lower, double upper,
+                        std::string meaning) {
+    return {std::move(name), Parameter::Kind::number, std::move(standard), lower, upper, std::move(meaning)};
+}
+inline Parameter whole(std::string name, std::optional<std::string> standard, double lower,
+                       std::string meaning) {
+    return {std::move(name), Parameter::Kind::whole, std::move(standard), lower, 999999999, std::move(meaning)};
+}
+inline Parameter word(std::string name, std::optional<std::string> standard, std::string meaning) {
+    Parameter parameter{std::move(name), Parameter::Kind::word, std::move(standard)};
+    parameter.meaning = std::move(meaning);
+    return parameter;
+}
+
+/// The values an operator is made with, each checked against its parameter.
+class Arguments {
+  public:
+    /// Fills parameters with what a stage was given: KEY=VALUE by name, the others in the order of the
+    /// parameters.
+    /// @param stage  what the stage is called in messages
+    /// @param where  what the text is called in messages
+    Arguments(const std::vector<Parameter>& parameters, const std::vector<ArgumentText>& given,
+              const std::string& stage, std::size_t column, std::string where)
+        : where_(std::move(where)) {
+        for (const auto& argument : given) {
+            const auto parameter =
+                argument.key.empty() ? next_free(parameters) : named(parameters, argument.key);
+            if (parameter == parameters.end())
+                throw TextError(where_, argument.column,
+                                argument.key.empty()
+                                    ? "stage '" + stage + "' has no place for '" + argument.value + "'"
+                                    : "stage '" + stage + "' has no '" + argument.key + "'" +
+                                          suggestion(argument.key, names(parameters)));
+            if (values_.count(parameter->name) && parameter->kind != Parameter::Kind::words)
+                throw TextError(where_, argument.column, "'" + parameter->name + "' is given twice");
+            check(*parameter, argument, stage);
+            values_[parameter->name].push_back(argument);
+        }
+        for (const auto& parameter : parameters) {
+            if (values_.count(parameter.name))
+                continue;
+            if (!parameter.standard)
+                throw TextError(where_, column,
+                                "stage '" + stage + "' lacks '" + parameter.name + "'; expected " +
+                                    parameter.expected());
+            if (!parameter.standard->empty())
+                values_[parameter.name] = {{"", *parameter.standard, column}};
+        }
+    }
+
+    bool has(const std::string& name) const { return values_.count(name) > 0; }
+    double number(const std::string& name) const { return *parsed(word(name)); }
+    std::size_t count(const std::string& name) const { return static_cast<std::size_t>(number(name)); }
+    int integer(const std::string& name) const { return static_cast<int>(number(name)); }
+    const std::string& word(const std::string& name) const { return values_.at(name).front().value; }
+    std::vector<std::string> words(const std::string& name) const {
+        std::vector<std::string> words;
+        for (const auto& argument : values_.at(name))
+            words.push_back(argument.value);
+        return words;
+    }
+    /// Refuses the value of a parameter, at its column.
+    [[noreturn]] void refuse(const std::string& name, const std::string& message) const {
+        throw TextError(where_, values_.at(name).front().column, message);
+    }
+
+    static std::optional<double> parsed(const std::string& text) {
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || end != text.data() + text.size())
+            return std::nullopt;
+        return value;
+    }
+
+  private:
+    using Parameters = std::vector<Parameter>;
+
+    Parameters::const_iterator named(const Parameters& parameters, const std::string& name) const {
+        return std::find_if(parameters.begin(), parameters.end(),
+                            [&](const auto& each) { return each.name == name; });
+    }
+    Parameters::const_iterator next_free(const Parameters& parameters) const {
+        return std::find_if(parameters.begin(), parameters.end(), [&](const auto& each) {
+            return each.kind == Parameter::Kind::words || values_.count(each.name) == 0;
+        });
+    }
+    static std::vector<std::string> names(const Parameters& parameters) {
+        std::vector<std::string> names;
+        for (const auto& each : parameters)
+            names.push_back(each.name);
+        return names;
+    }
+    void check(const Parameter& parameter, const ArgumentText& argument, const std::string& stage) const {
+        if (parameter.kind == Parameter::Kind::word || parameter.kind == Parameter::Kind::words)
+            return;
+        const std::optional<double> value = parsed(argument.value);
+        const bool fits = value && std::isfinite(*value) && *value >= parameter.lower &&
+                          *value <= parameter.upper &&
+                          (parameter.kind == Parameter::Kind::number || *value == std::floor(*value));
+        if (!fits)
+            throw TextError(where_, argument.column,
+                            "stage '" + stage + "': " + parameter.name + " is '" + argument.value +
+                                "'; expected " + parameter.expected());
+    }
+
+    std::string where_;
+    std::map<std::string, std::vector<ArgumentText>> values_;
+};
+
+} // namespace ga

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ga/text/registry.hpp"
+
+namespace ga {
+
+/// Every operator under its group, with its parameters, their defaults and ranges, and one line of meaning;
+/// then the combinations and choices of genes that operators take by name.
+template <Problem P>
+std::string listing(const Registry<P>& registry) {
+    std::string text, group;
+    const auto line = [&](const std::string& indent, const std::string& left, const std::string& right) {
+        const std::string start = indent + left;
+        text += start + std::string(start.size() < 38 ? 38 - start.size() : 1, ' ') + right + "\n";
+    };
+    for (const auto& entry : registry.entries()) {
+        if (entry.group != group) {
+            text += (group.empty() ? "" : "\n") + entry.group + "\n";
+            group = entry.group;
+        }
+        std::string usage = entry.name;
+        for (const auto& parameter : entry.parameters)
+            usage += parameter.standard ? " [" + parameter.name + "]" : " " + parameter.name;
+        line("  ", usage + (entry.bodies > 0 ? " { ... }" : ""), entry.meaning);
+        for (const auto& parameter : entry.parameters)
+            line("      ", parameter.name,
+                 parameter.expected() +
+                     (parameter.standard && !parameter.standard->empty()
+                          ? ", by default " + *parameter.standard
+                          : "") +
+                     ": " + parameter.meaning);
+        if (!entry.lacks.empty())
+            line("      ", "", "not for this genome: it needs " + entry.lacks);
+    }
+    text += "\ncombinations, for pair(left, right, NAME): every left with every right individual\n";
+    for (const auto& [combine, meaning] : registry.combines())
+        line("  ", combine.name, meaning);
+    text += "\nchoices of genes, for refine ... genes=NAME\n";
+    for (const auto& [variables, meaning] : registry.variables())
+        line("  ", variables.name, meaning);
+    if constexpr (Bounded<P>)
+        line("  ", "all", "every gene within the problem's bounds");
+    return text;
+}
+
+} // namespace ga

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace ga {
+
+/// How many letters must be put in, left out, changed or exchanged with their neighbour to make a word of
+/// another (optimal string alignment; Damerau 1964).
+inline std::size_t edits(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> before, last(b.size() + 1), now(b.size() + 1);
+    std::iota(last.begin(), last.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        now[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1] ? 1 : 0)});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                now[j] = std::min(now[j], before[j - 2] + 1);
+        }
+        before = last;
+        last = now;
+    }
+    return last[b.size()];
+}
+
+/// "; did you mean 'best'?" for the nearest of the names, or what is allowed where none is near.
+inline std::string suggestion(const std::string& given, const std::vector<std::string>& names) {
+    const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
+        return edits(given, a) < edits(given, b);
+    });
+    if (nearest != names.end() && edits(given, *nearest) <= std::max<std::size_t>(1, given.size() / 3))
+        return "; did you mean '" + *nearest + "'?";
+    std::string list;
+    for (const auto& name : names)
+        list += (list.empty() ? "; expected one of " : ", ") + name;
+    return names.empty() ? "; there are none" : list;
+}
+
+} // namespace ga

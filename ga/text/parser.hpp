@@ -1,0 +1,176 @@
+#pragma once
+
+#include "ga/text/registry.hpp"
+
+namespace ga {
+
+/// Named pipelines that may stand as stages in each other: the [variants] of an experiment.
+using Variants = std::map<std::string, std::string>;
+
+/// Makes pipelines of text. Each stage keeps where it was written, so that a pipeline which cannot work is
+/// refused at its column too.
+template <Problem P>
+class Parser {
+  public:
+    explicit Parser(const Registry<P>& registry, Variants variants = {})
+        : registry_(registry), variants_(std::move(variants)) {
+        const auto names = registry.names();
+        for (const auto& [name, text] : variants_)
+            if (std::find(names.begin(), names.end(), name) != names.end())
+                throw UsageError("variant '" + name + "' has an operator's name; expected another");
+    }
+
+    /// @param text   a pipeline
+    /// @param where  what messages call it
+    Stage<P> parse(const std::string& text, const std::string& where = "pipeline") {
+        return made(Syntax(text, where).read(), where);
+    }
+
+    /// The pipeline of a named variant. Names of other variants are expanded in place; a cycle is refused.
+    Stage<P> variant(const std::string& name) {
+        const auto found = variants_.find(name);
+        if (found == variants_.end())
+            throw UsageError("unknown variant '" + name + "'" + suggestion(name, variant_names()));
+        open_.push_back(name);
+        Stage<P> stage = parse(found->second, "variant '" + name + "'");
+        open_.pop_back();
+        return stage;
+    }
+
+  private:
+    Stage<P> made(const PipelineText& pipeline, const std::string& where) {
+        Stage<P> stage;
+        for (const auto& each : pipeline)
+            stage.append(made(each, where));
+        return stage;
+    }
+
+    Stage<P> made(const StageText& text, const std::string& where) {
+        if (variants_.count(text.name))
+            return expanded(text, where);
+        if (text.name == "pair")
+            return located(paired(text, where), text, where);
+        StageText stage = text;
+        const auto& entry = *operator_of(stage, where);
+        const std::string name = entry.name;
+        if (!entry.lacks.empty())
+            throw TextError(where, text.column,
+                            "stage '" + name + "' cannot work here: it needs " + entry.lacks);
+        if (stage.bodies.size() != entry.bodies)
+            throw TextError(where, text.column,
+                            "stage '" + name +
+                                (entry.bodies == 0 ? "' takes no { ... }" : "' lacks its { ... }"));
+        std::vector<Stage<P>> bodies;
+        for (const auto& body : stage.bodies)
+            bodies.push_back(made(body, where));
+        if (entry.pairs_of_words)
+            key_words(entry, stage);
+        const Arguments arguments(entry.parameters, stage.arguments, name, text.column, where);
+        try {
+            return located(entry.make(arguments, bodies, registry_), text, where);
+        } catch (const TextError&) {
+            throw;
+        } catch (const UsageError& error) {
+            throw TextError(where, text.column, error.what());
+        }
+    }
+
+    /// The operator a stage names; a family's member is taken out of the arguments.
+    const typename Registry<P>::Entry* operator_of(StageText& stage, const std::string& where) const {
+        const std::vector<std::string> members = registry_.members(stage.name);
+        const auto* alone = registry_.find(stage.name);
+        if (members.empty() && alone)
+            return alone;
+        if (members.empty()) {
+            std::vector<std::string> names = registry_.names();
+            for (const auto& name : variant_names())
+                names.push_back(name);
+            throw TextError(where, stage.column,
+                            "unknown stage '" + stage.name + "'" + suggestion(stage.name, names));
+        }
+        const auto word =
+            std::find_if(stage.arguments.begin(), stage.arguments.end(), [](const auto& argument) {
+                return argument.key.empty() && !Arguments::parsed(argument.value);
+            });
+        if (word == stage.arguments.end() && alone)
+            return alone;
+        if (word == stage.arguments.end())
+            throw TextError(where, stage.column,
+                            "stage '" + stage.name + "' lacks its kind" + suggestion("", members));
+        const auto* member = registry_.find(stage.name + " " + word->value);
+        if (!member)
+            throw TextError(where, word->column,
+                            "unknown " + stage.name + " '" + word->value + "'" +
+                                suggestion(word->value, members));
+        stage.arguments.erase(word);
+        return member;
+    }
+
+    /// Reads "fitness 0.99" as fitness=0.99.
+    static void key_words(const typename Registry<P>::Entry& entry, StageText& stage) {
+        auto& arguments = stage.arguments;
+        for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
+            const bool names_parameter =
+                std::any_of(entry.parameters.begin(), entry.parameters.end(),
+                            [&](const auto& parameter) { return parameter.name == arguments[i].value; });
+            if (arguments[i].key.empty() && arguments[i + 1].key.empty() && names_parameter) {
+                arguments[i].key = arguments[i].value;
+                arguments[i].value = arguments[i + 1].value;
+                arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+            }
+        }
+        for (auto& argument : arguments)
+            if (argument.key.empty())
+                argument.key = argument.value; // refused by name
+    }
+
+    Stage<P> paired(const StageText& text, const std::string& where) {
+        const ArgumentText& name = text.arguments.front();
+        std::vector<std::string> names;
+        for (const auto& [combine, meaning] : registry_.combines()) {
+            if (combine.name == name.value)
+                return Stage<P>(pair(made(text.bodies[0], where), made(text.bodies[1], where), combine));
+            names.push_back(combine.name);
+        }
+        throw TextError(where, name.column,
+                        "unknown combination '" + name.value + "'" + suggestion(name.value, names));
+    }
+
+    Stage<P> expanded(const StageText& text, const std::string& where) {
+        if (!text.arguments.empty() || !text.bodies.empty())
+            throw TextError(where, text.column, "variant '" + text.name + "' takes no arguments");
+        if (std::find(open_.begin(), open_.end(), text.name) != open_.end()) {
+            std::string cycle;
+            for (const auto& name : open_)
+                cycle += name + " -> ";
+            throw TextError(where, text.column, "variants contain each other: " + cycle + text.name);
+        }
+        return variant(text.name);
+    }
+
+    /// A stage whose checks say where it was written.
+    static Stage<P> located(const Stage<P>& stage, const StageText& text, const std::string& where) {
+        return stage.with_checks([where, column = text.column](const auto& check, Known& known) {
+            try {
+                check(known);
+            } catch (const TextError&) {
+                throw;
+            } catch (const UsageError& error) {
+                throw TextError(where, column, error.what());
+            }
+        });
+    }
+
+    std::vector<std::string> variant_names() const {
+        std::vector<std::string> names;
+        for (const auto& [name, text] : variants_)
+            names.push_back(name);
+        return names;
+    }
+
+    const Registry<P>& registry_;
+    Variants variants_;
+    std::vector<std::string> open_; ///< variants that are being expanded
+};
+
+} // namespace ga

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "ga/pair.hpp"
+#include "ga/text/arguments.hpp"
+
+namespace ga {
+
+/// What text pipelines for one type of problem are made of: operators by name, and the names operators take
+/// for combinations and choices of genes. `vocabulary<P>()` gives the engine's own; a domain adds its words.
+template <Problem P>
+class Registry {
+  public:
+    using Genome = typename P::Genome;
+    using Bodies = std::vector<Stage<P>>;
+    using Make = std::function<Stage<P>(const Arguments&, const Bodies&, const Registry&)>;
+
+    /// An operator as text knows it. A name of two words ("cross sbx") is a member of the family "cross"; a
+    /// member called like the family is what the family's name alone stands for.
+    struct Entry {
+        std::string name;
+        std::string group;   ///< heading in the listing
+        std::string meaning; ///< one line
+        std::vector<Parameter> parameters;
+        std::string lacks = {};      ///< what the genome or problem would need for it; empty when it works
+        std::size_t bodies = 0;      ///< pipelines in braces it takes, 0 or 1
+        bool pairs_of_words = false; ///< arguments read "fitness 0.99" for fitness=0.99
+        Make make = {};
+    };
+
+    /// Adds an operator whose stage make(arguments, bodies, registry) gives. Throws UsageError when the name
+    /// is taken.
+    void add(Entry entry, Make make) {
+        if (find(entry.name))
+            throw UsageError("operator '" + entry.name + "' is registered twice");
+        entry.make = std::move(make);
+        entries_.push_back(std::move(entry));
+    }
+    /// Adds an operator that works where `possible`, made by make(arguments, bodies, registry) with a generic
+    /// lambda, which is not compiled otherwise; elsewhere the operator is listed with what it lacks.
+    template <bool possible, class Lambda>
+    void add_if(Entry entry, const std::string& lacks, Lambda make) {
+        if constexpr (possible) {
+            add(std::move(entry), Make(make));
+        } else {
+            entry.lacks = lacks;
+            add(std::move(entry), {});
+        }
+    }
+    /// Adds an operator without arguments: add("reduce dominant", "domain", "...", transform(...)).
+    template <class Op>
+    requires std::derived_from<Op, Operator>
+    void add(std::string name, std::string group, std::string meaning, Op op) {
+        add({std::move(name), std::move(group), std::move(meaning), {}},
+            [stage = Stage<P>(std::move(op))](const auto&...) { return stage; });
+    }
+    void add(Combine<Genome> combine, std::string meaning) {
+        combines_.push_back({std::move(combine), std::move(meaning)});
+    }
+    void add(Variables<Genome> variables, std::string meaning) {
+        variables_.push_back({std::move(variables), std::move(meaning)});
+    }
+
+    const std::vector<Entry>& entries() const { return entries_; }
+    const std::vector<std::pair<Combine<Genome>, std::string>>& combines() const { return combines_; }
+    const std::vector<std::pair<Variables<Genome>, std::string>>& variables() const { return variables_; }
+
+    const Entry* find(const std::string& name) const {
+        for (const auto& entry : entries_)
+            if (entry.name == name)
+                return &entry;
+        return nullptr;
+    }
+    /// First words of all names, each once.
+    std::vector<std::string> names() const {
+        std::vector<std::string> names = {"pair"};
+        for (const auto& entry : entries_)
+            if (const std::string first = entry.name.substr(0, entry.name.find(' ')); names.back() != first)
+                names.push_back(first);
+        return names;
+    }
+    /// Second words of a family's names.
+    std::vector<std::string> members(const std::string& family) const {
+        std::vector<std::string> members;
+        for (const auto& entry : entries_)
+            if (entry.name.starts_with(family + " "))
+                members.push_back(entry.name.substr(family.size() + 1));
+        return members;
+    }
+
+  private:
+    std::vector<Entry> entries_;
+    std::vector<std::pair<Combine<Genome>, std::string>> combines_;
+    std::vector<std::pair<Variables<Genome>, std::string>> variables_;
+};
+
+} // namespace ga

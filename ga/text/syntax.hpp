@@ -1,0 +1,135 @@
+#pragma once
+
+#include "ga/errors.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ga {
+
+/// Where a text goes wrong: what it is called ("pipeline", "variant 'sog'"), and the column, from 1.
+struct TextError : UsageError {
+    TextError(const std::string& where, std::size_t column, const std::string& message)
+        : UsageError(where + ", column " + std::to_string(column) + ": " + message) {}
+};
+
+/// One argument of a stage: VALUE, or KEY=VALUE.
+struct ArgumentText {
+    std::string key;
+    std::string value;
+    std::size_t column = 0;
+};
+
+struct StageText;
+using PipelineText = std::vector<StageText>;
+
+/// One stage as it is written, its words not yet understood.
+struct StageText {
+    std::string name;
+    std::size_t column = 0;
+    std::vector<ArgumentText> arguments;
+    std::vector<PipelineText> bodies; ///< one in braces, two for pair
+};
+
+/// Reads  pipeline := stage {"|" stage};
+///        stage := NAME {arg} ["{" pipeline "}"] | "pair(" pipeline "," pipeline "," NAME ")";
+///        arg := NUMBER | WORD | KEY=VALUE
+/// Throws TextError at the column where something else was expected.
+class Syntax {
+  public:
+    Syntax(std::string_view text, std::string where) : text_(text), where_(std::move(where)) { next(); }
+
+    PipelineText read() {
+        PipelineText pipeline = read_pipeline();
+        if (!token_.empty())
+            fail("unexpected " + quoted() + "; expected | or the end");
+        return pipeline;
+    }
+
+  private:
+    PipelineText read_pipeline() {
+        if (++depth_ > 100)
+            fail("more than 100 pipelines inside each other");
+        PipelineText pipeline = {read_stage()};
+        while (token_ == "|") {
+            next();
+            pipeline.push_back(read_stage());
+        }
+        --depth_;
+        return pipeline;
+    }
+
+    StageText read_stage() {
+        StageText stage;
+        stage.column = column_;
+        stage.name = word("the name of a stage");
+        if (stage.name == "pair") {
+            take("(");
+            stage.bodies.push_back(read_pipeline());
+            take(",");
+            stage.bodies.push_back(read_pipeline());
+            take(",");
+            const std::size_t column = column_;
+            stage.arguments.push_back({"", word("the name of a combination"), column});
+            take(")");
+            return stage;
+        }
+        while (is_word()) {
+            ArgumentText argument{"", token_, column_};
+            next();
+            if (token_ == "=") {
+                next();
+                argument.key = argument.value;
+                argument.value = word("a value for " + argument.key);
+            }
+            stage.arguments.push_back(std::move(argument));
+        }
+        if (token_ == "{") {
+            next();
+            stage.bodies.push_back(read_pipeline());
+            take("}");
+        }
+        return stage;
+    }
+
+    static bool is_symbol(char c) { return std::string_view("|{}(),=").find(c) != std::string_view::npos; }
+    static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+    bool is_word() const { return !token_.empty() && !is_symbol(token_[0]); }
+    std::string quoted() const { return token_.empty() ? "end" : "'" + token_ + "'"; }
+    [[noreturn]] void fail(const std::string& message) const { throw TextError(where_, column_, message); }
+
+    std::string word(const std::string& what) {
+        if (!is_word())
+            fail("unexpected " + quoted() + "; expected " + what);
+        std::string word = token_;
+        next();
+        return word;
+    }
+    void take(const std::string& symbol) {
+        if (token_ != symbol)
+            fail("unexpected " + quoted() + "; expected " + symbol);
+        next();
+    }
+    /// Moves on to the next symbol or word; an empty token stands for the end.
+    void next() {
+        while (at_ < text_.size() && is_space(text_[at_]))
+            ++at_;
+        const std::size_t start = at_;
+        column_ = start + 1;
+        if (at_ < text_.size() && is_symbol(text_[at_]))
+            ++at_;
+        else
+            while (at_ < text_.size() && !is_space(text_[at_]) && !is_symbol(text_[at_]))
+                ++at_;
+        token_ = text_.substr(start, at_ - start);
+    }
+
+    std::string_view text_;
+    std::string where_;
+    std::string token_;
+    std::size_t at_ = 0, column_ = 1;
+    int depth_ = 0;
+};
+
+} // namespace ga
