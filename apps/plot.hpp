@@ -43,8 +43,7 @@ struct Guide {
 };
 
 struct Plot {
-    std::string alt;        ///< what there is to see, for who does not see it
-    std::string title = {}; ///< a page sets it over the picture
+    std::string alt; ///< what there is to see, for who does not see it
     Axis x, y;
     std::vector<Series> series = {};
     std::vector<Guide> guides = {};

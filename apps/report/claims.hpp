@@ -27,7 +27,7 @@ struct Claim {
 struct Studies {
     std::vector<ChromosomeExample> chromosomes; ///< n = 1, 2
     std::vector<RidgeCount> ridges;
-    std::vector<FractalStudy> fractals; ///< one a profile
+    FractalStudy fractal;
     Readings readings;
 };
 Studies studies_of(const PaperRun& run);

@@ -19,7 +19,6 @@ struct FractalStudy {
     rough::Response whole_response, reduced_response;
 };
 
-/// Twenty such profiles, on the model's grid and body.
-std::vector<FractalStudy> fractal_studies(const rough::Model& model, std::uint64_t seed);
+FractalStudy fractal_study(const rough::Model& model, std::uint64_t seed);
 
 } // namespace app

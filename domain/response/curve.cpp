@@ -62,6 +62,10 @@ Curve area_against_displacement(const Response& response) {
     return from_origin(response.displacement, response.contact_fraction);
 }
 
+Curve load_against_displacement(const Response& response) {
+    return from_origin(response.displacement, response.pressure);
+}
+
 Curve stretched(Curve curve, double factor) {
     curve.x *= factor;
     curve.from *= factor;

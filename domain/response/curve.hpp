@@ -35,6 +35,9 @@ Curve area_against_pressure(const Response& response);
 /// Contact fraction against displacement (mm), from (0, 0).
 Curve area_against_displacement(const Response& response);
 
+/// Mean pressure (MPa) against displacement (mm), from (0, 0).
+Curve load_against_displacement(const Response& response);
+
 /// The curve with its x multiplied by `factor`: Eq. 11 takes p_max / P_nt.
 Curve stretched(Curve curve, double factor);
 

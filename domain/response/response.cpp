@@ -56,6 +56,36 @@ std::vector<double> even_steps(double last, const Loading& loading) {
     return displacements;
 }
 
+std::vector<double> displacements_of(const Profile& profile, const Body& body, const Loading& loading,
+                                     const ContactOptions& options, double range) {
+    if (loading.to_displacement > 0)
+        return even_steps(loading.to_displacement, loading);
+    if (loading.to_pressure > 0)
+        return even_steps(displacement_at_pressure(profile, body, loading.to_pressure, options), loading);
+    return load_displacements(range, loading, body.kernel);
+}
+
+/// Where to start looking for a pressure: the answer for every fourth node, whose contact is found in a
+/// fraction of the time; half the range where there are too few.
+double first_guess(const Profile& profile, const Body& body, double pressure, const ContactOptions& options,
+                   double range) {
+    constexpr Index part = 4, fewest = 256;
+    const bool wraps = body.kernel == Kernel::periodic;
+    if (profile.nodes() < fewest || (wraps && profile.nodes() % part != 0))
+        return 0.5 * range;
+    Profile coarse{Eigen::VectorXd((profile.nodes() + part - 1) / part), part * profile.spacing};
+    for (Index i = 0; i < coarse.nodes(); ++i)
+        coarse.heights[i] = profile.heights[part * i];
+    if (!(coarse.heights.maxCoeff() > coarse.heights.minCoeff()))
+        return 0.5 * range;
+    try {
+        return displacement_at_pressure(coarse, body, pressure, options) + profile.heights.maxCoeff() -
+               coarse.heights.maxCoeff();
+    } catch (const InputError&) { // its heights fill before those of all nodes do
+        return range;
+    }
+}
+
 } // namespace
 
 std::vector<double> load_displacements(double range, const Loading& loading, Kernel kernel) {
@@ -66,21 +96,12 @@ std::vector<double> load_displacements(double range, const Loading& loading, Ker
     return even_steps(loading.reach * range, loading);
 }
 
-std::vector<double> step_displacements(const Profile& profile, const Body& body, const Loading& loading,
-                                       const ContactOptions& options) {
-    if (loading.to_displacement > 0)
-        return even_steps(loading.to_displacement, loading);
-    if (loading.to_pressure > 0)
-        return even_steps(displacement_at_pressure(profile, body, loading.to_pressure, options), loading);
-    return load_displacements(displacement_range(profile, body.kernel), loading, body.kernel);
-}
-
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 const ContactOptions& options) {
     const double range = displacement_range(profile, body.kernel);
     const bool periodic = body.kernel == Kernel::periodic;
     const double farthest = periodic ? range * (1 - 1e-9) : std::numeric_limits<double>::infinity();
-    double displacement = 0.5 * range;
+    double displacement = std::min(farthest, first_guess(profile, body, pressure, options, range));
     for (int round = 0; round < 100; ++round) {
         const LoadStep step = solve_contact(profile, body, {displacement}, options).steps.front();
         const double missing = pressure - step.pressure;
@@ -104,13 +125,14 @@ Response respond(const Profile& profile, const Body& body, const Loading& loadin
                  const ContactOptions& options) {
     const double range = displacement_range(profile, body.kernel);
     return from_curve(
-        solve_contact(profile, body, step_displacements(profile, body, loading, options), options), range);
+        solve_contact(profile, body, displacements_of(profile, body, loading, options, range), options),
+        range);
 }
 
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
                                            ContactOptions options) {
     const double range = displacement_range(profile, body.kernel);
-    const std::vector<double> displacements = step_displacements(profile, body, loading, options);
+    const std::vector<double> displacements = displacements_of(profile, body, loading, options, range);
     options.states = true;
     const ContactCurve curve = solve_contact(profile, body, displacements, options);
     const Index nodes = profile.nodes(), steps = static_cast<Index>(curve.steps.size());

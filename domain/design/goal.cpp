@@ -1,0 +1,215 @@
+#include "domain/design/goal.hpp"
+
+#include "domain/errors.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+#include <vector>
+
+namespace rough {
+
+namespace {
+
+constexpr Quantity quantities[] = {Quantity::stiffness, Quantity::area_at_pressure,
+                                   Quantity::area_at_displacement, Quantity::load_at_displacement};
+constexpr const char* expected_columns = "expected pressure_MPa with stiffness_MPa_per_mm, contact_fraction "
+                                         "or conductance, or displacement_mm with "
+                                         "contact_fraction or pressure_MPa; optionally lower and upper";
+
+std::string trimmed(std::string text) {
+    const auto blank = [](unsigned char c) { return std::isspace(c) != 0; };
+    text.erase(text.begin(), std::find_if_not(text.begin(), text.end(), blank));
+    text.erase(std::find_if_not(text.rbegin(), text.rend(), blank).base(), text.end());
+    return text;
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream in(line);
+    for (std::string cell; std::getline(in, cell, ',');)
+        cells.push_back(trimmed(cell));
+    return cells;
+}
+
+double number_in(const std::string& text, const std::string& where) {
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end || !std::isfinite(value))
+        throw InputError(where + ": \"" + text + "\" given, expected a finite number");
+    return value;
+}
+
+/// The column's place in the header, or -1.
+int place_of(const std::vector<std::string>& header, const std::string& name) {
+    const auto found = std::find(header.begin(), header.end(), name);
+    return found == header.end() ? -1 : static_cast<int>(found - header.begin());
+}
+
+} // namespace
+
+Columns columns_of(Quantity quantity) {
+    switch (quantity) {
+    case Quantity::stiffness:
+        return {"pressure_MPa", "stiffness_MPa_per_mm"};
+    case Quantity::area_at_pressure:
+        return {"pressure_MPa", "contact_fraction"};
+    case Quantity::area_at_displacement:
+        return {"displacement_mm", "contact_fraction"};
+    case Quantity::load_at_displacement:
+        return {"displacement_mm", "pressure_MPa"};
+    }
+    throw InputError("quantity: unknown");
+}
+
+void validate(const Goal& goal) {
+    const Columns columns = columns_of(goal.quantity);
+    const auto fail = [&](Index k, const std::string& column, double value, const std::string& expected) {
+        std::ostringstream line;
+        line.precision(17);
+        line << goal.name << ": point " << k + 1 << ": " << column << " is " << value << ", expected "
+             << expected;
+        throw InputError(line.str());
+    };
+    const bool is_area =
+        goal.quantity == Quantity::area_at_pressure || goal.quantity == Quantity::area_at_displacement;
+    if (goal.points() == 0)
+        throw InputError(goal.name + ": no points given, expected at least one");
+    double last = 0;
+    for (Index k = 0; k < goal.points(); ++k) {
+        if (!std::isfinite(goal.x[k]) || goal.x[k] <= last)
+            fail(k, columns.x, goal.x[k], "finite numbers greater than 0, increasing");
+        if (!std::isfinite(goal.y[k]) || goal.y[k] <= 0 || (is_area && goal.y[k] > 1))
+            fail(k, columns.y, goal.y[k],
+                 is_area ? "a number greater than 0, at most 1" : "a finite number greater than 0");
+        if (goal.has_band() && !(goal.lower[k] <= goal.y[k]))
+            fail(k, "lower", goal.lower[k], std::string("a number no greater than ") + columns.y);
+        if (goal.has_band() && !(goal.upper[k] >= goal.y[k]))
+            fail(k, "upper", goal.upper[k], std::string("a number no less than ") + columns.y);
+        last = goal.x[k];
+    }
+}
+
+Goal read_goal(const std::filesystem::path& file, double conductance_to_stiffness) {
+    std::ifstream in(file);
+    if (!in || std::filesystem::is_directory(file))
+        throw InputError(file.string() + ": cannot be read, expected a target (CSV), with " +
+                         expected_columns);
+    Goal goal;
+    goal.name = file.string();
+    std::vector<std::string> header;
+    std::vector<std::vector<double>> rows;
+    int number = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        line = trimmed(line);
+        const std::string where = file.string() + ":" + std::to_string(number);
+        if (line.empty())
+            continue;
+        if (line[0] == '#') {
+            const auto colon = line.find(':');
+            if (colon != std::string::npos)
+                goal.recorded[trimmed(line.substr(1, colon - 1))] = trimmed(line.substr(colon + 1));
+        } else if (header.empty()) {
+            header = cells_of(line);
+        } else {
+            const auto cells = cells_of(line);
+            if (cells.size() != header.size())
+                throw InputError(where + ": \"" + line + "\" given, expected " +
+                                 std::to_string(header.size()) + " numbers with commas between");
+            rows.emplace_back();
+            for (const std::string& cell : cells)
+                rows.back().push_back(number_in(cell, where));
+        }
+    }
+    int x = -1, y = -1;
+    double factor = 1;
+    for (const Quantity quantity : quantities) {
+        const Columns columns = columns_of(quantity);
+        if (place_of(header, columns.x) >= 0 && place_of(header, columns.y) >= 0) {
+            if (y >= 0)
+                throw InputError(file.string() + ":1: more than one curve given, expected one a file");
+            goal.quantity = quantity, x = place_of(header, columns.x), y = place_of(header, columns.y);
+        }
+    }
+    if (y < 0 && place_of(header, "pressure_MPa") >= 0 && place_of(header, "conductance") >= 0) {
+        if (!(conductance_to_stiffness > 0))
+            throw InputError(file.string() +
+                             ": a conductance is given, expected --resistivity with it: C = 2 "
+                             "K/(E* resistivity)");
+        x = place_of(header, "pressure_MPa"), y = place_of(header, "conductance");
+        factor = conductance_to_stiffness;
+    }
+    const int lower = place_of(header, "lower"), upper = place_of(header, "upper");
+    const std::size_t known = (x >= 0) + (y >= 0) + (lower >= 0) + (upper >= 0);
+    if (x < 0 || y < 0 || known != header.size() || (lower >= 0) != (upper >= 0)) {
+        std::string given;
+        for (const auto& name : header)
+            given += (given.empty() ? "" : ",") + name;
+        throw InputError(file.string() + ": columns \"" + given + "\" given, " + expected_columns);
+    }
+    const auto column = [&](int place, double scale) {
+        Eigen::VectorXd values(static_cast<Index>(rows.size()));
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            values[static_cast<Index>(k)] = scale * rows[k][static_cast<std::size_t>(place)];
+        return values;
+    };
+    goal.x = column(x, 1);
+    goal.y = column(y, factor);
+    if (lower >= 0) {
+        goal.lower = column(lower, factor);
+        goal.upper = column(upper, factor);
+    }
+    validate(goal);
+    return goal;
+}
+
+std::string to_csv(const Goal& goal) {
+    std::ostringstream out;
+    out.precision(17);
+    for (const auto& [key, value] : goal.recorded)
+        out << "# " << key << ": " << value << "\n";
+    const Columns columns = columns_of(goal.quantity);
+    out << columns.x << "," << columns.y << (goal.has_band() ? ",lower,upper" : "") << "\n";
+    for (Index k = 0; k < goal.points(); ++k) {
+        out << goal.x[k] << "," << goal.y[k];
+        if (goal.has_band())
+            out << "," << goal.lower[k] << "," << goal.upper[k];
+        out << "\n";
+    }
+    return out.str();
+}
+
+Curve curve_of(Quantity quantity, const Response& response) {
+    switch (quantity) {
+    case Quantity::stiffness:
+        return secant_stiffness(response);
+    case Quantity::area_at_pressure:
+        return area_against_pressure(response);
+    case Quantity::area_at_displacement:
+        return area_against_displacement(response);
+    case Quantity::load_at_displacement:
+        return load_against_displacement(response);
+    }
+    throw InputError("quantity: unknown");
+}
+
+Eigen::VectorXd misfit(const Goal& goal, const Curve& curve) {
+    Eigen::VectorXd result(goal.points());
+    for (Index k = 0; k < goal.points(); ++k) {
+        const double y = curve.at(goal.x[k]);
+        const double wanted = goal.has_band() ? std::clamp(y, goal.lower[k], goal.upper[k]) : goal.y[k];
+        result[k] = goal.weight * (y - wanted) / goal.y[k];
+    }
+    return result;
+}
+
+double similarity(const Goal& goal, const Curve& curve) {
+    return 1 - misfit(goal, curve).cwiseAbs().maxCoeff(); // Eq. 12
+}
+
+} // namespace rough

@@ -1,0 +1,98 @@
+#include "domain/design/inverse.hpp"
+
+#include "domain/contact/kernel.hpp"
+#include "domain/errors.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <limits>
+
+namespace rough {
+
+namespace {
+
+/// H on all nodes in contact order, MPa and mm: displacement (mm) for each unit of pressure (MPa).
+Eigen::MatrixXd influence_in_order(Index nodes, double spacing, const Body& body,
+                                   const std::vector<int>& order) {
+    const Eigen::VectorXd column =
+        influence_column(body.kernel, nodes, body.datum / spacing, body.strip_width / spacing) *
+        (spacing / body.effective_modulus);
+    Eigen::MatrixXd H(nodes, nodes);
+    for (Index i = 0; i < nodes; ++i)
+        for (Index k = 0; k < nodes; ++k)
+            H(i, k) =
+                column[std::abs(order[static_cast<std::size_t>(i)] - order[static_cast<std::size_t>(k)])];
+    return H;
+}
+
+} // namespace
+
+InverseProfile inverse_profile(Index nodes, double spacing, const Body& body, const std::vector<int>& order,
+                               const Advance& advance, double last_pressure, double last_displacement) {
+    const Eigen::MatrixXd H = influence_in_order(nodes, spacing, body, order);
+    // The periodic body's H is singular on all nodes: the last node never joins.
+    const Index most = body.kernel == Kernel::periodic ? nodes - 1 : nodes;
+    const Eigen::LLT<Eigen::MatrixXd> factor(H.topLeftCorner(most, most));
+    if (factor.info() != Eigen::Success)
+        throw InputError("inverse contact: the influence matrix is not positive definite; expected a datum "
+                         "beyond (L + delta)/4");
+    const Eigen::MatrixXd L = factor.matrixL();
+    const Eigen::VectorXd z = L.triangularView<Eigen::Lower>().solve(Eigen::VectorXd::Ones(most));
+    const double length = profile_length({Eigen::VectorXd::Zero(nodes), spacing}, body.kernel);
+    Eigen::VectorXd stiffness(most);
+    for (Index k = 0; k < most; ++k) // sum of H_AA^-1 1 is z.z
+        stiffness[k] = z.head(k + 1).squaredNorm() * spacing / length;
+    const std::vector<double> steps = advance(stiffness);
+
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(nodes), gap = Eigen::VectorXd::Zero(nodes), lowest;
+    double displacement = 0, pressure = 0;
+    InverseProfile result{{Eigen::VectorXd(nodes), spacing}, {0}, 0, 0, Eigen::VectorXd(nodes)};
+    const auto end_load = [&](double part, double K, const Eigen::VectorXd& ends) {
+        result.last_displacement = displacement + part;
+        result.last_pressure = pressure + part * K;
+        lowest = ends.array() - result.last_displacement;
+    };
+    for (Index k = 0; k + 1 < nodes; ++k) {
+        const double step = k < most ? steps[static_cast<std::size_t>(k)] : 0;
+        if (step > 0) {
+            const Eigen::VectorXd w =
+                L.topLeftCorner(k + 1, k + 1).transpose().triangularView<Eigen::Upper>().solve(z.head(k + 1));
+            const Eigen::VectorXd punch = H.leftCols(k + 1) * w; // 1 on the contact set
+            const double part =
+                std::min((last_pressure - pressure) / stiffness[k], last_displacement - displacement);
+            if (lowest.size() == 0 && part <= step)
+                end_load(part, stiffness[k], u + part * punch);
+            u += step * punch;
+            displacement += step;
+            pressure += step * stiffness[k];
+        }
+        gap[k + 1] = displacement - u[k + 1];
+        result.entry.push_back(displacement);
+    }
+    if (lowest.size() == 0) // every node but one touches under the load
+        end_load(std::min((last_pressure - pressure) / stiffness[most - 1], last_displacement - displacement),
+                 stiffness[most - 1], displacement - gap.array());
+    for (Index k = 0; k < nodes; ++k) {
+        result.profile.heights[order[static_cast<std::size_t>(k)]] = -gap[k];
+        result.lowest_free[order[static_cast<std::size_t>(k)]] = lowest[k];
+    }
+    return result;
+}
+
+InverseProfile with_range_at_last(InverseProfile inverse) {
+    Eigen::VectorXd& z = inverse.profile.heights;
+    const Eigen::VectorXd below = inverse.lowest_free - z; // > 0 where a node does not touch
+    // With a factor c on `below` the lowest height is -last_displacement; it falls as c grows.
+    double factor = std::numeric_limits<double>::infinity();
+    for (Index i = 0; i < z.size(); ++i)
+        if (below[i] > 1e-9 * inverse.last_displacement)
+            factor = std::min(factor, (inverse.lowest_free[i] + inverse.last_displacement) / below[i]);
+    if (std::isfinite(factor))
+        for (Index i = 0; i < z.size(); ++i)
+            if (below[i] > 0)
+                z[i] = inverse.lowest_free[i] - factor * below[i];
+    return inverse;
+}
+
+} // namespace rough

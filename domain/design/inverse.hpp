@@ -1,0 +1,41 @@
+#pragma once
+
+#include "domain/contact/body.hpp"
+#include "domain/profile.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace rough {
+
+/// The profile whose nodes come into contact in a chosen order and at chosen displacements.
+struct InverseProfile {
+    Profile profile;             ///< highest node 0 mm
+    std::vector<double> entry;   ///< displacement at which order[k] touches, mm, k = 0..N-1, none decreasing
+    double last_displacement;    ///< where the load ends, mm
+    double last_pressure;        ///< the mean pressure there, MPa
+    Eigen::VectorXd lowest_free; ///< N, mm: where a node would just touch there
+};
+
+/// How the approach advances: stiffness[k] is dP/dDelta (MPa/mm) while order[0..k] touch, k = 0..N-1, and the
+/// answer's k-th number is the displacement (mm, >= 0) over which just those nodes do; the last one is not
+/// read.
+using Advance = std::function<std::vector<double>(const Eigen::VectorXd& stiffness)>;
+
+/// Solves the contact problem backwards. On a contact set A pressures grow by w = H_AA^-1 1 > 0 for each unit
+/// of displacement, so any order of nodes and any advance give pressures that are never negative, and node k
+/// touches when it does if its gap is Delta - u_k there; the gap of a node outside A closes all the while, as
+/// a flat punch moves every other node by less than itself. So there is exactly one profile for each order,
+/// and one for each rising K(P) between the stiffness of order[0] alone and that of full contact.
+/// The load ends at `last_pressure` (MPa) or at `last_displacement` (mm), whichever comes first; give
+/// infinity for the other. `order` holds each node once. O(N^3) work, N^2 memory: meant for up to some
+/// hundred nodes.
+InverseProfile inverse_profile(Index nodes, double spacing, const Body& body, const std::vector<int>& order,
+                               const Advance& advance, double last_pressure, double last_displacement);
+
+/// The same with the heights of nodes that do not touch under the load moved so that the height range is
+/// last_displacement: the profile reaches the last pressure at full approach, as Eq. 11 asks. A profile that
+/// has no such node is returned as it is.
+InverseProfile with_range_at_last(InverseProfile inverse);
+
+} // namespace rough

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "domain/design/goal.hpp"
+#include "domain/design/limits.hpp"
+#include "domain/fitness/model.hpp"
+#include "ga/problem.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace rough {
+
+/// What a design is asked for.
+struct DesignSetup {
+    Model model;
+    std::vector<Goal> goals; ///< at least one; the first shapes the starts
+    /// MPa: every genome is rescaled to it at its last load step (Eq. 11). Without it amplitude is a gene
+    /// like another, and load steps end where the goals do.
+    std::optional<double> max_pressure;
+    GeneBounds bounds;
+    MakingLimits limits;
+};
+
+/// A genome's answer to all goals.
+struct DesignOutcome {
+    double scale = 1;                     ///< by Eq. 11; 1 where it does not apply
+    std::vector<Eigen::VectorXd> misfits; ///< of each goal at its points, weighted
+    double excess = 0;                    ///< over the limits on shape
+    Genome genome;                        ///< as it was evaluated
+
+    double similarity() const; ///< 1 - the largest |misfit| of all goals
+};
+
+/// Find the genome that answers as asked, within limits. Objectives: `similarity`; `judged`, the smaller of
+/// it and the same on a grid four times finer; `low` and `high`, on the first goal's points up to and from
+/// the middle of its range. A genome over the limits is ranked below every one within them.
+class DesignProblem {
+  public:
+    using Genome = rough::Genome;
+    using Outcome = DesignOutcome;
+
+    /// Throws InputError on no goals, a goal beyond max_pressure, goals that the set-up cannot load together,
+    /// or limits without sense.
+    explicit DesignProblem(DesignSetup setup);
+
+    Outcome evaluate(const Genome& genome) const;
+    const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
+
+    std::string key(const Genome& genome) const;
+    /// Under Eq. 11 the genome with its scale set.
+    Genome settled(Genome genome, const Outcome& outcome) const;
+
+    std::vector<double> genes(const Genome& genome) const { return rough::genes(genome); }
+    Genome with_genes(const Genome& genome, const std::vector<double>& values) const {
+        return rough::with_genes(genome, values);
+    }
+    /// Every gene that may move: phases by half a turn; A by a factor of 10; H, gamma and lambda within the
+    /// set-up's bounds, the latter two so that no wave becomes shorter than allowed, both sharing the slack.
+    std::vector<ga::Variable> bounds(const Genome& genome) const;
+    /// Misfits at the objective's points, then one row a limit on shape, with exact derivatives of all but
+    /// contact fractions, whose count of nodes has none; those move with the pressures they stand at.
+    ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
+
+    const DesignSetup& setup() const { return *setup_; }
+
+  private:
+    std::shared_ptr<const DesignSetup> setup_;
+    std::vector<ga::Objective<Outcome>> objectives_;
+};
+
+/// A genome's responses under a set-up, in final amplitude, one for each way the goals are loaded, and which
+/// of them serves each goal.
+struct DesignResponse {
+    double scale = 1; ///< that Eq. 11 found
+    std::vector<Response> responses;
+    std::vector<std::size_t> of_goal;
+};
+/// `model` may differ from the set-up's own: a finer grid, more load steps, another kernel.
+DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Model& model);
+DesignResponse respond(const DesignSetup& setup, const Profile& profile, const Model& model);
+
+/// The smallest similarity of all goals.
+double similarity(const DesignSetup& setup, const DesignResponse& response);
+/// The same of a genome on a grid `refine` times finer, Eq. 11 anew where it applies.
+double similarity(const DesignSetup& setup, const Genome& genome, Index refine = 1);
+
+} // namespace rough

@@ -1,0 +1,143 @@
+#include "domain/contact/solve.hpp"
+#include "domain/design/advance.hpp"
+#include "domain/design/shape_to_waves.hpp"
+#include "domain/response/curve.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+using namespace rough;
+
+namespace {
+
+constexpr double L = 0.84942, infinity = std::numeric_limits<double>::infinity();
+
+std::vector<int> outwards(Index nodes, double centre) {
+    std::vector<int> order(static_cast<std::size_t>(nodes));
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return std::abs(a - centre) < std::abs(b - centre); });
+    return order;
+}
+
+std::vector<int> sorted(std::vector<int> nodes) {
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
+}
+
+} // namespace
+
+TEST_CASE("any order of nodes and any advance have a profile that comes into contact just so") {
+    std::mt19937_64 random(21);
+    for (const Kernel kernel : {Kernel::free, Kernel::strip, Kernel::periodic})
+        for (int scene = 0; scene < 10; ++scene) {
+            const Index nodes = 24 + 3 * scene;
+            const Body body{kernel, 1.7, L, 0.002};
+            const double spacing = L / static_cast<double>(kernel == Kernel::periodic ? nodes : nodes - 1);
+            std::vector<int> order = outwards(nodes, 0);
+            std::shuffle(order.begin(), order.end(), random);
+            std::vector<double> steps(static_cast<std::size_t>(nodes));
+            for (double& step : steps)
+                step = std::uniform_real_distribution<double>(0.1e-5, 1e-5)(random);
+            Eigen::VectorXd stiffness;
+            const InverseProfile inverse = inverse_profile(
+                nodes, spacing, body, order,
+                [&](const Eigen::VectorXd& K) {
+                    stiffness = K;
+                    return steps;
+                },
+                infinity, infinity);
+            std::vector<double> displacements;
+            for (std::size_t k = 0; k + 1 < inverse.entry.size(); ++k)
+                displacements.push_back(0.5 * (inverse.entry[k] + inverse.entry[k + 1]));
+            if (kernel == Kernel::periodic)
+                displacements.pop_back(); // the last node closes full contact
+            ContactOptions options;
+            options.states = true;
+            const ContactCurve curve = solve_contact(inverse.profile, body, displacements, options);
+            for (std::size_t k = 0; k < displacements.size(); ++k) {
+                const std::vector<int> expected(order.begin(), order.begin() + static_cast<long>(k) + 1);
+                REQUIRE(sorted(curve.states[k].nodes) == sorted(expected));
+                CHECK(curve.steps[k].tangent_stiffness ==
+                      Approx(stiffness[static_cast<Index>(k)]).epsilon(1e-9));
+            }
+        }
+}
+
+TEST_CASE("one asperity answers a rising stiffness curve as asked, for every kernel") {
+    Goal goal;
+    goal.x = Eigen::VectorXd::LinSpaced(20, 4e-6, 1.56e-4);
+    for (const Kernel kernel : {Kernel::free, Kernel::strip, Kernel::periodic}) {
+        const bool wraps = kernel == Kernel::periodic;
+        const Index nodes = 256;
+        const Body body{kernel, 1, L, 0.0016};
+        const double spacing = L / static_cast<double>(wraps ? nodes : nodes - 1);
+        double least = 0, most = 0;
+        const auto order = outwards(nodes, 110.3);
+        inverse_profile(
+            nodes, spacing, body, order,
+            [&](const Eigen::VectorXd& K) {
+                least = K[4], most = K[nodes / 2];
+                return std::vector<double>(static_cast<std::size_t>(K.size()), 1e-6);
+            },
+            infinity, infinity);
+        goal.y = least + (most - least) * (goal.x.array() / goal.x[19]).sqrt();
+        InverseProfile inverse =
+            inverse_profile(nodes, spacing, body, order, advance_for(goal, nodes), 1.6e-4, infinity);
+        CHECK(inverse.last_pressure == Approx(1.6e-4));
+        const Response response =
+            respond(inverse.profile, body, {.steps = 80, .to_displacement = inverse.last_displacement});
+        CHECK(response.pressure[79] == Approx(1.6e-4).epsilon(1e-6));
+        // 80 secants of a curve that is stepped from node to node
+        CHECK(similarity(goal, secant_stiffness(response)) > 0.97);
+
+        if (!wraps) {
+            inverse = with_range_at_last(inverse);
+            const Response full = respond(inverse.profile, body, {.steps = 80});
+            CHECK(full.range == Approx(inverse.last_displacement).epsilon(1e-9));
+            CHECK(full.pressure[79] == Approx(1.6e-4).epsilon(1e-6));
+        }
+    }
+}
+
+TEST_CASE("load and contact fraction against load or displacement are met by the inverse as well") {
+    const Index nodes = 256;
+    const Body body;
+    const double spacing = L / static_cast<double>(nodes - 1);
+    for (const Quantity quantity :
+         {Quantity::area_at_pressure, Quantity::area_at_displacement, Quantity::load_at_displacement}) {
+        Goal goal;
+        goal.quantity = quantity;
+        goal.x = Eigen::VectorXd::LinSpaced(20, 1e-5, 2e-4);
+        const Eigen::ArrayXd t = goal.x.array() / 2e-4;
+        goal.y = quantity == Quantity::load_at_displacement ? Eigen::VectorXd(8e-5 * t + 4e-5 * t.square())
+                                                            : Eigen::VectorXd(0.05 + 0.5 * t);
+        const InverseProfile inverse = inverse_profile(
+            nodes, spacing, body, outwards(nodes, 120), advance_for(goal, nodes),
+            goal.against_pressure() ? 2e-4 : infinity, goal.against_pressure() ? infinity : 2e-4);
+        const Response response =
+            respond(inverse.profile, body, {.steps = 80, .to_displacement = inverse.last_displacement});
+        INFO("quantity " << int(quantity));
+        CHECK(similarity(goal, curve_of(quantity, response)) > 0.95);
+    }
+}
+
+TEST_CASE("waves laid on a profile of just those waves give it back") {
+    std::mt19937_64 random(22);
+    for (int scene = 0; scene < 5; ++scene) {
+        const Genome genome = testing::random_genome(random, 2, 1, L, 0.03);
+        const Profile profile = sample(genome, {512, L, false});
+        const Genome found = shaped_as(profile, genome.series, 0.03, 1e-14);
+        const Profile again = sample(found, {512, L, false});
+        const Eigen::VectorXd difference = again.heights - profile.heights;
+        const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
+        CHECK(difference.maxCoeff() - difference.minCoeff() < 1e-4 * range);
+        for (const Series& series : found.series)
+            for (const Chromosome& chromosome : series.chromosomes)
+                CHECK(wave_length(series, chromosome.n) >= 0.03 * (1 - 1e-9));
+    }
+}

@@ -1,0 +1,196 @@
+#include "domain/design/starts.hpp"
+#include "domain/errors.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+const char* const drawn_target = RUGOSA_TEST_DATA "/target_paper.csv";
+
+DesignSetup drawn_setup(Index nodes = 128) {
+    DesignSetup setup;
+    setup.model.grid.nodes = nodes;
+    setup.goals = {read_goal(drawn_target)};
+    setup.limits.shortest_wave = 8 * setup.model.grid.spacing();
+    return setup;
+}
+
+/// Whatever has a corner: contact sets, extreme nodes, which segment of a curve serves a point, the band.
+std::vector<double> corners(const DesignSetup& setup, const Genome& genome, Index refine) {
+    const Model model = refined(setup.model, refine);
+    std::vector<double> marks;
+    const DesignResponse response = respond(setup, genome, model);
+    for (const Response& one : response.responses)
+        for (Index j = 0; j < one.steps(); ++j)
+            marks.push_back(one.contact_fraction[j]);
+    for (std::size_t g = 0; g < setup.goals.size(); ++g) {
+        const Goal& goal = setup.goals[g];
+        const Curve curve = curve_of(goal.quantity, response.responses[response.of_goal[g]]);
+        for (Index k = 0; k < goal.points(); ++k) {
+            marks.push_back(static_cast<double>(segment_at(curve, goal.x[k]).left));
+            if (goal.has_band())
+                marks.push_back((curve.at(goal.x[k]) > goal.upper[k]) -
+                                (curve.at(goal.x[k]) < goal.lower[k]));
+        }
+    }
+    Index highest, lowest;
+    const Profile profile = sample(genome, model.grid);
+    profile.heights.maxCoeff(&highest);
+    profile.heights.minCoeff(&lowest);
+    marks.push_back(static_cast<double>(highest));
+    marks.push_back(static_cast<double>(lowest));
+    return marks;
+}
+
+void check_jacobian(const DesignSetup& setup, const Genome& start, const std::string& objective) {
+    const DesignProblem problem(setup);
+    const Genome genome = problem.settled(start, problem.evaluate(start));
+    const Index refine = objective == "judged" ? 4 : 1;
+    const ga::Sensitivity all = problem.sensitivity(genome, objective);
+    const double largest = all.jacobian.cwiseAbs().maxCoeff();
+    const auto values = problem.genes(genome);
+    const auto base = corners(setup, genome, refine);
+    int kept = 0;
+    for (std::size_t g = 0; g < values.size(); ++g) {
+        const double h = 1e-7 * std::max(1.0, std::abs(values[g]));
+        auto up = values, down = values;
+        up[g] += h;
+        down[g] -= h;
+        const Genome above = problem.with_genes(genome, up), below = problem.with_genes(genome, down);
+        if (corners(setup, above, refine) != base || corners(setup, below, refine) != base)
+            continue;
+        ++kept;
+        const Eigen::VectorXd difference = (problem.sensitivity(above, objective).residuals -
+                                            problem.sensitivity(below, objective).residuals) /
+                                           (2 * h);
+        INFO("objective " << objective << ", gene " << g);
+        CHECK((difference - all.jacobian.col(static_cast<Index>(g))).cwiseAbs().maxCoeff() < 1e-5 * largest);
+    }
+    CHECK(kept > static_cast<int>(values.size()) / 2);
+}
+
+} // namespace
+
+TEST_CASE("the derivatives of the misfits follow differences in every gene, amplitude free or by Eq. 11") {
+    std::mt19937_64 random(31);
+    for (const bool free_amplitude : {false, true})
+        for (std::size_t ridges : {1u, 2u}) {
+            DesignSetup setup = drawn_setup();
+            if (!free_amplitude)
+                setup.max_pressure = 1.6e-4;
+            const Genome genome = with_fitting_amplitude(
+                setup, testing::random_genome(random, 2, ridges, 0.84942, setup.limits.shortest_wave));
+            for (const char* objective : {"similarity", "low", "high", "judged"})
+                check_jacobian(setup, genome, objective);
+        }
+}
+
+TEST_CASE("they do so for loads against displacement, bands, weights and two goals at once") {
+    std::mt19937_64 random(32);
+    DesignSetup setup = drawn_setup();
+    Goal load;
+    load.quantity = Quantity::load_at_displacement;
+    load.x = Eigen::VectorXd::LinSpaced(10, 1e-5, 2e-4);
+    load.y = 0.6 * load.x;
+    load.weight = 0.4;
+    setup.goals.push_back(load);
+    setup.goals[0].lower = 0.97 * setup.goals[0].y;
+    setup.goals[0].upper = 1.05 * setup.goals[0].y;
+    const Genome genome = with_fitting_amplitude(
+        setup, testing::random_genome(random, 2, 1, 0.84942, setup.limits.shortest_wave));
+    check_jacobian(setup, genome, "similarity");
+}
+
+TEST_CASE("the rows of limits on shape follow differences and vanish within the limits") {
+    for (const bool free_amplitude : {false, true}) {
+        DesignSetup setup = drawn_setup();
+        if (!free_amplitude)
+            setup.max_pressure = 1.6e-4;
+        DesignProblem problem(setup);
+        Genome genome = shaped_start(setup, ga::Stream(5));
+        genome = problem.settled(genome, problem.evaluate(genome));
+        const auto has = margins(genome, setup.model.grid, {});
+        CHECK(problem.sensitivity(genome, "similarity").residuals.size() == 20);
+        setup.limits.largest_slope = 0.8 * has[1].value;
+        setup.limits.largest_height = 0.7 * has[2].value;
+        setup.limits.smallest_radius = 1.2 * has[3].value;
+        check_jacobian(setup, genome, "similarity");
+        CHECK(DesignProblem(setup).evaluate(genome).excess > 0.5);
+        CHECK(DesignProblem(setup).objectives()[0].fitness(DesignProblem(setup).evaluate(genome)) < -1);
+        setup.limits.largest_slope = 1.1 * has[1].value;
+        setup.limits.largest_height = 1.1 * has[2].value;
+        setup.limits.smallest_radius = 0.9 * has[3].value;
+        CHECK(DesignProblem(setup).sensitivity(genome, "similarity").residuals.tail(3).isZero());
+    }
+}
+
+TEST_CASE("no finer grid shows a slope, height or curvature beyond what the margins say") {
+    std::mt19937_64 random(33);
+    for (int scene = 0; scene < 10; ++scene) {
+        const Grid grid{256, 0.84942, false};
+        const Genome genome = testing::random_genome(random, 2, 2, 0.84942, 8 * grid.spacing());
+        const auto says = margins(genome, grid, {});
+        for (const Index finer : {4, 32}) {
+            const Profile profile = sample(genome, refined(grid, finer));
+            const Index n = profile.nodes();
+            const Eigen::VectorXd slope =
+                (profile.heights.tail(n - 1) - profile.heights.head(n - 1)) / profile.spacing;
+            const Eigen::VectorXd curvature = (slope.tail(n - 2) - slope.head(n - 2)) / profile.spacing;
+            const double height = profile.heights.maxCoeff() - profile.heights.minCoeff();
+            CHECK(slope.cwiseAbs().maxCoeff() <= says[1].value * (1 + 1e-9));
+            CHECK(height <= says[2].value * (1 + 1e-9));
+            CHECK(1 / curvature.cwiseAbs().maxCoeff() >= says[3].value * (1 - 1e-6));
+            if (finer == 32) { // and they are no looser than two percent
+                CHECK(slope.cwiseAbs().maxCoeff() > 0.98 * says[1].value);
+                CHECK(height > 0.98 * says[2].value);
+                CHECK(1 / curvature.cwiseAbs().maxCoeff() < 1.02 * says[3].value);
+            }
+        }
+    }
+}
+
+TEST_CASE("moved within its bounds a genome has no wave shorter than allowed") {
+    const DesignSetup setup = drawn_setup(512);
+    const DesignProblem problem(setup);
+    for (std::uint64_t start = 0; start < 20; ++start) {
+        ga::Stream random(start);
+        Genome genome = start % 2 ? shaped_start(setup, random) : drawn_start(setup, random);
+        auto values = problem.genes(genome);
+        for (const ga::Variable& variable : problem.bounds(genome))
+            values[variable.gene] = random.chance(0.5) ? variable.lower : variable.upper;
+        genome = problem.with_genes(genome, values);
+        for (const Series& series : genome.series)
+            for (const Chromosome& chromosome : series.chromosomes)
+                CHECK(wave_length(series, chromosome.n) >= setup.limits.shortest_wave * (1 - 1e-9));
+    }
+}
+
+TEST_CASE("starts shaped to the drawn target are near it before any search") {
+    for (const bool free_amplitude : {false, true}) {
+        DesignSetup setup = drawn_setup(512);
+        if (!free_amplitude)
+            setup.max_pressure = 1.6e-4;
+        int near = 0;
+        for (std::uint64_t key = 0; key < 16; ++key)
+            near += similarity(setup, shaped_start(setup, ga::Stream(key))) > 0.9;
+        CHECK(near >= 4);
+    }
+}
+
+TEST_CASE("what cannot be designed for together is refused") {
+    using Catch::Contains;
+    DesignSetup setup = drawn_setup();
+    setup.max_pressure = 1e-5;
+    CHECK_THROWS_WITH(DesignProblem(setup), Contains("max-pressure"));
+    setup.max_pressure = 1.6e-4;
+    setup.goals[0].weight = 2;
+    CHECK_THROWS_WITH(DesignProblem(setup), Contains("weight"));
+    setup.goals[0].weight = 1;
+    setup.goals[0].quantity = Quantity::load_at_displacement;
+    CHECK_THROWS_WITH(DesignProblem(setup), Contains("Eq. 11"));
+    setup.goals.clear();
+    CHECK_THROWS_WITH(DesignProblem(setup), Contains("none given"));
+}
