@@ -51,7 +51,8 @@ std::string quoted(const std::string& text) {
 }
 
 void write_axis(std::ostream& out, const char* which, const Axis& axis) {
-    out << "set " << which << "label " << quoted(axis.label) << " noenhanced\n";
+    out << "set " << which << "label " << quoted(axis.label) << " noenhanced"
+        << (which[0] == 'x' ? " offset 0,0.3" : "") << "\n";
     out << (axis.logarithmic ? "set" : "unset") << " logscale " << which << "\n";
     out << "set format " << which << " " << (axis.logarithmic ? "'10^{%T}'" : "'%g'") << "\n";
     const auto end = [&](double value) -> std::ostream& {
@@ -130,7 +131,7 @@ void write_plot(std::ostream& out, const Plot& plot, const fs::path& picture) {
         << "set output " << quoted(picture.string()) << "\n";
     write_axis(out, "x", plot.x);
     write_axis(out, "y", plot.y);
-    out << "set key noenhanced Left reverse samplen 1.6 spacing 1.1 width -1 " << plot.key << "\n";
+    out << "set key noenhanced Left reverse samplen 1.6 spacing 1.1 width 2 " << plot.key << "\n";
     out << "unset arrow\n";
     for (const Guide& guide : plot.guides)
         out << "set arrow from " << (guide.across ? "graph 0, first " : "first ") << guide.at
@@ -148,7 +149,8 @@ std::vector<std::string> svg(const std::vector<Plot>& plots, const std::string& 
     {
         std::ofstream script(folder / "script");
         script.precision(6);
-        script << "set border 3\nset tics nomirror out scale 0.4\nset grid\nset samples 2\n";
+        script << "set encoding utf8\nset minussign\nset border 3\nset tics nomirror out scale 0.4\nset "
+                  "grid\nset samples 2\n";
         for (std::size_t i = 0; i < plots.size(); ++i)
             write_plot(script, plots[i], picture(i));
     }

@@ -43,7 +43,8 @@ struct Guide {
 };
 
 struct Plot {
-    std::string alt; ///< what there is to see, for who does not see it
+    std::string alt;        ///< what there is to see, for who does not see it
+    std::string title = {}; ///< a page sets it over the picture
     Axis x, y;
     std::vector<Series> series = {};
     std::vector<Guide> guides = {};

@@ -99,9 +99,9 @@ class Tidy {
     std::string markers() const {
         static const std::vector<std::pair<std::string, std::string>> shapes = {
             {"6", "<circle r=\"1\"/>"},
-            {"4", "<path d=\"M-.9-.9H.9V.9H-.9z\"/>"},
-            {"8", "<path d=\"M0-1.3L-1.3.7 1.3.7z\"/>"},
-            {"12", "<path d=\"M0-1.3L1.3 0 0 1.3-1.3 0z\"/>"},
+            {"4", "<polygon points=\"-.9-.9 .9-.9 .9 .9-.9 .9\"/>"},
+            {"8", "<polygon points=\"0-1.3-1.3 .7 1.3 .7\"/>"},
+            {"12", "<polygon points=\"0-1.3 1.3 0 0 1.3-1.3 0\"/>"},
         };
         std::string result;
         for (const auto& [number, shape] : shapes)
@@ -222,7 +222,7 @@ const std::string& plot_style() {
         }
         return ".plot{font:14px system-ui,sans-serif}"
                ".plot path{fill:none;stroke:currentColor;stroke-linecap:round;stroke-linejoin:round}"
-               ".plot defs path,.plot circle,.plot polygon{fill:currentColor;stroke:none}" +
+               ".plot use,.plot polygon,.plot circle{fill:currentColor;stroke:none}" +
                light + "@media screen and (prefers-color-scheme:dark){" + dark + "}";
     }();
     return style;

@@ -29,7 +29,9 @@ Unit length_unit(double largest) {
 std::string readable(double value, int digits) {
     if (!std::isfinite(value))
         return "–";
-    const int order = value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
+    if (value == 0)
+        return "0";
+    const int order = static_cast<int>(std::floor(std::log10(std::abs(value))));
     char text[64];
     if (order >= -4 && order < 6) {
         std::snprintf(text, sizeof text, "%.*f", std::max(0, digits - 1 - order), value);

@@ -67,29 +67,32 @@ double alike(const Trio& trio, std::size_t a, std::size_t b) {
     return correlation(trio.heights[a], trio.heights[b]);
 }
 
-/// Where a spectrum's high wave numbers begin: the middle of the octaves it covers.
-Eigen::Index middle(const rough::Spectrum& spectrum) {
-    return static_cast<Eigen::Index>(std::sqrt(static_cast<double>(spectrum.wave_number.size())));
+/// log10 of a spectrum's power octave by octave, from the longest wave on. In octaves, as the lines of two
+/// series of different gamma never fall on each other.
+Eigen::VectorXd octave_powers(const rough::Spectrum& spectrum) {
+    std::vector<double> powers;
+    for (Eigen::Index first = 1; 2 * first - 1 <= spectrum.density.size(); first *= 2)
+        powers.push_back(
+            std::log10(spectrum.density.segment(first - 1, first).sum() * spectrum.wave_number[0]));
+    return Eigen::Map<Eigen::VectorXd>(powers.data(), static_cast<Eigen::Index>(powers.size()));
 }
 
-/// Mean distance of two densities' logarithms, as a factor, in one half of the octaves.
-double density_apart(const Trio& trio, std::size_t a, std::size_t b, bool high) {
-    const rough::Spectrum &one = trio.spectra[a], &other = trio.spectra[b];
-    const Eigen::Index from = high ? middle(one) : 0, count = high ? one.density.size() - from : middle(one);
-    double sum = 0, weight = 0; // every octave counts alike
-    for (Eigen::Index i = from; i < from + count; ++i) {
-        const double octaves = 1 / one.wave_number[i];
-        sum += octaves * std::abs(std::log10(one.density[i] / other.density[i]));
-        weight += octaves;
-    }
-    return std::pow(10, sum / weight);
+/// How far two answers' powers are apart in the mean of the upper or the lower half of the octaves, as a
+/// factor.
+double power_apart(const Trio& trio, std::size_t a, std::size_t b, bool high) {
+    const Eigen::VectorXd apart =
+        (octave_powers(trio.spectra[a]) - octave_powers(trio.spectra[b])).cwiseAbs();
+    const Eigen::Index half = apart.size() / 2;
+    return std::pow(10, (high ? apart.tail(half) : apart.head(apart.size() - half)).mean());
 }
 
-/// Exponent of the power law that fits a density's high wave numbers best.
-double high_slope(const rough::Spectrum& spectrum) {
-    const Eigen::Index from = middle(spectrum), count = spectrum.density.size() - from;
-    return slope(spectrum.wave_number.segment(from, count).array().log10(),
-                 spectrum.density.segment(from, count).array().log10());
+/// Exponent of the power law of wave number that fits the upper half of the octaves' densities best.
+double high_exponent(const rough::Spectrum& spectrum) {
+    const Eigen::VectorXd powers = octave_powers(spectrum);
+    const Eigen::Index half = powers.size() / 2;
+    const Eigen::VectorXd octaves =
+        Eigen::VectorXd::LinSpaced(half, 0, static_cast<double>(half - 1)) * std::log10(2);
+    return slope(octaves, powers.tail(half)) - 1; // an octave's power is its density times its width
 }
 
 std::size_t chromosomes(const VariantRun& variant) {
@@ -166,29 +169,30 @@ std::vector<Claim> answer_claims(const PaperRun& run) {
         over_trios(
             trios,
             {"Figure 11", "SOG's and GCO's spectra match at high frequencies.", "",
-             "In the upper half of the octaves the densities differ by a factor under 2 in the mean" + both},
+             "In the upper half of the octaves their powers differ by a factor under 2 in the mean" + both},
             [](const Trio& trio) {
-                const double factor = density_apart(trio, 0, 1, true);
+                const double factor = power_apart(trio, 0, 1, true);
                 return std::pair("factor " + readable(factor), factor < 2);
             }),
         over_trios(trios,
                    {"Figure 11", "They do not match at low frequencies.", "",
                     "In the lower half they differ by a factor of 2 or more" + both},
                    [](const Trio& trio) {
-                       const double factor = density_apart(trio, 0, 1, false);
+                       const double factor = power_apart(trio, 0, 1, false);
                        return std::pair("factor " + readable(factor), factor >= 2);
                    }),
-        over_trios(
-            trios,
-            {"Figure 11", "CCO's spectrum is flat at high frequencies.", "",
-             "The power law that fits its upper half of the octaves has an exponent between −1 and 1" + both},
-            [](const Trio& trio) {
-                const double exponent = high_slope(trio.spectra[2]);
-                return std::pair("exponent " + readable(exponent, 2) + " (SOG " +
-                                     readable(high_slope(trio.spectra[0]), 2) + ", GCO " +
-                                     readable(high_slope(trio.spectra[1]), 2) + ")",
-                                 std::abs(exponent) < 1);
-            }),
+        over_trios(trios,
+                   {"Figure 11", "CCO's spectrum is flat at high frequencies.", "",
+                    "The power law of wave number that fits the upper half of its octaves has an exponent "
+                    "between −1 and 1" +
+                        both},
+                   [](const Trio& trio) {
+                       const double exponent = high_exponent(trio.spectra[2]);
+                       return std::pair("exponent " + readable(exponent, 2) + " (SOG " +
+                                            readable(high_exponent(trio.spectra[0]), 2) + ", GCO " +
+                                            readable(high_exponent(trio.spectra[1]), 2) + ")",
+                                        std::abs(exponent) < 1);
+                   }),
     };
 }
 

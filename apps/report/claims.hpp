@@ -27,7 +27,7 @@ struct Claim {
 struct Studies {
     std::vector<ChromosomeExample> chromosomes; ///< n = 1, 2
     std::vector<RidgeCount> ridges;
-    FractalStudy fractal;
+    std::vector<FractalStudy> fractals; ///< one a profile
     Readings readings;
 };
 Studies studies_of(const PaperRun& run);

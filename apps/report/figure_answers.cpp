@@ -12,8 +12,8 @@ Plot response_plot(const PaperRun& run, const TargetRun& target, const std::stri
     const Unit unit = pressure_unit(run.max_pressure);
     Plot plot;
     plot.alt = label + " of the three answers against mean pressure, " + target.title + " target";
-    plot.x = {"Mean pressure p (" + unit.name + "), " + target.title, false, 0,
-              unit.factor * run.max_pressure};
+    plot.title = titled(target);
+    plot.x = {"Mean pressure p (" + unit.name + ")", false, 0, unit.factor * run.max_pressure};
     plot.y = {label, false, 0, unset};
     for (const Algorithm& algorithm : algorithms)
         if (const VariantRun* variant = find_variant(target, algorithm.name))
@@ -26,7 +26,8 @@ Plot response_plot(const PaperRun& run, const TargetRun& target, const std::stri
 } // namespace
 
 Figure answers_figure(const PaperRun& run) {
-    Figure figure{"Figure 9. What the answers do.",
+    Figure figure{"figure-9",
+                  "Figure 9. What the answers do.",
                   "Stiffness and contact fraction of the three algorithms' answers; points are the target, "
                   "which asks for "
                   "stiffness alone.",
@@ -43,7 +44,8 @@ Figure answers_figure(const PaperRun& run) {
 }
 
 Figure profiles_figure(const PaperRun& run) {
-    Figure figure{"Figure 10. The surfaces.",
+    Figure figure{"figure-10",
+                  "Figure 10. The surfaces.",
                   "Heights of the three answers, each about its own mean, at the amplitude of Eq. 11.",
                   {}};
     for (const TargetRun& target : run.targets) {
@@ -59,7 +61,8 @@ Figure profiles_figure(const PaperRun& run) {
         const Unit unit = length_unit(largest);
         Plot plot;
         plot.alt = "Heights of the three answers along the profile, " + target.title + " target";
-        plot.x = {"x (mm), " + target.title, false, 0, run.model.grid.length};
+        plot.title = titled(target);
+        plot.x = {"x (mm)", false, 0, run.model.grid.length};
         plot.y = {"Height (" + unit.name + ")"};
         for (const auto& [algorithm, heights] : profiles)
             plot.series.push_back(
@@ -68,6 +71,10 @@ Figure profiles_figure(const PaperRun& run) {
                      heights.size(), 0, run.model.grid.spacing() * static_cast<double>(heights.size() - 1)),
                  unit.factor * heights, algorithm->colour, Style::line, 1.5});
         figure.panels.push_back(plot);
+        if (profiles.size() > 1 &&
+            (profiles[0].second - profiles[1].second).cwiseAbs().maxCoeff() < 1e-9 * largest)
+            figure.caption +=
+                " On the " + target.title + " target GCO's surface is SOG's: its parents are one genome.";
     }
     return figure;
 }

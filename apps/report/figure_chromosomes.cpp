@@ -23,6 +23,7 @@ Plot chromosome_plot(const ChromosomeExample& example) {
 
 Figure chromosomes_figure(std::uint64_t seed) {
     Figure figure{
+        "figure-1",
         "Figure 1. A chromosome is one wave.",
         "Two chromosomes of one series (M = 8, γ = 1.5, L = λ<sub>1</sub> = 100 µm) and the eight cosines "
         "each "

@@ -6,12 +6,6 @@ namespace app {
 
 namespace {
 
-std::string upper_first(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
-        text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
-}
-
 Series target_points(const rough::Target& target, double factor) {
     return {
         "target, " + target.name, factor * target.pressure, target.stiffness, Colour::text, Style::points, 2};
@@ -29,6 +23,7 @@ Plot parts_plot(const PaperRun& run, const TargetRun& target) {
     Plot plot;
     plot.alt = "Two database curves and the " + target.title +
                " target: one meets it at low pressures only, the other at high ones";
+    plot.title = titled(target);
     plot.x = pressure_axis(run);
     plot.y = {stiffness_label, false, 0, unset};
     plot.guides = {{unit.factor * target.p_bar}};
@@ -45,12 +40,12 @@ Plot parts_plot(const PaperRun& run, const TargetRun& target) {
                                          2,
                                          low ? Dash::solid : Dash::dashed}));
     plot.series.push_back(target_points(target.target, unit.factor));
-    plot.series.back().label = target.title + " target";
+    plot.series.back().label = "target";
     return plot;
 }
 
 std::string part_words(const TargetRun& target) {
-    std::string words = upper_first(target.title) + " target: ";
+    std::string words = titled(target) + ": ";
     for (const bool low : {true, false})
         if (const auto part = best_in_part(target, low))
             words += (low ? "genome " : "; genome ") + std::to_string(part->genome) +
@@ -63,7 +58,7 @@ std::string part_words(const TargetRun& target) {
 } // namespace
 
 Figure parts_figure(const PaperRun& run) {
-    Figure figure{"Figure 4. Good in one part.", "", {}};
+    Figure figure{"figure-4", "Figure 4. Good in one part.", "", {}};
     for (const TargetRun& target : run.targets) {
         figure.panels.push_back(parts_plot(run, target));
         figure.caption += part_words(target);
@@ -91,7 +86,8 @@ Figure pairs_figure(const PaperRun& run) {
     plot.x = {"Hurst exponent H", false, run.layout.H_from, run.layout.H_to};
     plot.y = {"Frequency ratio γ", false, run.layout.gamma_from, run.layout.gamma_to};
     plot.series = {points};
-    return {"Figure 5. The database's pairs.",
+    return {"figure-5",
+            "Figure 5. The database's pairs.",
             std::to_string(pairs.size()) +
                 " Sobol points (H, γ), the first point of the sequence skipped; each pair has " +
                 std::to_string(run.layout.phase_columns) + " sets of phases, " +
@@ -118,7 +114,8 @@ Figure database_figure(const PaperRun& run) {
         plot.series.back().colour = colours[t % 2];
         plot.series.back().style = Style::line_points;
     }
-    return {"Figure 6. The database and the targets.",
+    return {"figure-6",
+            "Figure 6. The database and the targets.",
             "K(p) of the " + std::to_string(run.database.size()) +
                 " genomes, rescaled by Eq. 11 to p<sub>max</sub>, and the targets. A stiffness curve never "
                 "falls and never "

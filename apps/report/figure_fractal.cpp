@@ -43,6 +43,7 @@ Figure fractal_figure(const FractalStudy& study) {
                      readable(unit.factor * study.bands[b].longest, 2) + " " + unit.name;
         }
     return {
+        "figure-3",
         "Figure 3. A surface that is no MWM series.",
         "The paper's fractured alloy is not public; this is a self-affine profile (H = 0.8) made by spectral "
         "synthesis from a fixed seed. Its chromosomes are octave bands of its cosine components; Algorithm 1 "

@@ -10,16 +10,16 @@ namespace app {
 
 namespace {
 
-Axis wave_axis(const PaperRun& run, const TargetRun& target) {
+Axis wave_axis(const PaperRun& run) {
     const double longest = 2 * std::numbers::pi / run.model.grid.length;
-    return {"Wave number q (rad/mm), " + target.title, true, 0.8 * longest,
-            std::numbers::pi / run.model.grid.spacing()};
+    return {"Wave number q (rad/mm)", true, 0.8 * longest, std::numbers::pi / run.model.grid.spacing()};
 }
 
 Plot lines_plot(const PaperRun& run, const TargetRun& target) {
     Plot plot;
     plot.alt = "Power of each cosine of the three answers against wave number, " + target.title + " target";
-    plot.x = wave_axis(run, target);
+    plot.title = titled(target);
+    plot.x = wave_axis(run);
     plot.x.to = unset;
     plot.y = {"Power of a wave (mm²)", true};
     for (const Algorithm& algorithm : algorithms)
@@ -40,7 +40,8 @@ Plot lines_plot(const PaperRun& run, const TargetRun& target) {
 Plot density_plot(const PaperRun& run, const TargetRun& target) {
     Plot plot;
     plot.alt = "Power spectral density of the three answers against wave number, " + target.title + " target";
-    plot.x = wave_axis(run, target);
+    plot.title = titled(target);
+    plot.x = wave_axis(run);
     plot.y = {"Density (mm³)", true};
     for (const Algorithm& algorithm : algorithms)
         if (const VariantRun* variant = find_variant(target, algorithm.name)) {
@@ -54,7 +55,8 @@ Plot density_plot(const PaperRun& run, const TargetRun& target) {
 } // namespace
 
 Figure spectra_figure(const PaperRun& run) {
-    Figure figure{"Figure 11. What the surfaces are made of.",
+    Figure figure{"figure-11",
+                  "Figure 11. What the surfaces are made of.",
                   "Discrete spectrum (the power of each cosine, exact) and continuous power spectral density "
                   "(FFT of the "
                   "sampled heights under a Hann window) of the three answers.",

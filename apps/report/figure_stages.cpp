@@ -11,11 +11,8 @@ Plot stages_plot(const TargetRun& target, const Algorithm& algorithm, double fro
     Plot plot;
     plot.alt = std::string("Similarity of ") + algorithm.title + "'s three candidates with the " +
                target.title + " target after each refinement";
-    plot.x = {std::string(algorithm.title) + ", " + target.title,
-              false,
-              -0.2,
-              2.2,
-              {{0, "before"}, {1, "GCMMA (1)"}, {2, "(2)"}}};
+    plot.title = std::string(algorithm.title) + ", " + target.title + " target";
+    plot.x = {"", false, -0.2, 2.2, {{0, "(0)"}, {1, "(1)"}, {2, "(2)"}}};
     plot.y = {"Similarity s", false, from, 1};
     plot.height = 340;
     const VariantRun* variant = find_variant(target, algorithm.name);
@@ -23,7 +20,7 @@ Plot stages_plot(const TargetRun& target, const Algorithm& algorithm, double fro
         return plot;
     std::size_t rank = 0;
     for (const Refinement& candidate : refinements(*variant)) {
-        plot.series.push_back({"id " + std::to_string(candidate.id), Eigen::Vector3d(0, 1, 2),
+        plot.series.push_back({"no. " + std::to_string(candidate.id), Eigen::Vector3d(0, 1, 2),
                                Eigen::Map<const Eigen::Vector3d>(candidate.similarity.data()),
                                ranks[rank % ranks.size()], Style::line_points, 2});
         ++rank;
@@ -46,11 +43,12 @@ double lowest(const PaperRun& run) {
 } // namespace
 
 Figure stages_figure(const PaperRun& run) {
-    Figure figure{
-        "Figure 7. What refinement adds.",
-        "Similarity of the three best candidates before GCMMA (0), after it (1) and after the left-out "
-        "chromosomes' turn (2); CCO has no second turn and copies (1). All panels on one scale.",
-        {}};
+    Figure figure{"figure-7",
+                  "Figure 7. What refinement adds.",
+                  "Similarity of the three best candidates, by their numbers, before GCMMA (0), after it (1) "
+                  "and after the left-out "
+                  "chromosomes' turn (2); CCO has no second turn and copies (1). All panels on one scale.",
+                  {}};
     const double from = lowest(run);
     for (const TargetRun& target : run.targets)
         for (const Algorithm& algorithm : algorithms)

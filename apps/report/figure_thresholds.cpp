@@ -1,6 +1,9 @@
 #include "apps/report/figures.hpp"
 #include "apps/report/paper_lookup.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace app {
 
 namespace {
@@ -29,17 +32,27 @@ Series look(const Algorithm& algorithm, const std::string& label, bool faint = f
             faint ? Dash::dotted : Dash::solid};
 }
 
-Plot threshold_plot(const std::string& label) {
+Plot threshold_plot(const std::string& part, const std::string& label, const TargetRun& target) {
     Plot plot;
+    plot.title = part + ", " + target.title + " target";
     plot.x = {"Threshold p̄ / pₘₐₓ"};
     plot.y = {label};
     return plot;
+}
+
+/// A round per cent above every share, so that no share at all still has an axis.
+double highest_share(const TargetRun& target) {
+    double most = 0;
+    for (const ThresholdRow& row : target.thresholds)
+        most = std::max(most, row.share_above);
+    return 10 * (std::floor(10 * most) + 1);
 }
 
 } // namespace
 
 Figure thresholds_figure(const PaperRun& run) {
     Figure figure{
+        "figure-8",
         "Figure 8. The threshold's part.",
         "A: best similarity against the threshold (thin: the best child before GCMMA). B: how many children "
         "there are, |U<sub>3</sub>| = |U<sub>1</sub>| |U<sub>2</sub>|, and which share of the distinct ones "
@@ -49,14 +62,14 @@ Figure thresholds_figure(const PaperRun& run) {
         "best were taken.",
         {}};
     for (const TargetRun& target : run.targets) {
-        Plot best = threshold_plot("A: best s, " + target.title);
-        Plot size = threshold_plot("B: |U₃|, " + target.title);
-        Plot share = threshold_plot("B: share above 0.95 (%), " + target.title);
+        Plot best = threshold_plot("A", "Best similarity s", target);
+        Plot size = threshold_plot("B", "Children |U₃|", target);
+        Plot share = threshold_plot("B", "Share above 0.95 (%)", target);
         best.alt = "Best similarity of GCO and CCO against the threshold, " + target.title + " target";
         size.alt = "Number of children against the threshold, " + target.title + " target";
         share.alt = "Share of children above 0.95 against the threshold, " + target.title + " target";
-        share.y.from = -2;
-        share.y.to = 102;
+        share.y.from = 0;
+        share.y.to = highest_share(target);
         size.y.from = 0;
         for (const Algorithm& algorithm : algorithms) {
             const auto rows = thresholds_of(target, algorithm.name);

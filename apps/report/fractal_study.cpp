@@ -2,6 +2,10 @@
 
 #include "apps/report/compare.hpp"
 #include "domain/response/curve.hpp"
+#include "ga/random.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace app {
 
@@ -9,11 +13,9 @@ namespace {
 
 constexpr double hurst = 0.8;      ///< of fracture surfaces (Bouchaud, Lapasset and Planes 1990)
 constexpr double rms = 1e-3;       ///< mm; a profile's K does not depend on its amplitude
-constexpr double threshold = 0.95; // Algorithm 1
+constexpr double threshold = 0.95; ///< of Algorithm 1
 
-} // namespace
-
-FractalStudy fractal_study(const rough::Model& model, std::uint64_t seed) {
+FractalStudy study_of(const rough::Model& model, std::uint64_t seed) {
     const auto answer = [&](const rough::Profile& profile) {
         return respond(profile, model.body, model.loading, model.contact);
     };
@@ -43,6 +45,16 @@ FractalStudy fractal_study(const rough::Model& model, std::uint64_t seed) {
             study.reduced.heights += study.bands[b].heights;
     study.reduced_response = answer(study.reduced);
     return study;
+}
+
+} // namespace
+
+std::vector<FractalStudy> fractal_studies(const rough::Model& model, std::uint64_t seed) {
+    std::vector<FractalStudy> studies(20);
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t i = 0; i < studies.size(); ++i)
+        studies[i] = study_of(model, ga::fold(seed, i));
+    return studies;
 }
 
 } // namespace app

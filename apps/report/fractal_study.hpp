@@ -19,6 +19,7 @@ struct FractalStudy {
     rough::Response whole_response, reduced_response;
 };
 
-FractalStudy fractal_study(const rough::Model& model, std::uint64_t seed);
+/// Twenty such profiles, on the model's grid and body.
+std::vector<FractalStudy> fractal_studies(const rough::Model& model, std::uint64_t seed);
 
 } // namespace app

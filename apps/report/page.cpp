@@ -3,18 +3,24 @@
 #include "apps/plot_svg.hpp"
 #include "apps/report/page_style.hpp"
 
+#include <stdexcept>
+
 namespace app {
 
 namespace {
 
 const std::string next_figure = "\x01";
 
-std::string with_panels(const Figure& figure, const std::vector<std::string>& pictures, std::size_t first,
-                        std::size_t number) {
-    std::string html = "<figure id=\"figure-" + std::to_string(number) + "\"><div class=\"panels of-" +
-                       std::to_string(std::min<std::size_t>(figure.panels.size(), 3)) + "\">\n";
-    for (std::size_t i = 0; i < figure.panels.size(); ++i)
-        html += "<div>" + pictures[first + i] + "</div>\n";
+std::string with_panels(const Figure& figure, const std::vector<std::string>& pictures, std::size_t first) {
+    const std::size_t count = figure.panels.size();
+    const std::size_t columns = count % 3 == 0 ? 3 : std::min<std::size_t>(count, 2);
+    std::string html =
+        "<figure id=\"" + figure.id + "\"><div class=\"panels of-" + std::to_string(columns) + "\">\n";
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string& title = figure.panels[i].title;
+        html += "<div>" + (title.empty() ? "" : "<p>" + escaped(title) + "</p>") + pictures[first + i] +
+                "</div>\n";
+    }
     return html + "</div><figcaption><b>" + figure.title + "</b> " + figure.caption +
            "</figcaption></figure>\n";
 }
@@ -45,6 +51,9 @@ void Page::table(const Table& table) {
                (numeric ? " class=\"number\">" : ">") + content + "</" + tag + ">";
     };
     const auto row = [&](const std::string& tag, const std::vector<std::string>& cells) {
+        if (cells.size() != table.header.size())
+            throw std::logic_error("table '" + table.title + "': a row of " + std::to_string(cells.size()) +
+                                   " cells under a header of " + std::to_string(table.header.size()));
         std::string html = "<tr>";
         for (std::size_t column = 0; column < cells.size(); ++column)
             html += cell(tag, column, cells[column]);
@@ -78,7 +87,7 @@ std::string Page::html() const {
     std::size_t figure = 0, picture = 0;
     for (const std::string& block : blocks_)
         if (block == next_figure) {
-            body += with_panels(figures_[figure], pictures, picture, figure + 1);
+            body += with_panels(figures_[figure], pictures, picture);
             picture += figures_[figure++].panels.size();
         } else {
             body += block;

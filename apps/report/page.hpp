@@ -9,6 +9,7 @@ namespace app {
 
 /// A picture of one or more plots under one caption. Texts are HTML.
 struct Figure {
+    std::string id;      ///< where a link finds it, e.g. "figure-6"
     std::string title;   ///< e.g. "Figure 6. The database and the target"
     std::string caption; ///< what to see in it
     std::vector<Plot> panels;

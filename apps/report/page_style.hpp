@@ -27,6 +27,7 @@ nav{display:flex;flex-wrap:wrap;gap:.3rem 1.4rem;font-size:.95rem;margin:1.2rem 
 figure{margin:1.5rem 0 2.5rem}
 .panels{display:grid;gap:1rem;grid-template-columns:minmax(0,1fr)}
 .panels>div{background:var(--card);border-radius:.6rem;padding:.6rem .5rem .4rem}
+.panels p{margin:.2rem .5rem .3rem;font-size:.9rem;font-weight:600}
 .panels svg{display:block;width:100%;height:auto}
 @media (min-width:46rem){.of-1{max-width:38rem}.of-2,.of-3{grid-template-columns:repeat(2,minmax(0,1fr))}}
 @media (min-width:64rem){.of-3{grid-template-columns:repeat(3,minmax(0,1fr))}}

@@ -28,6 +28,13 @@ const VariantRun* find_variant(const TargetRun& target, const std::string& name)
     return nullptr;
 }
 
+std::string titled(const TargetRun& target) {
+    std::string title = target.title + " target";
+    if (title[0] >= 'a' && title[0] <= 'z')
+        title[0] = static_cast<char>(title[0] - 'a' + 'A');
+    return title;
+}
+
 std::vector<Refinement> refinements(const VariantRun& variant) {
     const auto& stages = variant.stages;
     const auto first = std::find_if(stages.begin(), stages.end(), is_refinement);

@@ -25,10 +25,18 @@ std::string count_of(const std::vector<Claim>& claims, Verdict verdict) {
                                         [&](const Claim& claim) { return claim.verdict == verdict; }));
 }
 
+/// "Figure 8A" as a link to Figure 8
+std::string linked(const std::string& place) {
+    if (!place.starts_with("Figure "))
+        return place;
+    const std::string number = place.substr(7, place.find_first_not_of("0123456789", 7) - 7);
+    return "<a href=\"#figure-" + number + "\">" + place + "</a>";
+}
+
 Table claims_table(const std::vector<Claim>& claims) {
     Table table{"", {"Where", "The paper says", "Measured here", "Verdict"}, {}, {}, true};
     for (const Claim& claim : claims)
-        table.rows.push_back({claim.place, claim.says,
+        table.rows.push_back({linked(claim.place), claim.says,
                               claim.measured + "<span class=\"rule\">" + claim.rule + "</span>",
                               badge(claim.verdict)});
     return table;
@@ -42,21 +50,31 @@ std::string shown_name(const std::string& name) {
     return name.find('-') == std::string::npos ? result : result + ", " + name.substr(name.find('-') + 1);
 }
 
-Table runs_table(const PaperRun& run, const TargetRun& target) {
-    Table table{
-        "Runs on the " + target.title + " target",
-        {"Algorithm", "Similarity", "on the fine grid", "before GCMMA", "curves", "gradients", "seconds"},
-        {},
-        {false, true, true, true, true, true, true}};
+/// The database genome that the answer is, or the two that it comes from.
+std::string descent_of(const VariantRun& variant) {
+    if (variant.stages.empty() || variant.stages.back().candidates.empty())
+        return "–";
+    const Candidate& answer = variant.stages.back().candidates.front();
+    std::string words;
+    for (std::uint64_t parent : answer.parents)
+        words += (words.empty() ? "" : " + ") + std::to_string(parent);
+    return words.empty() ? std::to_string(answer.id) : words;
+}
+
+Table runs_table(const TargetRun& target) {
+    Table table{"Runs on the " + target.title + " target",
+                {"Algorithm", "Similarity", "on the fine grid", "before GCMMA", "genome or parents", "curves",
+                 "gradients", "seconds"},
+                {},
+                {false, true, true, true, true, true, true, true}};
     for (const VariantRun& variant : target.variants) {
         const auto candidates = refinements(variant);
         table.rows.push_back({shown_name(variant.name), readable(variant.similarity, 4),
                               readable(variant.similarity_refined, 4),
                               candidates.empty() ? "–" : readable(candidates.front().similarity[0], 4),
-                              std::to_string(variant.curves), std::to_string(variant.gradients),
-                              readable(variant.seconds, 2)});
+                              descent_of(variant), std::to_string(variant.curves),
+                              std::to_string(variant.gradients), readable(variant.seconds, 2)});
     }
-    (void)run;
     return table;
 }
 
@@ -88,7 +106,7 @@ void add_runs(Page& page, const PaperRun& run) {
         "elements for each of the run's: an answer that is good on one grid only is tuned to that grid. The "
         "minimax forms are the same algorithms with all points of the target seen by GCMMA at once.");
     for (const TargetRun& target : run.targets)
-        page.table(runs_table(run, target));
+        page.table(runs_table(target));
 }
 
 void add_readings(Page& page, const PaperRun& run, const Readings& readings) {
@@ -183,15 +201,17 @@ std::string paper_page(const PaperRun& run) {
     page.figure(spectra_figure(run));
     add_runs(page, run);
     page.section("Every claim");
-    page.prose("Each verdict is computed from this run by the rule under its numbers.");
+    page.prose("Each verdict is computed from this run by the rule under its numbers. Undecidable is what "
+               "holds on one target and "
+               "not on the other, and what cannot be tested without the authors' data.");
     page.table(claims_table(claims));
     page.section("The search");
     page.figure(stages_figure(run));
     page.figure(thresholds_figure(run));
-    page.section("The ground");
+    page.section("What it stands on");
     page.figure(chromosomes_figure(run.seed));
     page.figure(ridges_figure(studies.ridges));
-    page.figure(fractal_figure(studies.fractal));
+    page.figure(fractal_figure(studies.fractals.front()));
     page.figure(parts_figure(run));
     page.figure(pairs_figure(run));
     page.figure(database_figure(run));

@@ -17,20 +17,23 @@ bool holds(double g1, double radicand, double ridges) {
     return std::abs(g1) <= std::sqrt(std::max(radicand, 0.0)) + rounding * ridges;
 }
 
-/// g3 = sum over pairs m < l of cos(phi_m - phi_l); the last pair is (M-1, M).
+/// g3 = sum over pairs m < l of cos(phi_m - phi_l), as running sums of cosines and sines.
 double pair_sum(const std::vector<double>& phases) {
-    double g3 = 0;
-    for (std::size_t m = 0; m < phases.size(); ++m)
-        for (std::size_t l = m + 1; l < phases.size(); ++l)
-            g3 += std::cos(phases[m] - phases[l]);
+    double g3 = 0, cosines = 0, sines = 0;
+    for (double phase : phases) {
+        const double c = std::cos(phase), s = std::sin(phase);
+        g3 += cosines * c + sines * s;
+        cosines += c;
+        sines += s;
+    }
     return g3;
 }
 
 } // namespace
 
-std::vector<RidgeCount> ridge_study(int most, int sets, std::uint64_t seed) {
+std::vector<RidgeCount> ridge_study(const std::vector<int>& ridge_counts, int sets, std::uint64_t seed) {
     std::vector<RidgeCount> counts;
-    for (int M = 2; M <= most; ++M) {
+    for (int M : ridge_counts) {
         ga::Stream random(ga::fold(ga::fold(seed, "ridges"), static_cast<std::uint64_t>(M)));
         const double ridges = M;
         int printed = 0, missing = 0, right = 0;

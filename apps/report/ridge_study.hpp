@@ -13,7 +13,7 @@ struct RidgeCount {
     double right_phase;  ///< share for which Eq. 8's arccos(g1/R) gives the sum's own phase
 };
 
-/// Figure 2: `sets` sets of phases, uniform over a turn, for each M of 2..most.
-std::vector<RidgeCount> ridge_study(int most, int sets, std::uint64_t seed);
+/// Figure 2: `sets` sets of phases, uniform over a turn, for each M >= 2.
+std::vector<RidgeCount> ridge_study(const std::vector<int>& ridge_counts, int sets, std::uint64_t seed);
 
 } // namespace app

@@ -40,7 +40,8 @@ Profile sample(const Genome& genome, const Grid& grid) {
     Profile profile{Eigen::VectorXd::Zero(grid.nodes), grid.spacing()};
     Eigen::ArrayXd cosines(grid.nodes), sines(grid.nodes);
     for (const Wave& wave : waves(genome)) {
-        fill_wave(wave.wave_number * profile.spacing, wave.phase, cosines, sines);
+        fill_wave(wave.wave_number * profile.spacing, wave.phase + wave.wave_number * grid.from, cosines,
+                  sines);
         profile.heights.array() += wave.offset - wave.amplitude * cosines; // Eq. 9
     }
     return profile;
@@ -49,9 +50,10 @@ Profile sample(const Genome& genome, const Grid& grid) {
 Eigen::MatrixXd wave_basis(const Genome& genome, const Grid& grid) {
     const auto all = waves(genome);
     Eigen::MatrixXd basis(grid.nodes, 2 * static_cast<Index>(all.size()));
-    for (Index c = 0; c < static_cast<Index>(all.size()); ++c)
-        fill_wave(all[static_cast<std::size_t>(c)].wave_number * grid.spacing(), 0.0,
-                  basis.col(2 * c).array(), basis.col(2 * c + 1).array());
+    for (Index c = 0; c < static_cast<Index>(all.size()); ++c) {
+        const double k = all[static_cast<std::size_t>(c)].wave_number;
+        fill_wave(k * grid.spacing(), k * grid.from, basis.col(2 * c).array(), basis.col(2 * c + 1).array());
+    }
     return basis;
 }
 
@@ -61,7 +63,8 @@ Eigen::MatrixXd pulled_back(const Eigen::MatrixXd& height_gradient, const Genome
     //   d/dk = G R Im(T e^{i theta}).
     const Eigen::MatrixXd basis = wave_basis(genome, grid);
     const Eigen::VectorXd x =
-        Eigen::VectorXd::LinSpaced(grid.nodes, 0, grid.spacing() * static_cast<double>(grid.nodes - 1));
+        Eigen::VectorXd::LinSpaced(grid.nodes, grid.from,
+                                   grid.from + grid.spacing() * static_cast<double>(grid.nodes - 1));
     const Eigen::MatrixXd S = height_gradient * basis;
     const Eigen::MatrixXd T = height_gradient * x.asDiagonal() * basis;
 

@@ -56,15 +56,6 @@ std::vector<double> even_steps(double last, const Loading& loading) {
     return displacements;
 }
 
-std::vector<double> displacements_of(const Profile& profile, const Body& body, const Loading& loading,
-                                     const ContactOptions& options, double range) {
-    if (loading.to_displacement > 0)
-        return even_steps(loading.to_displacement, loading);
-    if (loading.to_pressure > 0)
-        return even_steps(displacement_at_pressure(profile, body, loading.to_pressure, options), loading);
-    return load_displacements(range, loading, body.kernel);
-}
-
 /// Where to start looking for a pressure: the answer for every fourth node, whose contact is found in a
 /// fraction of the time; half the range where there are too few.
 double first_guess(const Profile& profile, const Body& body, double pressure, const ContactOptions& options,
@@ -96,6 +87,15 @@ std::vector<double> load_displacements(double range, const Loading& loading, Ker
     return even_steps(loading.reach * range, loading);
 }
 
+std::vector<double> step_displacements(const Profile& profile, const Body& body, const Loading& loading,
+                                       const ContactOptions& options) {
+    if (loading.to_displacement > 0)
+        return even_steps(loading.to_displacement, loading);
+    if (loading.to_pressure > 0)
+        return even_steps(displacement_at_pressure(profile, body, loading.to_pressure, options), loading);
+    return load_displacements(displacement_range(profile, body.kernel), loading, body.kernel);
+}
+
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 const ContactOptions& options) {
     const double range = displacement_range(profile, body.kernel);
@@ -125,14 +125,13 @@ Response respond(const Profile& profile, const Body& body, const Loading& loadin
                  const ContactOptions& options) {
     const double range = displacement_range(profile, body.kernel);
     return from_curve(
-        solve_contact(profile, body, displacements_of(profile, body, loading, options, range), options),
-        range);
+        solve_contact(profile, body, step_displacements(profile, body, loading, options), options), range);
 }
 
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
                                            ContactOptions options) {
     const double range = displacement_range(profile, body.kernel);
-    const std::vector<double> displacements = displacements_of(profile, body, loading, options, range);
+    const std::vector<double> displacements = step_displacements(profile, body, loading, options);
     options.states = true;
     const ContactCurve curve = solve_contact(profile, body, displacements, options);
     const Index nodes = profile.nodes(), steps = static_cast<Index>(curve.steps.size());

@@ -41,6 +41,11 @@ double displacement_range(const Profile& profile, Kernel kernel);
 /// outside its range.
 std::vector<double> load_displacements(double range, const Loading& loading, Kernel kernel);
 
+/// The displacements of the load steps wherever they end, mm. Throws InputError on steps < 2 or an end that
+/// the profile has not.
+std::vector<double> step_displacements(const Profile& profile, const Body& body, const Loading& loading,
+                                       const ContactOptions& options = {});
+
 /// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm, to 12 digits of pressure:
 /// Newton's method on the convex P(Delta). Throws InputError where the periodic profile is in full contact
 /// below it.

@@ -1,0 +1,66 @@
+// Coverage and saving of `respond_within` on random scenes of the paper's law:
+//   benchmark_economy [scenes [kernel 0-2 [first seed [shortest wave, parts of L]]]]
+#include "domain/economy/economy.hpp"
+
+#include "domain/economy/accuracy.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+using namespace rough;
+
+namespace {
+
+double quantile(std::vector<double> values, double q) {
+    std::sort(values.begin(), values.end());
+    return values[std::min(values.size() - 1,
+                           static_cast<std::size_t>(q * static_cast<double>(values.size())))];
+}
+
+} // namespace
+
+int main(int count, char** words) {
+    const auto word = [&](int i, double fallback) { return count > i ? std::atof(words[i]) : fallback; };
+    const int scenes = static_cast<int>(word(1, 100));
+    const auto first_seed = static_cast<unsigned>(word(3, 1));
+    const double length = 0.84942, parts = word(4, 64);
+    Model model;
+    model.body.kernel = static_cast<Kernel>(static_cast<int>(word(2, 0)));
+    model.body.strip_width = length / 511;
+    const bool periodic = model.body.kernel == Kernel::periodic;
+    model.loading.reach = periodic ? 0.95 : 1;
+    for (const double accuracy : {1e-2, 1e-3, 1e-4}) {
+        std::vector<double> saving, true_error, seconds, exact_seconds;
+        int covered = 0, within = 0, cheaper = 0;
+        double worst = 0, worst_ratio = 0;
+        for (int scene = 0; scene < scenes; ++scene) {
+            std::mt19937_64 random(first_seed + static_cast<unsigned>(scene));
+            const Genome genome = testing::random_genome(random, 1, 1, length, length / parts);
+            model.grid = resolved_grid(genome, length, periodic);
+            const EconomicResponse exact = respond_exactly(genome, model);
+            const EconomicResponse cheap = respond_within(genome, model, accuracy);
+            const double error = relative_error(cheap.response.pressure, exact.response.pressure);
+            const double estimate = cheap.account.estimated_error();
+            covered += error <= estimate + exact.account.estimated_error();
+            within += error <= accuracy;
+            cheaper += cheap.account.extrapolated;
+            worst = std::max(worst, error / accuracy);
+            if (cheap.account.extrapolated)
+                worst_ratio = std::max(worst_ratio, error / estimate);
+            saving.push_back(exact.account.seconds / cheap.account.seconds);
+            seconds.push_back(1e3 * cheap.account.seconds);
+            exact_seconds.push_back(1e3 * exact.account.seconds);
+            true_error.push_back(error);
+        }
+        std::printf(
+            "accuracy %.0e: estimate covers %.1f %%, within %.1f %%, worst error %.2f of the accuracy, "
+            "%.2f of the estimate; by coarser grids %.0f %%; error median %.1e; resolved %.1f ms, cheap "
+            "%.2f ms; saving median %.1f, tenth percentile %.2f\n",
+            accuracy, 100.0 * covered / scenes, 100.0 * within / scenes, worst, worst_ratio,
+            100.0 * cheaper / scenes, quantile(true_error, 0.5), quantile(exact_seconds, 0.5),
+            quantile(seconds, 0.5), quantile(saving, 0.5), quantile(saving, 0.1));
+    }
+}
