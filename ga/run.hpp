@@ -4,6 +4,7 @@
 
 namespace ga {
 
+/// How a pipeline is run.
 struct RunOptions {
     std::string variant = "pipeline"; ///< first word of every path; decides no random number
     std::uint64_t seed = 1;
@@ -12,6 +13,7 @@ struct RunOptions {
     Budget budget = {};
 };
 
+/// What a run gives back.
 template <class G>
 struct Result {
     Population<G> population;          ///< the pipeline's answer; when stopped, the best so far alone

@@ -44,6 +44,7 @@ struct StepSolution {
     double residual = 0;      ///< certificate
 };
 
+/// What a solver returns.
 struct Solution {
     std::vector<StepSolution> steps;
     long iterations = 0;

@@ -11,6 +11,7 @@ namespace rough {
 
 enum class Solver { automatic, nested, nnls, polonsky_keer, active_set };
 
+/// How contact is to be solved.
 struct ContactOptions {
     Solver solver = Solver::automatic;
     double tolerance = 1e-6;   ///< relative, iterative solvers only
@@ -37,6 +38,7 @@ struct ContactState {
     Eigen::VectorXd tangent;  ///< w = H_AA^-1 1 on A, MPa/mm, same order; dP/dDelta = (delta/L) sum w
 };
 
+/// What pressing a profile step by step gave.
 struct ContactCurve {
     std::vector<LoadStep> steps;       ///< one a displacement, in the order given
     std::vector<ContactState> states;  ///< same length as steps; empty unless asked for

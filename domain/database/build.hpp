@@ -6,6 +6,7 @@
 
 namespace rough {
 
+/// How far a build goes and how it works.
 struct BuildOptions {
     std::uint64_t genomes = 100'000; ///< how many the database is to hold
     std::uint64_t batch = 250;       ///< stored at a time: what a kill may cost

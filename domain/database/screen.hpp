@@ -12,6 +12,7 @@ struct Match {
     double scale = 1;      ///< of the genome's amplitude
 };
 
+/// What screening is to look for.
 struct ScreenOptions {
     double max_pressure = 0; ///< MPa: every genome is rescaled to it by Eq. 11; 0: amplitude is free
     std::size_t best = 10;   ///< how many matches to return

@@ -15,10 +15,10 @@ namespace rough {
 /// with the file.
 class Sqlite {
   public:
-    enum class Access { existing, create };
+    enum class Access { existing, create }; ///< a file that is there, or one made where there is none
     Sqlite(std::filesystem::path file, Access access);
 
-    void run(const std::string& sql);
+    void run(const std::string& sql);            ///< statements whose rows do not matter
     std::int64_t number(const std::string& sql); ///< the first column of the first row; 0 without a row
     const std::filesystem::path& file() const { return file_; }
 
@@ -42,7 +42,7 @@ class Statement {
     bool step(); ///< false when done
     std::int64_t number(int column) const;
     std::string_view bytes(int column) const; ///< text or blob, valid until the next step
-    void reset();
+    void reset();                             ///< to be bound and stepped again
 
   private:
     struct Finalise {

@@ -55,6 +55,7 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
 Response respond(const Profile& profile, const Body& body, const Loading& loading,
                  const ContactOptions& options = {});
 
+/// A response and how it changes with the heights.
 struct ResponseWithGradient {
     Response response;
     ResponseGradient gradient;

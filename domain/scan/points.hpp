@@ -17,6 +17,7 @@ struct Points {
 /// Throws InputError naming the file and the first line with a missing value.
 void refuse_missing(const Points& points, const std::string& file);
 
+/// Points without gaps, and what that took.
 struct Filled {
     Points points;
     std::size_t filled = 0;   ///< heights interpolated linearly between their neighbours

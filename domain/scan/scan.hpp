@@ -14,6 +14,7 @@ enum class Detrend { none, mean, line, parabola };
 /// "none", "mean", "line" or "parabola"; anything else throws InputError naming `where`.
 Detrend detrend_named(std::string_view name, const std::string& where);
 
+/// How a file is to be read.
 struct ScanOptions {
     /// unit of the columns whose header names none, e.g. "um"; empty: none given, mm is assumed
     std::string unit = {};

@@ -7,6 +7,7 @@
 
 namespace rough {
 
+/// A line of a file.
 struct TextLine {
     int number = 0; ///< from 1, as an editor counts
     std::string text;

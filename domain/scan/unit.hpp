@@ -7,6 +7,7 @@
 
 namespace rough {
 
+/// A unit of length.
 struct LengthUnit {
     std::string name; ///< as the account prints it
     double in_mm = 1; ///< > 0

@@ -1,0 +1,32 @@
+# Completion of rugosa for bash: subcommands and flags as the program's own help lists them.
+# Installed where bash-completion looks; or type: source completion.bash
+
+_rugosa_words() { # the words of a help page that stand where subcommands or flags do
+    "$@" --help 2>/dev/null | sed -n 's/^  \(--[a-z][a-zA-Z-]*\).*/\1/p; s/^  \([a-z][a-z-]*\)  .*/\1/p'
+}
+
+_rugosa() {
+    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+    local command=("${COMP_WORDS[0]}") word
+    for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+        case $word in
+        -*) break ;;
+        *) _rugosa_words "${command[@]}" | grep -qxe "$word" && command+=("$word") || break ;;
+        esac
+    done
+    COMPREPLY=()
+    case $previous in
+    --kernel) COMPREPLY=($(compgen -W "free periodic strip" -- "$current")) ;;
+    --solver) COMPREPLY=($(compgen -W "auto nested nnls polonsky-keer active-set" -- "$current")) ;;
+    --detrend) COMPREPLY=($(compgen -W "none mean line parabola" -- "$current")) ;;
+    --unit) COMPREPLY=($(compgen -W "m mm um nm A in" -- "$current")) ;;
+    esac
+    [ ${#COMPREPLY[@]} -gt 0 ] && return
+    if [[ $current == -* ]]; then
+        COMPREPLY=($(compgen -W "$(_rugosa_words "${command[@]}" | grep '^--') --help" -- "$current"))
+    elif [[ $previous != -* ]]; then
+        COMPREPLY=($(compgen -W "$(_rugosa_words "${command[@]}" | grep -v '^--')" -- "$current"))
+    fi
+    [ ${#COMPREPLY[@]} -gt 0 ] || COMPREPLY=($(compgen -f -- "$current"))
+}
+complete -o filenames -F _rugosa rugosa
