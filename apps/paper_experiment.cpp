@@ -67,6 +67,11 @@ rough::DominanceReading reading_from(const Settings& settings) {
     return static_cast<rough::DominanceReading>(settings.one_of("paper.dominance", {"pressure", "step"}));
 }
 
+rough::DominanceReading other(rough::DominanceReading reading) {
+    using enum rough::DominanceReading;
+    return reading == same_pressure ? same_step : same_pressure;
+}
+
 struct Setup {
     rough::Model model;
     double max_pressure;
@@ -99,10 +104,11 @@ class Paper {
   public:
     Paper(const Settings& settings, PaperRun& run, Progress& progress)
         : settings_(settings), run_(run),
-          progress_(progress), choices_{std::make_shared<DominanceRule>(run.model, reading_from(settings)),
+          progress_(progress), choices_{std::make_shared<DominanceRule>(run.model, run.dominance),
                                         Form::paper,
                                         {settings.number("paper.phase-relative", 0, 10),
                                          settings.number("paper.phase-absolute", 0, 10)}},
+          other_rule_(std::make_shared<DominanceRule>(run.model, other(run.dominance))),
           genomes_(sobol_database(run.layout)) {}
 
     void answer_database() {
@@ -128,10 +134,13 @@ class Paper {
         }
         for (const Variant& variant : variants) {
             progress_.show(target.title + ": " + variant.name);
-            VariantRun run = run_variant(variant, problem);
+            VariantRun run = run_variant(variant, problem, choices_.rule);
             run.similarity_refined = similarity(problem, run.answer.genome, 4);
             target.variants.push_back(std::move(run));
         }
+        for (const Variant& variant : variants)
+            if (variant.form == Form::paper)
+                target.other_reading.push_back(run_variant(variant, problem, other_rule_));
     }
 
     void sweep(TargetRun& target) {
@@ -147,14 +156,15 @@ class Paper {
             for (const Variant& variant : {variants[1], variants[2]}) {
                 progress_.show(target.title + ": threshold " + std::to_string(i + 1) + " of " +
                                std::to_string(count));
-                target.thresholds.push_back(
-                    threshold_row(run_variant(variant, problem), fraction * run_.max_pressure));
+                target.thresholds.push_back(threshold_row(run_variant(variant, problem, choices_.rule),
+                                                          fraction * run_.max_pressure));
             }
         }
     }
 
   private:
-    VariantRun run_variant(const Variant& variant, const RescaledProblem& problem) {
+    VariantRun run_variant(const Variant& variant, const RescaledProblem& problem,
+                           const std::shared_ptr<const DominanceRule>& rule) {
         const auto start = std::chrono::steady_clock::now();
         VariantRun run;
         run.name = variant.name;
@@ -162,7 +172,7 @@ class Paper {
         options.variant = variant.name;
         options.seed = run_.seed;
         options.threads = run_.threads;
-        const auto result = ga::run(variant.pipeline({choices_.rule, variant.form, choices_.reach}), problem,
+        const auto result = ga::run(variant.pipeline({rule, variant.form, choices_.reach}), problem,
                                     ga::population(genomes_), options, {recorder(run.stages)});
         run.seconds = seconds_since(start);
         run.notes = result.notes;
@@ -202,6 +212,7 @@ class Paper {
     PaperRun& run_;
     Progress& progress_;
     rough::PaperChoices choices_;
+    std::shared_ptr<const DominanceRule> other_rule_;
     std::shared_ptr<rough::ResponseMemory> memory_ =
         std::make_shared<rough::ResponseMemory>(); ///< of the sweep
     std::vector<rough::Genome> genomes_;
@@ -249,6 +260,7 @@ PaperRun run_paper(const Settings& settings, Progress& progress) {
     run.max_pressure = setup.max_pressure;
     run.targets = std::move(setup.targets);
     run.layout = layout_from(settings, run.model);
+    run.dominance = reading_from(settings);
     run.seed = static_cast<std::uint64_t>(settings.whole("experiment.seed", 0, 1L << 53));
     const long threads = settings.whole("experiment.threads", 0, 1024);
     run.threads = threads > 0 ? static_cast<int>(threads) : omp_get_max_threads();

@@ -115,7 +115,7 @@ Claim over_trios(const std::vector<Trio>& trios, Claim claim,
     return claim;
 }
 
-const std::string both = " on both targets; contradicted if on neither.";
+const std::string both = " on every target; contradicted if on none.";
 
 } // namespace
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/fitness/model.hpp"
+#include "domain/fitness/dominance.hpp"
 #include "domain/mwm/database.hpp"
 #include "domain/response/target.hpp"
 
@@ -66,10 +66,11 @@ struct ThresholdRow {
 struct TargetRun {
     std::string title; ///< "drawn" or "held-out"
     rough::Target target;
-    double p_bar = 0;                     ///< threshold of the variants below
-    std::vector<Scores> database;         ///< of each database genome, same order
-    std::vector<VariantRun> variants;     ///< the paper's three, then their minimax forms
-    std::vector<ThresholdRow> thresholds; ///< p_bar ascending, gco and cco at each
+    double p_bar = 0;                           ///< threshold of the variants below
+    std::vector<Scores> database;               ///< of each database genome, same order
+    std::vector<VariantRun> variants;           ///< the paper's three, then their minimax forms
+    std::vector<ThresholdRow> thresholds;       ///< p_bar ascending, gco and cco at each
+    std::vector<VariantRun> other_reading = {}; ///< the paper's three under the other reading of Algorithm 1
 };
 
 struct PaperRun {
@@ -78,7 +79,8 @@ struct PaperRun {
     int threads = 0;
     double seconds = 0; ///< wall time of the run without the page
     rough::Model model;
-    double max_pressure = 0; ///< p_max
+    double max_pressure = 0;                                                    ///< p_max
+    rough::DominanceReading dominance = rough::DominanceReading::same_pressure; ///< reading of Algorithm 1
     rough::DatabaseLayout layout;
     std::vector<Answered> database; ///< pair by pair, each with every phase column
     std::vector<TargetRun> targets; ///< drawn, then held-out

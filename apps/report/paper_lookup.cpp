@@ -28,6 +28,13 @@ const VariantRun* find_variant(const TargetRun& target, const std::string& name)
     return nullptr;
 }
 
+std::string shown_name(const std::string& name) {
+    std::string result;
+    for (char c : name.substr(0, name.find('-')))
+        result += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+    return name.find('-') == std::string::npos ? result : result + ", " + name.substr(name.find('-') + 1);
+}
+
 std::string titled(const TargetRun& target) {
     std::string title = target.title + " target";
     if (title[0] >= 'a' && title[0] <= 'z')

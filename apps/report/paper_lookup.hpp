@@ -23,6 +23,9 @@ inline constexpr std::array<Algorithm, 3> algorithms{{{"sog", "SOG", Colour::blu
 /// The variant of that name, or null.
 const VariantRun* find_variant(const TargetRun& target, const std::string& name);
 
+/// "sog-minimax" as "SOG, minimax"
+std::string shown_name(const std::string& name);
+
 /// "Drawn target"
 std::string titled(const TargetRun& target);
 

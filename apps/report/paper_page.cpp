@@ -2,9 +2,9 @@
 
 #include "apps/plot_svg.hpp"
 #include "apps/report/claims.hpp"
-#include "apps/report/compare.hpp"
 #include "apps/report/figures.hpp"
 #include "apps/report/paper_lookup.hpp"
+#include "apps/report/readings_section.hpp"
 #include "apps/units.hpp"
 
 #include <algorithm>
@@ -40,14 +40,6 @@ Table claims_table(const std::vector<Claim>& claims) {
                               claim.measured + "<span class=\"rule\">" + claim.rule + "</span>",
                               badge(claim.verdict)});
     return table;
-}
-
-/// "sog-minimax" as "SOG, minimax"
-std::string shown_name(const std::string& name) {
-    std::string result;
-    for (char c : name.substr(0, name.find('-')))
-        result += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
-    return name.find('-') == std::string::npos ? result : result + ", " + name.substr(name.find('-') + 1);
 }
 
 /// The database genome that the answer is, or the two that it comes from.
@@ -107,67 +99,6 @@ void add_runs(Page& page, const PaperRun& run) {
         "minimax forms are the same algorithms with all points of the target seen by GCMMA at once.");
     for (const TargetRun& target : run.targets)
         page.table(runs_table(target));
-}
-
-void add_readings(Page& page, const PaperRun& run, const Readings& readings) {
-    page.section("What rests on our reading");
-    page.prose("The paper leaves some choices open. These are ours, with what the other choice gives.");
-    const auto list = [](const std::vector<Reduction>& rows, double Reduction::*which) {
-        std::vector<double> values;
-        for (const Reduction& row : rows)
-            values.push_back(row.*which);
-        return values;
-    };
-    const auto alone = [](const std::vector<Reduction>& rows) {
-        return std::count_if(rows.begin(), rows.end(), [](const Reduction& row) { return row.only_best; });
-    };
-    const auto [least, most] =
-        std::minmax_element(readings.datum_similarity.begin(), readings.datum_similarity.end());
-    std::string best;
-    for (std::size_t t = 0; t < run.targets.size(); ++t) {
-        double here = unset;
-        for (const Scores& scores : run.targets[t].database)
-            here = std::fmax(here, scores.all);
-        best += (t ? "; " : "") + run.targets[t].title + " target: " + readable(here) + " → " +
-                readable(readings.datum_best[t]);
-    }
-    page.table(
-        {"",
-         {"Choice", "Ours", "The other reading gives"},
-         {{"Datum of the half-plane",
-           "d = L = " + readable(run.model.body.datum, 5) +
-               " mm: in plane strain a displacement has no meaning without it",
-           "With d = 4 L a genome's own K(p) has a similarity of only " + readable(*least, 2) + "–" +
-               readable(*most, 2) + " with itself at d = L. Best of the database: " + best + "."},
-          {"Correlation of Algorithm 1",
-           "At equal pressures: s(reduced, whole) " +
-               readable(median(list(readings.same_pressure, &Reduction::similarity)), 3) +
-               " in the median, " + readable(100 * mean(list(readings.same_pressure, &Reduction::kept)), 2) +
-               " % of the chromosomes kept; for " + std::to_string(alone(readings.same_pressure)) + " of " +
-               std::to_string(readings.same_pressure.size()) +
-               " genomes none passes 0.95 and the best one is kept",
-           "By load step: s(reduced, whole) " +
-               readable(median(list(readings.same_step, &Reduction::similarity)), 3) + ", " +
-               readable(100 * mean(list(readings.same_step, &Reduction::kept)), 2) + " % kept; for " +
-               std::to_string(alone(readings.same_step)) + " genomes none passes."},
-          {"Units of p̄ and p<sub>max</sub>",
-           "p̄ as a share of p<sub>max</sub> = " + readable(run.max_pressure, 2) +
-               " MPa; every genome is rescaled to it by Eq. 11",
-           "None: stiffness does not depend on amplitude, so similarities are the same for any "
-           "p<sub>max</sub>."},
-          {"Target",
-           "The paper's is not published; one is drawn in its spirit (the smoothed median of the database)",
-           "The held-out target is the curve of a genome outside the database, so that a perfect answer "
-           "exists; every "
-           "figure shows both."},
-          {"Wavelengths", "Down to the grid's spacing (Eq. 4), as the paper has it",
-           "Waves under eight nodes are poorly resolved: see “on the fine grid” in the table of runs."}},
-         {},
-         true});
-    page.prose("Slips in the paper's text that we read as follows: in SOG, “determined by Algorithm 2” means "
-               "Algorithm 1; "
-               "in section 4.5, “GCO … smaller set” means CCO; the number of chromosomes is n<sub>f</sub> − "
-               "n<sub>s</sub> + 1, one more than its third line.");
 }
 
 void add_repeat(Page& page, const PaperRun& run) {

@@ -147,7 +147,7 @@ Finding more_efficient(const TargetRun& target) {
             mean(gco) == mean(cco) ? std::nullopt : std::optional(mean(gco) > mean(cco))};
 }
 
-const std::string both = " on both targets; contradicted if on neither.";
+const std::string both = " on every target; contradicted if on none.";
 
 } // namespace
 
