@@ -30,6 +30,39 @@ struct Frame {
     std::vector<double> numbers;     ///< numbers the block holds aside
 };
 
+/// A run between two stages: all it needs to go on.
+template <class G>
+struct Snapshot {
+    std::deque<Frame<G>> frames; ///< of the open blocks, outermost first; empty when the run is done
+    Counters counters;
+    Identity next_identity = 0;
+    std::optional<Individual<G>> best;
+    std::vector<std::string> notes;
+    double seconds = 0;         ///< spent so far, in all the processes that carried the run
+    std::size_t remembered = 0; ///< how many evaluations of the memory's young half were known then
+};
+
+template <Problem P>
+class Context;
+
+/// Keeps a run on its way so that it can go on after its process has ended.
+template <Problem P>
+class Keeper {
+  public:
+    using Genome = typename P::Genome;
+
+    virtual ~Keeper() = default;
+    /// Called before the pipeline starts: lets the context go on from what was kept of the run with this
+    /// identity, if anything was. Gives the pipeline's answer when that run had ended already.
+    virtual std::optional<Population<Genome>> begin(Context<P>& context, std::uint64_t run) = 0;
+    /// Called between two stages; writes the run down if it is time to.
+    virtual void pause(const Context<P>& context) = 0;
+    /// Called when the run is stopped, with the last moment between two stages.
+    virtual void stop(const Snapshot<Genome>& snapshot, const Evaluator<P>& evaluator) = 0;
+    /// Called with the pipeline's answer.
+    virtual void finish(const Context<P>& context, const Population<Genome>& answer) = 0;
+};
+
 /// What stages share while a pipeline runs: the evaluator, random streams keyed by where a stage stands, the
 /// identities, the best so far, and the observers. One for each run, passed down, never global.
 template <Problem P>
@@ -50,6 +83,7 @@ class Context {
 
     const P& problem() const { return evaluator_.problem(); }
     Evaluator<P>& evaluator() { return evaluator_; }
+    const Evaluator<P>& evaluator() const { return evaluator_; }
     Counters& counters() { return evaluator_.counters; }
     int threads() const { return evaluator_.threads(); }
 
@@ -218,13 +252,51 @@ class Context {
             if (place.generation)
                 generation.push_back(*place.generation);
         for (const auto& observer : observers_)
-            observer({where, generation, population, evaluator_.counters, evaluator_.watch().seconds()});
+            observer({where, generation, population, evaluator_.counters, seconds()});
     }
-    /// A moment between two stages, at which a run may end.
+    /// A moment between two stages, at which a run may end or be written down.
     void pause() {
-        if (evaluator_.watch().expired())
-            throw Stopped{evaluator_.watch().reason()};
+        if (keeper_)
+            keeper_->pause(*this);
+        if (!evaluator_.watch().expired())
+            return;
+        if (keeper_)
+            keep_stopped(snapshot(false));
+        throw Stopped{evaluator_.watch().reason()};
     }
+
+    /// Lets a keeper follow the run; before the pipeline is started.
+    void keep(Keeper<P>& keeper) { keeper_ = &keeper; }
+    bool kept() const { return keeper_ != nullptr; }
+    /// The run as it is now, between two stages, with or without the frames' populations.
+    Snapshot<Genome> snapshot(bool with_frames = true) const {
+        return {with_frames ? frames_ : std::deque<Frame<Genome>>(),
+                evaluator_.counters,
+                next_identity_,
+                best_,
+                notes_,
+                earlier_seconds_ + evaluator_.watch().seconds(),
+                evaluator_.memory().young().size()};
+    }
+    /// Goes on from a snapshot: blocks that open find their frames in it.
+    void resume(Snapshot<Genome> snapshot) {
+        saved_ = std::move(snapshot.frames);
+        evaluator_.counters = snapshot.counters;
+        next_identity_ = snapshot.next_identity;
+        best_ = std::move(snapshot.best);
+        notes_ = std::move(snapshot.notes);
+        earlier_seconds_ = snapshot.seconds;
+        evaluator_.resume(best_.has_value());
+    }
+    /// Hands the keeper a run that stopped inside a stage, as it was before that stage; the innermost block
+    /// knows.
+    void keep_stopped(Snapshot<Genome> before) {
+        if (std::exchange(stop_kept_, true))
+            return;
+        before.frames = frames_;
+        keeper_->stop(before, evaluator_);
+    }
+    double seconds() const { return earlier_seconds_ + evaluator_.watch().seconds(); }
 
   private:
     template <class Wanted, class Judge>
@@ -260,6 +332,9 @@ class Context {
     Population<Genome> spare_;
     std::optional<Individual<Genome>> best_;
     std::vector<std::string> notes_;
+    Keeper<P>* keeper_ = nullptr;
+    double earlier_seconds_ = 0;
+    bool stop_kept_ = false;
 };
 
 } // namespace ga

@@ -51,6 +51,8 @@ class Evaluator {
             Evaluation<Outcome>& place = memory_.at(print);
             queue_.push_back({&individual, &place});
             if (auto* pending = std::get_if<Pending>(&place); pending && !pending->queued) {
+                if (prepaid_.size() > 0 && take_prepaid(print, place))
+                    continue;
                 pending->queued = true;
                 fresh_.push_back({&individual.genome, &place});
             } else {
@@ -66,7 +68,7 @@ class Evaluator {
             throw Stopped{watch_.reason()};
         if (spent)
             throw Stopped{"evaluation budget spent"};
-        if (!succeeded_ && counters.evaluations > 0)
+        if (!succeeded_ && first_failure_)
             throw NothingLeft("every one of " + std::to_string(counters.evaluations) +
                               " evaluations failed; the first: " + *first_failure_);
     }
@@ -108,6 +110,17 @@ class Evaluator {
 
     Counters counters;
 
+    /// Tells an evaluator that goes on with a run whether an evaluation of it has succeeded.
+    void resume(bool succeeded) { succeeded_ = succeeded; }
+
+    const Memory<Outcome>& memory() const { return memory_; }
+    Memory<Outcome>& memory() { return memory_; }
+    /// Hands in an evaluation that was paid for in a stage whose counts were lost: it counts as paid when it
+    /// is asked for.
+    void prepay(const Fingerprint& print, Evaluation<Outcome> evaluation) {
+        prepaid_.at(print) = std::move(evaluation);
+    }
+
   private:
     struct Request {
         Individual<Genome>* individual;
@@ -140,6 +153,15 @@ class Evaluator {
         timed(first, fresh_.size(), expected > worth_waking ? threads_ : 1);
     }
 
+    bool take_prepaid(const Fingerprint& print, Evaluation<Outcome>& place) {
+        Evaluation<Outcome>* paid = prepaid_.find(print);
+        if (!paid || std::holds_alternative<Pending>(*paid))
+            return false;
+        place = std::exchange(*paid, Pending{});
+        count(place);
+        return true;
+    }
+
     /// Counts what was evaluated, forgets what was not; true when something was not.
     bool tidy() {
         bool interrupted = false;
@@ -149,18 +171,22 @@ class Evaluator {
                 interrupted = true;
                 continue;
             }
-            ++counters.evaluations;
-            if (const Outcome* outcome = std::get_if<Outcome>(fresh.place)) {
-                succeeded_ = true;
-                heaviest_ = std::max(heaviest_, weight(*outcome));
-            } else if (!first_failure_) {
-                first_failure_ = std::get<Reason>(*fresh.place);
-            }
+            count(*fresh.place);
         }
         constexpr std::size_t bookkeeping =
             sizeof(Evaluation<Outcome>) + sizeof(Fingerprint) + 4 * sizeof(void*);
-        memory_.forget_old(heaviest_ + bookkeeping);
+        if (!interrupted)
+            memory_.forget_old(heaviest_ + bookkeeping);
         return interrupted;
+    }
+    void count(const Evaluation<Outcome>& evaluation) {
+        ++counters.evaluations;
+        if (const Outcome* outcome = std::get_if<Outcome>(&evaluation)) {
+            succeeded_ = true;
+            heaviest_ = std::max(heaviest_, weight(*outcome));
+        } else if (!first_failure_) {
+            first_failure_ = std::get<Reason>(evaluation);
+        }
     }
     std::size_t weight(const Outcome& outcome) const {
         if constexpr (Weighed<P>)
@@ -176,6 +202,7 @@ class Evaluator {
     Budget budget_;
     Watch watch_;
     Memory<Outcome> memory_;
+    Table<Evaluation<Outcome>> prepaid_;
     std::vector<Request> queue_;
     std::vector<Fresh> fresh_;
     std::size_t heaviest_ = 0;

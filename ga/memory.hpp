@@ -47,11 +47,14 @@ class Table {
     std::size_t size() const { return entries_.size(); }
     void clear() { *this = {}; }
 
-  private:
     struct Entry {
         Fingerprint print;
         Value value;
     };
+    /// In the order they came.
+    const std::deque<Entry>& entries() const { return entries_; }
+
+  private:
     struct Slot {
         std::uint32_t tag = 0;
         std::uint32_t entry = 0; ///< position among the entries plus 1; 0 for a free slot
@@ -112,11 +115,17 @@ class Memory {
     }
     std::size_t size() const { return young_.size() + old_.size(); }
 
+    using Half = Table<Evaluation<Outcome>>;
+    const Half& young() const { return young_; }
+    const Half& old() const { return old_; }
+    Half& young() { return young_; }
+    Half& old() { return old_; }
+
   private:
     static constexpr std::size_t most = std::size_t{1}
                                         << 31; ///< entries that a slot can number, with room to spare
     std::size_t half_;
-    Table<Evaluation<Outcome>> young_, old_;
+    Half young_, old_;
 };
 
 } // namespace ga

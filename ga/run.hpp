@@ -43,14 +43,27 @@ void check(const Stage<P>& pipeline, const P& problem, const Population<typename
     pipeline.check(known);
 }
 
+/// What makes a run the one it is: pipeline, seed, objectives and start.
+template <Problem P>
+std::uint64_t identity_of_run(const Stage<P>& pipeline, const P& problem, std::uint64_t seed,
+                              const Population<typename P::Genome>& population) {
+    std::uint64_t key = fold(fold(0, seed), pipeline.text());
+    for (const auto& objective : problem.objectives())
+        key = fold(key, objective.name);
+    for (const auto& individual : population)
+        key = fold(fold(key, individual.identity), identify(problem, individual.genome).low);
+    return key;
+}
+
 /// Runs a pipeline on a population. The pipeline is checked first: UsageError says what it lacks. The same
 /// seed gives the same result, bit for bit, for any number of threads and any memory, unless the run ends on
-/// seconds or a stop.
+/// seconds or a stop; with a keeper, however often the process ended on the way.
 template <Problem P, class Pipeline, class G = typename P::Genome>
-requires std::convertible_to<Pipeline, Stage<P>> Result<G> run(const Pipeline& pipeline, const P& problem,
-                                                               Population<G> population,
-                                                               const RunOptions& options = {},
-                                                               std::vector<Observer<G>> observers = {}) {
+requires(std::convertible_to<Pipeline, Stage<P>>) Result<G> run(const Pipeline& pipeline, const P& problem,
+                                                                Population<G> population,
+                                                                const RunOptions& options = {},
+                                                                std::vector<Observer<G>> observers = {},
+                                                                Keeper<P>* keeper = nullptr) {
     const Stage<P> stage(pipeline);
     check(stage, problem, population);
     Identity next = 0;
@@ -60,7 +73,14 @@ requires std::convertible_to<Pipeline, Stage<P>> Result<G> run(const Pipeline& p
     Context<P> context(evaluator, options.variant, options.seed, next, std::move(observers));
     Result<G> result;
     try {
-        result.population = stage(std::move(population), context);
+        std::optional<Population<G>> answer;
+        if (keeper) {
+            answer = keeper->begin(context, identity_of_run(stage, problem, options.seed, population));
+            context.keep(*keeper);
+        }
+        result.population = answer ? std::move(*answer) : stage(std::move(population), context);
+        if (keeper && !answer)
+            keeper->finish(context, result.population);
     } catch (const Stopped& stop) {
         result.stopped = stop.reason;
         if (context.best())
@@ -69,7 +89,7 @@ requires std::convertible_to<Pipeline, Stage<P>> Result<G> run(const Pipeline& p
     result.best = context.best();
     result.counters = context.counters();
     result.notes = context.notes();
-    result.seconds = evaluator.watch().seconds();
+    result.seconds = context.seconds();
     return result;
 }
 

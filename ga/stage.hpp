@@ -90,12 +90,7 @@ class Stage {
     Population<Genome> operator()(Population<Genome> population, Context<P>& context) const {
         typename Context<P>::OpenFrame frame(context, std::move(population));
         while (frame->next < places_.size()) {
-            const Place& place = places_[frame->next];
-            {
-                const typename Context<P>::Scope scope(context, place.name, place.ordinal);
-                frame->population = place.step.apply(std::move(frame->population), context);
-                context.show(frame->population);
-            }
+            apply(places_[frame->next], *frame, context);
             ++frame->next;
             context.pause();
         }
@@ -124,6 +119,24 @@ class Stage {
         Name name;
         std::size_t ordinal;
     };
+
+    static void apply(const Place& place, Frame<Genome>& frame, Context<P>& context) {
+        const typename Context<P>::Scope scope(context, place.name, place.ordinal);
+        if (!context.kept()) {
+            frame.population = place.step.apply(std::move(frame.population), context);
+        } else {
+            const auto before = context.snapshot(false);
+            const Population<Genome> start = frame.population;
+            try {
+                frame.population = place.step.apply(std::move(frame.population), context);
+            } catch (const Stopped&) {
+                frame.population = start;
+                context.keep_stopped(before);
+                throw;
+            }
+        }
+        context.show(frame.population);
+    }
 
     template <class Op>
     static std::size_t start_of(const Op& op) {

@@ -70,6 +70,9 @@ struct Refine : Operator {
         for (std::size_t i = 0; i < jobs.size(); ++i)
             if (answers[i].value() > jobs[i].individual->value())
                 *jobs[i].individual = std::move(answers[i]);
+        // A search that was cut short is no answer of this stage; what it found stands as the best so far.
+        if (const Watch& watch = context.evaluator().watch(); watch.expired())
+            throw Stopped{watch.reason()};
         return population;
     }
 

@@ -1,0 +1,191 @@
+#include "ga/checkpoint.hpp"
+#include "ga/ga.hpp"
+#include "tests/ga/vectors.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+using namespace ga;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Vectors whose evaluation takes a while, so that a process can be killed within one.
+struct Slow : Vectors {
+    Outcome evaluate(const Genome& x) const {
+        std::this_thread::sleep_for(std::chrono::microseconds(300));
+        if (x[0] > 0.999)
+            throw std::domain_error("first gene above 0.999");
+        return x;
+    }
+};
+
+/// Every block there is, inside each other.
+template <class P>
+Stage<P> nested() {
+    const Combine<std::vector<double>> first{
+        "first", [](const auto& a, const auto& b) -> std::optional<std::vector<double>> {
+            auto child = a.genome;
+            child[0] = b.genome[0];
+            return child;
+        }};
+    const auto generation = tournament(2) | cross(blend()) | mutate(0.2) | score() | elite(1);
+    return sample(24) | score() |
+           islands(2, {.rounds = 3, .migrants = 1},
+                   repeat(2, generation) | until({.generations = 3, .stagnation = 2}, generation)) |
+           pair(score("first") | best(3), score() | restarts(2, repeat(2, generation) | best(2)), first) |
+           score() | repeat(2, refine(nlopt_method("LN_COBYLA", 4)) | best(5));
+}
+
+const Population<std::vector<double>> nobody = population<std::vector<double>>({{}});
+
+std::string text_of(const Result<std::vector<double>>& result, const std::vector<std::string>& seen) {
+    json j = {result.population, *result.best, result.counters, result.notes, seen};
+    return j.dump();
+}
+
+std::vector<std::string> seen;
+const Observer<std::vector<double>> observer = [](const auto& event) {
+    seen.push_back(event.path + " " + std::to_string(event.counters.asked));
+};
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("ga_checkpoint_" + std::to_string(::getpid()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+};
+
+} // namespace
+
+TEST_CASE("a run that is stopped within any evaluation and resumed ends in the very result") {
+    const Folder folder;
+    seen.clear();
+    const auto whole = run(nested<Vectors>(), Vectors{}, nobody, {}, {observer});
+    const std::string expected = text_of(whole, seen);
+    REQUIRE(whole.counters.asked > 450);
+    for (long step : {70L, 111L, 333L}) {
+        /// Asks the run to stop during its step-th evaluation.
+        struct Stopping : Vectors {
+            std::atomic<bool>* stop;
+            std::atomic<long>* left;
+            Outcome evaluate(const Genome& x) const {
+                if (--*left == 0)
+                    *stop = true;
+                return Vectors::evaluate(x);
+            }
+        };
+        const fs::path file = folder.path / "run";
+        fs::remove(file);
+        for (int pieces = 0;; ++pieces) {
+            REQUIRE(pieces < 500);
+            std::atomic<bool> stop = false;
+            std::atomic<long> left = step;
+            Stopping problem;
+            problem.stop = &stop;
+            problem.left = &left;
+            seen.clear();
+            Checkpoints<Stopping> checkpoints(file, "", true, 1000);
+            checkpoints.keep("seen", seen);
+            const auto part =
+                run(nested<Stopping>(), problem, nobody,
+                    {.threads = 1 + pieces % 2, .budget = {.stop = &stop}}, {observer}, &checkpoints);
+            if (part.stopped.empty()) {
+                CHECK(text_of(part, seen) == expected);
+                CHECK(pieces > 0);
+                break;
+            }
+        }
+    }
+}
+
+TEST_CASE("a finished run is read from its checkpoint without being run") {
+    const Folder folder;
+    Checkpoints<Vectors> first(folder.path / "run", "", false), second(folder.path / "run", "", true);
+    const auto done = run(nested<Vectors>(), Vectors{}, nobody, {}, {}, &first);
+    seen.clear();
+    const auto again = run(nested<Vectors>(), Vectors{}, nobody, {}, {observer}, &second);
+    CHECK(seen.empty());
+    CHECK(text_of(again, {}) == text_of(done, {}));
+}
+
+TEST_CASE("a checkpoint of another run, or a file that is none, is refused") {
+    const Folder folder;
+    const fs::path file = folder.path / "run";
+    Checkpoints<Vectors> write(file, "a", false), same(file, "a", true), other(file, "b", true);
+    run(sample(3) | score(), Vectors{}, nobody, {}, {}, &write);
+    const std::string message = "checkpoint '" + file.string() +
+                                "' is of another run; expected the same pipeline, seed, start and settings";
+    CHECK_THROWS_WITH(run(sample(3) | score(), Vectors{}, nobody, {}, {}, &other), message);
+    CHECK_THROWS_WITH(run(sample(4) | score(), Vectors{}, nobody, {}, {}, &same), message);
+    CHECK_THROWS_WITH(run(sample(3) | score(), Vectors{}, nobody, {.seed = 2}, {}, &same), message);
+    fs::resize_file(file, fs::file_size(file) / 2);
+    CHECK_THROWS_AS(run(sample(3) | score(), Vectors{}, nobody, {}, {}, &same), UsageError);
+}
+
+TEST_CASE("individuals of every kind come back from their text with every bit") {
+    Population<std::vector<double>> start = population<std::vector<double>>({{0.1, -0.0, 1e-310}, {1.0 / 3}});
+    start[0].fitness = Fitness(Name(std::string("a")), 0.1 + 0.2);
+    start[0].parents = Parents(4, 7);
+    start[0].origin = std::make_shared<const std::vector<double>>(3, 1e300);
+    start[1].fitness = Fitness::failed(Name(std::string("a")), std::make_shared<const std::string>("no"));
+    start[1].parents = Parents(9);
+    const auto back = json::from_cbor(json::to_cbor(json(start))).get<Population<std::vector<double>>>();
+    CHECK(back[0].genome == start[0].genome);
+    CHECK(std::signbit(back[0].genome[1]));
+    CHECK(back[0].value() == start[0].value());
+    CHECK(back[0].parents == start[0].parents);
+    CHECK(*back[0].origin == *start[0].origin);
+    CHECK(back[1].fitness.reason() == "no");
+    CHECK(back[1].parents == start[1].parents);
+}
+
+// The process that the next case kills: hidden, run by itself.
+TEST_CASE("child of the kill test", "[.][kill-child]") {
+    const fs::path folder = std::getenv("GA_CHECKPOINT_FOLDER");
+    Checkpoints<Slow> checkpoints(folder / "run", "", true, 0.01);
+    checkpoints.keep("seen", seen);
+    const auto result = run(nested<Slow>(), Slow{}, nobody, {.threads = 2}, {observer}, &checkpoints);
+    std::ofstream(folder / "answer.tmp") << text_of(result, seen);
+    fs::rename(folder / "answer.tmp", folder / "answer");
+}
+
+TEST_CASE("a process that is killed at random moments and resumed ends in the very result") {
+    const Folder folder;
+    seen.clear();
+    const auto whole = run(nested<Slow>(), Slow{}, nobody, {.threads = 1}, {observer});
+    const std::string expected = text_of(whole, seen);
+    ::setenv("GA_CHECKPOINT_FOLDER", folder.path.c_str(), 1);
+    Stream stream(2024);
+    int killed = 0;
+    for (int attempt = 0; attempt < 200 && !fs::exists(folder.path / "answer"); ++attempt) {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            ::execl("/proc/self/exe", "tests_ga", "[kill-child]", "-o", "/dev/null", nullptr);
+            ::_exit(127);
+        }
+        // later and later, so that it ends however slow the machine
+        const auto milliseconds = 20 + stream.below(60) + static_cast<std::size_t>(10 * attempt);
+        int status = 0;
+        const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
+        while (::waitpid(child, &status, WNOHANG) == 0) {
+            if (std::chrono::steady_clock::now() > end) {
+                ::kill(child, SIGKILL);
+                ::waitpid(child, &status, 0);
+                ++killed;
+                break;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    }
+    REQUIRE(fs::exists(folder.path / "answer"));
+    CHECK(killed > 0);
+    std::ifstream answer(folder.path / "answer");
+    CHECK(std::string(std::istreambuf_iterator<char>(answer), {}) == expected);
+}
