@@ -14,9 +14,10 @@ constexpr std::string_view blank = " \t\v\f";
 bool digit(char c) { return c >= '0' && c <= '9'; }
 
 bool says_missing(std::string_view cell) {
-    constexpr std::array<std::string_view, 18> words{
-        "",  "nan", "-nan", "na",  "n/a",  "#n/a",    "null",    "none",    "bad",
-        "-", "--",  "---",  "inf", "-inf", "1.#qnan", "-1.#ind", "missing", "invalid"};
+    constexpr std::array<std::string_view, 23> words{
+        "",        "nan",     "-nan", "na",  "n/a", "#n/a", "null",    "none",
+        "bad",     "-",       "--",   "---", "inf", "-inf", "1.#qnan", "-1.#ind",
+        "missing", "invalid", "*",    "***", "?",   "n.a.", "nan(ind)"};
     return std::find(words.begin(), words.end(), lower(cell)) != words.end();
 }
 

@@ -39,9 +39,6 @@ bool one_of(const std::string& key, const std::array<std::string_view, N>& keys)
 }
 
 constexpr std::array<std::string_view, 5> unit_keys{"unit", "units", "lengthunit", "lengthunits", "einheit"};
-constexpr std::array<std::string_view, 4> x_unit_keys{"xunit", "xunits", "lateralunit", "lateralunits"};
-constexpr std::array<std::string_view, 8> height_unit_keys{"zunit", "zunits", "valueunit",  "valueunits",
-                                                           "yunit", "yunits", "heightunit", "heightunits"};
 constexpr std::array<std::string_view, 19> spacing_keys{"spacing",
                                                         "samplespacing",
                                                         "pointspacing",
@@ -62,6 +59,28 @@ constexpr std::array<std::string_view, 19> spacing_keys{"spacing",
                                                         "sampledistance",
                                                         "xscale"};
 constexpr std::array<std::string_view, 3> width_keys{"width", "xlength", "breite"};
+
+/// Which columns a key like "x-unit", "Height units" or "Unit" speaks of.
+enum class UnitOf { nothing, all, x, height };
+UnitOf unit_key(const std::string& key) {
+    if (one_of(key, unit_keys))
+        return UnitOf::all;
+    const auto names = [&](std::initializer_list<std::string_view> parts) {
+        return std::any_of(parts.begin(), parts.end(),
+                           [&](auto part) { return key.find(part) != std::string::npos; });
+    };
+    std::string rest = key;
+    const std::size_t place = rest.find("unit");
+    if (place == std::string::npos)
+        return UnitOf::nothing;
+    rest.erase(place, rest.substr(place).starts_with("units") ? 5 : 4);
+    if (rest == "x" || rest == "xaxis" || names({"lateral", "horizontal", "position"}))
+        return UnitOf::x;
+    if (rest == "z" || rest == "y" || rest == "zaxis" || rest == "yaxis" ||
+        names({"height", "value", "vertical"}))
+        return UnitOf::height;
+    return UnitOf::nothing;
+}
 
 /// "0.5 um", "0,5 µm", "0.156 um/sample".
 std::optional<HeaderLength> length_of(std::string_view value) {
@@ -119,16 +138,14 @@ void take_sdf(Header& header, const Entry& entry, const std::string& where) {
 }
 
 void take(Header& header, const Entry& entry, const std::string& where) {
-    if (one_of(entry.key, unit_keys)) {
+    if (const UnitOf of = unit_key(entry.key); of != UnitOf::nothing) {
         const auto units = length_units_in(entry.value, where);
         if (units.empty())
             throw InputError(where + ": '" + std::string(entry.value) + "' names no length unit");
-        header.x_unit = units.front();
-        header.height_unit = units.back();
-    } else if (one_of(entry.key, x_unit_keys)) {
-        header.x_unit = length_unit_named(entry.value, where);
-    } else if (one_of(entry.key, height_unit_keys)) {
-        header.height_unit = length_unit_named(entry.value, where);
+        if (of != UnitOf::height)
+            header.x_unit = units.front();
+        if (of != UnitOf::x)
+            header.height_unit = units.back();
     } else if (const double in_mm = conversion_unit(entry.key, where)) {
         header.height_factor = positive(entry, where);
         header.height_unit = LengthUnit{"m", in_mm};
@@ -181,6 +198,11 @@ std::vector<std::string> column_names(std::string_view line, const Dialect& dial
 std::vector<std::optional<LengthUnit>> column_units(const TextLine& line, const Dialect& dialect,
                                                     std::size_t columns, const std::string& where) {
     std::vector<std::optional<LengthUnit>> units(columns);
+    std::string_view alone = trim(line.text);
+    if (alone.size() > 2 && (alone.front() == '[' || alone.front() == '('))
+        alone = alone.substr(1, alone.size() - 2);
+    if (const auto unit = length_unit(alone)) // one for all
+        return std::vector<std::optional<LengthUnit>>(columns, unit);
     const auto names = column_names(line.text, dialect, columns);
     for (std::size_t c = 0; c < names.size(); ++c)
         if (const auto found = length_units_in(names[c], where); !found.empty())
@@ -197,11 +219,6 @@ std::vector<std::optional<LengthUnit>> column_units(const TextLine& line, const 
 bool names_validity(const TextLine& line, const Dialect& dialect, std::size_t columns) {
     const auto names = column_names(line.text, dialect, columns);
     return !names.empty() && lower(names.back()).starts_with("valid");
-}
-
-bool is_key(const Entry& entry) {
-    return one_of(entry.key, unit_keys) || one_of(entry.key, x_unit_keys) ||
-           one_of(entry.key, height_unit_keys);
 }
 
 } // namespace
@@ -226,7 +243,7 @@ Header read_header(const std::vector<TextLine>& lines, const Dialect& dialect, s
     std::size_t looked = 0;
     for (auto line = lines.rbegin(); line != lines.rend() && looked < 3 && !sdf; ++line, ++looked) {
         const auto read = entry(line->text);
-        if (holds_number(line->text) || (read && is_key(*read)))
+        if (holds_number(line->text) || (read && unit_key(read->key) != UnitOf::nothing))
             break;
         const auto units = column_units(*line, dialect, columns, at(file, line->number));
         for (std::size_t c = 0; c < columns; ++c)

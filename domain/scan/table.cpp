@@ -14,6 +14,11 @@ constexpr std::size_t most_rows = 10'000'000;
 
 std::string at(const std::string& file, int line) { return file + ", line " + std::to_string(line); }
 
+/// A line of blanks, or of a spreadsheet's empty cells.
+bool empty_line(std::string_view line) {
+    return line.find_first_not_of(" \t\v\f;,") == std::string_view::npos;
+}
+
 /// The text after a line's comment mark; nothing where the line is no comment.
 std::optional<std::string_view> comment(std::string_view line) {
     line = trim(line);
@@ -73,7 +78,7 @@ Guess best_guess(const std::vector<std::string>& lines, bool one_column) {
     // The end of a file is its table; a thousand lines of it tell the dialect.
     std::vector<std::string_view> sample;
     for (std::size_t i = lines.size(); i-- > 0 && sample.size() < 1000;)
-        if (!trim(lines[i]).empty() && !comment(lines[i]))
+        if (!empty_line(lines[i]) && !comment(lines[i]))
             sample.push_back(lines[i]);
     constexpr std::array<Dialect, 8> dialects{{{semicolon, false},
                                                {semicolon, true},
@@ -127,7 +132,7 @@ Table read_table(const std::vector<std::string>& lines, const std::string& file,
     };
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const int line = static_cast<int>(i + 1);
-        if (trim(lines[i]).empty())
+        if (empty_line(lines[i]))
             continue;
         if (const auto remark = comment(lines[i])) {
             if (table.rows() == 0)

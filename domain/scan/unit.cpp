@@ -77,13 +77,18 @@ std::string_view bracketed(std::string_view word) {
                : std::string_view{};
 }
 
+struct Word {
+    std::string_view text;
+    char before; ///< the character before it; '\n' at the start
+};
+
 /// Words, a bracketed group being one word whatever it holds.
-std::vector<std::string_view> words_of(std::string_view header) {
-    std::vector<std::string_view> words;
+std::vector<Word> words_of(std::string_view header) {
+    std::vector<Word> words;
     std::size_t start = 0;
     const auto end_word = [&](std::size_t end) {
         if (end > start)
-            words.push_back(header.substr(start, end - start));
+            words.push_back({header.substr(start, end - start), start > 0 ? header[start - 1] : '\n'});
     };
     for (std::size_t i = 0; i < header.size(); ++i) {
         if (std::string_view("[({<").find(header[i]) != std::string_view::npos) {
@@ -102,6 +107,12 @@ std::vector<std::string_view> words_of(std::string_view header) {
     }
     end_word(header.size());
     return words;
+}
+
+/// "x / m", "x in m", "x_m": there a single letter is a unit.
+bool announced(const std::vector<Word>& words, std::size_t i) {
+    return words[i].before == '_' ||
+           (i > 0 && (words[i - 1].text == "/" || lower(words[i - 1].text) == "in"));
 }
 
 } // namespace
@@ -126,11 +137,12 @@ std::vector<LengthUnit> length_units_in(std::string_view header, const std::stri
     if (const auto unit = length_unit(header))
         return {*unit};
     const auto words = words_of(header);
-    const bool units_only = !words.empty() && std::all_of(words.begin(), words.end(), [](auto word) {
-        return length_unit(word).has_value();
+    const bool units_only = !words.empty() && std::all_of(words.begin(), words.end(), [](const Word& word) {
+        return length_unit(word.text).has_value();
     });
     std::vector<LengthUnit> found;
-    for (std::string_view word : words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string_view word = words[i].text;
         const std::string_view inside = bracketed(word);
         const std::size_t slash = word.rfind('/');
         std::optional<LengthUnit> unit;
@@ -142,7 +154,7 @@ std::vector<LengthUnit> length_units_in(std::string_view header, const std::stri
                                  std::string(known) + ")");
         } else if (slash != std::string_view::npos && slash > 0) {
             unit = length_unit(word.substr(slash + 1));
-        } else if (units_only || !ambiguous(word)) {
+        } else if (units_only || !ambiguous(word) || announced(words, i)) {
             unit = length_unit(word);
         }
         if (unit)
