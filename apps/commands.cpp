@@ -13,6 +13,7 @@ const std::vector<Command>& commands() {
         {"database", "keep genomes and their responses in a file, and ask it for a target", database},
         {"profile", "what a profile is: heights, solid (STL), picture, roughness, spectrum", profile},
         {"run", "run an experiment (.ini): design surfaces and report on them", run},
+        {"stability", "try every contact solver where methods fail, and tabulate who fails", stability},
     };
     return all;
 }

@@ -18,6 +18,7 @@ int contact(const Words& words);
 int database(const Words& words);
 int profile(const Words& words);
 int run(const Words& words);
+int stability(const Words& words);
 
 /// All of them, in the order of the help page.
 const std::vector<Command>& commands();

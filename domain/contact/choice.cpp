@@ -5,6 +5,7 @@
 #include "domain/contact/nested.hpp"
 #include "domain/errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -14,7 +15,6 @@ namespace {
 
 /// Up to this many nodes the factor always wins.
 constexpr Index small = 1024;
-constexpr Index sample = 512;
 
 // Nanoseconds on the machine that tests/benchmarks/contact.cpp was fitted on; only their ratios matter.
 constexpr double per_elimination = 0.05; ///< a multiplication of the factor
@@ -24,6 +24,9 @@ constexpr double checks_per_step = 3;    ///< of the nested factor
 constexpr double regrowth = 1.5;         ///< eliminations over those of the final factor
 
 double expected_contact(const ContactProblem& problem, ContactOptions options) {
+    // Every sixteenth node, so that fine waves keep most summits apart, but no more than costs a few
+    // milliseconds.
+    const Index sample = std::clamp<Index>(problem.nodes() / 16, 512, 2048);
     const Index stride = (problem.nodes() + sample - 1) / sample;
     ContactProblem coarse = coarsened(problem, stride);
     coarse.approach = {problem.approach.back()};
@@ -62,6 +65,13 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
     if (nested > active_set)
         return {Solver::active_set, "active-set: " + reason.str()};
     return {Solver::nested, "nested: " + reason.str()};
+}
+
+void expect_factor_to_fit(const ContactProblem& problem, const ContactOptions& options) {
+    if (GrowingFactor::bytes(problem.nodes()) <= options.memory_limit || problem.approach.empty())
+        return; // even with every node in contact
+    const double nodes = std::ceil(expected_contact(problem, options) * static_cast<double>(problem.nodes()));
+    refuse_factor(static_cast<Index>(nodes), options);
 }
 
 } // namespace rough

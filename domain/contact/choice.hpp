@@ -17,4 +17,7 @@ struct SolverChoice {
 /// of a grid of at most 512 nodes, scaled.
 SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options);
 
+/// Refuses the nested solver before it begins where its factor is predicted not to fit. Throws InputError.
+void expect_factor_to_fit(const ContactProblem& problem, const ContactOptions& options);
+
 } // namespace rough

@@ -3,10 +3,9 @@
 #include "domain/contact/advance.hpp"
 #include "domain/contact/certificate.hpp"
 #include "domain/contact/growing_factor.hpp"
-#include "domain/errors.hpp"
+#include "domain/contact/refuse.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 namespace rough {
 
@@ -15,7 +14,8 @@ namespace {
 /// Gaps and penetrations below this, over the approach, are rounding.
 constexpr double rounding = 1e-13;
 constexpr double tolerance = 1e-9;
-constexpr int most_rounds = 100;
+constexpr int most_rounds = 200;
+constexpr std::size_t least_batch = 64;
 /// One load step after the other on one factor.
 class NestedContact {
   public:
@@ -76,14 +76,9 @@ class NestedContact {
     bool add_penetrating(double approach, const double* u) {
         depth_ = approach - (problem_.gap + Eigen::Map<const Eigen::VectorXd>(u, problem_.nodes())).array();
         std::vector<int> added = advancing_nodes(depth_, touching_, rounding * approach);
-        const Index size = factor_.size() + static_cast<Index>(added.size());
-        if (GrowingFactor::bytes(size) > options_.memory_limit) {
-            std::ostringstream line;
-            line << "nested Cholesky on " << size << " nodes would take " << GrowingFactor::bytes(size) / 1e9
-                 << " GB, at most " << options_.memory_limit / 1e9
-                 << " GB is expected: take --solver active-set";
-            throw InputError(line.str());
-        }
+        // The surest first: far from the solution most of what penetrates would only be dropped again.
+        added.resize(std::min(added.size(), std::max(least_batch, factor_.nodes().size() / 2)));
+        refuse_factor(factor_.size() + static_cast<Index>(added.size()), options_);
         added.resize(static_cast<std::size_t>(factor_.append(added)));
         for (const int node : added)
             touching_[static_cast<std::size_t>(node)] = 1;
@@ -102,6 +97,14 @@ class NestedContact {
 };
 
 } // namespace
+
+void refuse_factor(Index nodes, const ContactOptions& options) {
+    const double bytes = GrowingFactor::bytes(nodes);
+    if (bytes <= options.memory_limit)
+        return;
+    refuse("nested Cholesky with ", nodes, " nodes in contact would take ", bytes / 1e9, " GB, at most ",
+           options.memory_limit / 1e9, " GB is expected: take --solver active-set, or auto");
+}
 
 Solution solve_nested(const ContactProblem& problem, const ContactOptions& options) {
     NestedContact contact(problem, options);

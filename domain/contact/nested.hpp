@@ -11,4 +11,7 @@ namespace rough {
 /// bytes, NotConverged where it does not settle.
 Solution solve_nested(const ContactProblem& problem, const ContactOptions& options);
 
+/// Throws InputError where a factor of so many nodes would take more than the options' memory.
+void refuse_factor(Index nodes, const ContactOptions& options);
+
 } // namespace rough

@@ -4,6 +4,7 @@
 #include "domain/errors.hpp"
 
 #include <Eigen/Cholesky>
+
 #include <cmath>
 #include <numbers>
 
@@ -67,7 +68,8 @@ Pressed solve_on(const std::vector<Index>& nodes, const Vector& h, const Vector&
     for (Index i = 0; i < m; ++i) {
         rhs[i] = goal[nodes[static_cast<std::size_t>(i)]];
         for (Index j = 0; j < m; ++j)
-            block(i, j) = h[std::abs(nodes[static_cast<std::size_t>(i)] - nodes[static_cast<std::size_t>(j)])];
+            block(i, j) =
+                h[std::abs(nodes[static_cast<std::size_t>(i)] - nodes[static_cast<std::size_t>(j)])];
     }
     const Eigen::LLT<Matrix> factor(block);
     return {nodes, factor.solve(rhs), factor.solve(Vector::Ones(m)).sum()};
@@ -117,7 +119,8 @@ Pressed press(const Vector& h, const Vector& goal, Real displacement, bool perio
 Oracle consult_oracle(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
     const Vector h = influence(profile, body);
     const Vector heights = profile.heights.cast<Real>();
-    const Real share = static_cast<Real>(profile.spacing) / static_cast<Real>(profile_length(profile, body.kernel));
+    const Real share =
+        static_cast<Real>(profile.spacing) / static_cast<Real>(profile_length(profile, body.kernel));
     const Real modulus = body.effective_modulus;
     Oracle oracle;
     for (const double displacement : displacements) {

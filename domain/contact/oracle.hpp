@@ -4,10 +4,10 @@
 
 namespace rough {
 
-/// A slow second opinion for small grids that shares nothing with the solvers but the question: influence coefficients
-/// by the printed formulas in extended precision (80 bits here), the whole contact set factored anew each time, nodes
-/// released from full contact downwards. For judging the solvers; N up to some hundreds.
-/// Pressures and stiffness in MPa, MPa/mm; one entry a displacement (mm, > 0).
+/// A slow second opinion for small grids that shares nothing with the solvers but the question: influence
+/// coefficients by the printed formulas in extended precision (80 bits here), the whole contact set factored
+/// anew each time, nodes released from full contact downwards. For judging the solvers; N up to some
+/// hundreds. Pressures and stiffness in MPa, MPa/mm; one entry a displacement (mm, > 0).
 struct Oracle {
     std::vector<double> pressure, tangent_stiffness;
     std::vector<Index> contact_nodes;

@@ -1,7 +1,7 @@
 #include "domain/contact/problem.hpp"
 
 #include "domain/contact/kernel.hpp"
-#include "domain/errors.hpp"
+#include "domain/contact/refuse.hpp"
 
 #include <cmath>
 #include <limits>
@@ -10,14 +10,6 @@
 namespace rough {
 
 namespace {
-
-template <typename... Parts>
-[[noreturn]] void refuse(const Parts&... parts) {
-    std::ostringstream line;
-    line.precision(17);
-    (line << ... << parts);
-    throw InputError(line.str());
-}
 
 void check_profile(const Profile& profile) {
     if (profile.nodes() < 2)

@@ -6,8 +6,8 @@
 #include "domain/contact/nnls.hpp"
 #include "domain/contact/polonsky_keer.hpp"
 #include "domain/contact/problem.hpp"
+#include "domain/contact/refuse.hpp"
 #include "domain/contact/set_solver.hpp"
-#include "domain/errors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +62,7 @@ Solution solve_by(Solver solver, const ContactProblem& problem, const ContactOpt
     case Solver::active_set:
         return solve_active_set(problem, options);
     default:
+        expect_factor_to_fit(problem, options);
         return solve_nested(problem, options);
     }
 }
@@ -80,8 +81,7 @@ Solution solve(Solver solver, ContactProblem problem, const ContactOptions& opti
 
 void check_tolerance(const ContactOptions& options) {
     if (!(options.tolerance >= 1e-10 && options.tolerance <= 0.01))
-        throw InputError("solver tolerance " + std::to_string(options.tolerance) +
-                         " was given, one between 1e-10 and 0.01 is expected");
+        refuse("solver tolerance ", options.tolerance, " was given, one between 1e-10 and 0.01 is expected");
 }
 
 /// The displacement (mm) at which the mean pressure is `pressure`: Newton's method on a convex piecewise
@@ -96,9 +96,8 @@ double displacement_at(double pressure, const Profile& profile, const Body& body
             return next;
         from = solve_contact(profile, body, {next}, options).steps.front();
         if (next == highest && from.pressure < pressure * (1 - 1e-12))
-            throw InputError("mean pressure " + std::to_string(pressure) +
-                             " MPa was given, at most that of full contact, " +
-                             std::to_string(from.pressure) + " MPa, is expected");
+            refuse("mean pressure ", pressure, " MPa was given, at most that of full contact, ",
+                   from.pressure, " MPa, is expected");
     }
     return from.displacement;
 }
@@ -140,9 +139,8 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
     double previous = 0;
     for (const double pressure : pressures) {
         if (!std::isfinite(pressure) || !(pressure > previous))
-            throw InputError("mean pressure " + std::to_string(pressure) + " MPa was given after " +
-                             std::to_string(previous) +
-                             " MPa, positive increasing finite values are expected");
+            refuse("mean pressure ", pressure, " MPa was given after ", previous,
+                   " MPa, positive increasing finite values are expected");
         previous = pressure;
     }
     ContactCurve curve;

@@ -1,4 +1,5 @@
 #include "domain/contact/oracle.hpp"
+
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,0 +1,58 @@
+#include "apps/contact_trial.hpp"
+
+#include "domain/errors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+namespace app {
+
+const std::string& name_of(Outcome outcome) {
+    static const std::array<std::string, 4> names{"solved", "refused", "not-converged", "wrong"};
+    return names[static_cast<std::size_t>(outcome)];
+}
+
+double ContactTrial::kkt_residual() const {
+    double worst = 0;
+    for (const rough::LoadStep& step : curve.steps)
+        worst = std::max(worst, step.kkt_residual);
+    return worst;
+}
+
+ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const auto elapsed = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    bool late = false;
+    options.stop = [&] { return late = elapsed() > limit; };
+    ContactTrial trial;
+    try {
+        trial.curve = solve_contact(scene.profile, scene.body, scene.displacements, options);
+    } catch (const rough::InputError& error) {
+        trial.outcome = Outcome::refused;
+        trial.message = error.what();
+    } catch (const rough::NotConverged& error) {
+        trial.outcome = Outcome::not_converged;
+        trial.message = late ? "stopped after " + std::to_string(std::lround(limit)) + " s" : error.what();
+    }
+    trial.seconds = elapsed();
+    return trial;
+}
+
+double promised_tolerance(const rough::ContactCurve& curve, const rough::ContactOptions& options) {
+    const bool direct = curve.solver == rough::Solver::nested || curve.solver == rough::Solver::nnls;
+    return direct ? 1e-9 : 10 * options.tolerance;
+}
+
+std::string csv_cell(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos)
+        return text;
+    std::string quoted = "\"";
+    for (const char c : text)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+} // namespace app

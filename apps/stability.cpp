@@ -1,0 +1,88 @@
+#include "apps/commands.hpp"
+#include "apps/contact_trial.hpp"
+#include "apps/model_settings.hpp"
+#include "apps/output.hpp"
+#include "apps/progress.hpp"
+#include "apps/settings.hpp"
+#include "apps/stability_page.hpp"
+#include "apps/stability_reference.hpp"
+#include "domain/atomic_file.hpp"
+
+#include <iostream>
+#include <sstream>
+
+namespace app {
+
+namespace {
+
+constexpr double seconds_per_cell = 30;
+
+std::vector<Setting> stability_settings() {
+    return {
+        {"out", "", "folder to write [out/stability]"},
+        {"scene", "", "only the scene of this name"},
+        {"force", "", "write over an existing table", true},
+    };
+}
+
+std::vector<StabilityCell> table_of(const std::string& only, Progress& progress) {
+    std::vector<StabilityCell> cells;
+    for (const StabilityScene& scene : stability_scenes()) {
+        if (!only.empty() && scene.name != only)
+            continue;
+        StabilityReference reference(scene);
+        for (std::size_t method = 0; method < solver_names().size(); ++method) {
+            progress.show(scene.name + " (" + name_of(scene.body.kernel) + "): " + solver_names()[method]);
+            rough::ContactOptions options;
+            options.solver = static_cast<rough::Solver>(method);
+            ContactTrial trial = try_contact(scene, options, seconds_per_cell);
+            reference.judge(trial, promised_tolerance(trial.curve, options));
+            cells.push_back({scene.name, name_of(scene.body.kernel), solver_names()[method],
+                             scene.has_solution, std::move(trial)});
+        }
+    }
+    return cells;
+}
+
+std::string csv_of(const std::vector<StabilityCell>& cells) {
+    std::ostringstream out;
+    out.precision(6);
+    out << "scene,kernel,method,outcome,kkt_residual,iterations,seconds,message\n";
+    for (const StabilityCell& cell : cells) {
+        const ContactTrial& trial = cell.trial;
+        out << cell.scene << "," << cell.kernel << "," << cell.method << "," << name_of(trial.outcome) << ",";
+        if (!trial.curve.steps.empty())
+            out << trial.kkt_residual();
+        out << "," << trial.curve.iterations << "," << trial.seconds << "," << csv_cell(trial.message)
+            << "\n";
+    }
+    return out.str();
+}
+
+} // namespace
+
+int stability(const Words& words) {
+    if (shows_help(words, "stability [--out DIR]",
+                   "Tries every contact solver on scenes in which methods fail, and says which solved them, "
+                   "refused\n"
+                   "them or did not converge; 'wrong' is a result that a second opinion contradicts. Writes\n"
+                   "stability.csv and stability.html; a cell takes at most 30 s.",
+                   stability_settings(),
+                   {"stability --out out/stability", "stability --scene spike --out out/spike"}))
+        return 0;
+    const Settings settings = read_command_line(words, stability_settings());
+    const std::string only = settings.text("scene");
+    expect_scene(only);
+    const OutputFolder folder(settings.text("out"), "stability", settings.is_on("force"), "stability.csv");
+    Progress progress;
+    const std::vector<StabilityCell> cells = table_of(only, progress);
+    rough::write_atomically(folder.path() / "stability.csv", csv_of(cells));
+    rough::write_atomically(folder.path() / "stability.html", stability_page(cells));
+    std::cout << summary_of(cells) << "\n" << (folder.path() / "stability.html").string() << "\n";
+    for (const StabilityCell& cell : cells)
+        if (cell.trial.outcome == Outcome::wrong)
+            return 3;
+    return 0;
+}
+
+} // namespace app
