@@ -1,7 +1,10 @@
 #include "apps/units.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <vector>
 
 namespace app {
@@ -31,15 +34,16 @@ std::string readable(double value, int digits) {
         return "–";
     if (value == 0)
         return "0";
-    const int order = static_cast<int>(std::floor(std::log10(std::abs(value))));
     char text[64];
+    std::snprintf(text, sizeof text, "%.*e", digits - 1, std::abs(value)); // rounds, which may gain a digit
+    const std::string mantissa(text, std::strcspn(text, "e"));
+    const int order = std::atoi(text + mantissa.size() + 1);
+    const std::string sign = value < 0 ? "−" : "";
     if (order >= -4 && order < 6) {
-        std::snprintf(text, sizeof text, "%.*f", std::max(0, digits - 1 - order), value);
-        return value < 0 ? "−" + std::string(text + 1) : text;
+        std::snprintf(text, sizeof text, "%.*f", std::max(0, digits - 1 - order), std::abs(value));
+        return sign + text;
     }
-    std::snprintf(text, sizeof text, "%.*f", digits - 1, std::abs(value) / std::pow(10.0, order));
-    return (value < 0 ? "−" : "") + std::string(text) + " × 10<sup>" + (order < 0 ? "−" : "") +
-           std::to_string(std::abs(order)) + "</sup>";
+    return sign + mantissa + " × 10<sup>" + (order < 0 ? "−" : "") + std::to_string(std::abs(order)) + "</sup>";
 }
 
 } // namespace app

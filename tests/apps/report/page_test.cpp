@@ -1,0 +1,33 @@
+#include "apps/report/page.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <stdexcept>
+
+using namespace app;
+
+TEST_CASE("a page holds what was put into it, in order, and shows no mark-up that was meant as text") {
+    Page page("R < 1 & more", "A <em>lead</em>.");
+    page.section("One & two");
+    page.prose("<i>K</i>");
+    page.figure({"figure-a", "Title.", "Caption.", {}});
+    page.table({"Runs", {"name", "value"}, {{"a", "1"}, {"b", "2"}}, {false, true}});
+    page.code("rugosa run x --set a.b=<c>");
+    const std::string html = page.html();
+    std::size_t at = 0;
+    for (const char* piece :
+         {"<!doctype html>", "lang=\"en\"", "name=\"viewport\"", "<title>R &lt; 1 &amp; more</title>",
+          "A <em>lead</em>.", "href=\"#section-1\"", "<h2 id=\"section-1\">One &amp; two</h2>",
+          "<p><i>K</i></p>", "id=\"figure-a\"", "<caption>Runs</caption>", "class=\"number\">2",
+          "--set a.b=&lt;c&gt;", "</html>"}) {
+        INFO(piece);
+        const std::size_t found = html.find(piece, at);
+        REQUIRE(found != std::string::npos);
+        at = found;
+    }
+}
+
+TEST_CASE("a table's rows are as wide as its header") {
+    Page page("t", "l");
+    CHECK_THROWS_AS(page.table({"Runs", {"name", "value"}, {{"a"}}}), std::logic_error);
+}

@@ -1,0 +1,64 @@
+#include "tests/apps/program.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <regex>
+#include <set>
+
+using app::testing::Folder;
+using app::testing::rugosa;
+
+namespace {
+
+std::string page_of(const Folder& folder, const std::string& more) {
+    const auto ended =
+        rugosa("run '" RUGOSA_SOURCE "/experiments/paper.ini' --out r --seed 11 --set model.nodes=64 --set "
+               "database.pairs=6 " +
+                   more,
+               folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    return rough::read_whole(folder / "r/report.html");
+}
+
+std::vector<std::string> found(const std::string& text, const std::string& pattern) {
+    const std::regex expression(pattern);
+    std::vector<std::string> all;
+    for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i)
+        all.push_back((*i)[1]);
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("the report shows Figures 1 to 11, a verdict for every claim, and how to repeat the run") {
+    const Folder folder;
+    const std::string html = page_of(folder, "--set paper.sweep-points=2");
+    for (int figure = 1; figure <= 11; ++figure)
+        CHECK(found(html, "<figure (id=\"figure-" + std::to_string(figure) + "\")").size() == 1);
+    CHECK(found(html, "(<svg )").size() >= 30);
+    const auto verdicts = found(html, "class=\"badge ([a-z]*)\"");
+    CHECK(verdicts.size() >= 30);
+    CHECK(verdicts.size() == found(html, "(<span class=\"rule\">)").size());
+    for (const char* words : {"drawn target", "held-out target", "At equal pressures", "By load step",
+                              "seed 11", "--set model.nodes=64"})
+        CHECK(html.find(words) != std::string::npos);
+    CHECK(found(html, "([^a-z]-?(nan|inf)[^a-z])").empty());
+
+    // it stands alone: nothing to fetch, nothing to run, no id twice
+    CHECK(found(html, "(<script|<link rel=\"stylesheet|@import|url\\()").empty());
+    for (const std::string& address : found(html, "(https?://[^\"]*)"))
+        CHECK(address == "http://www.w3.org/2000/svg");
+    std::set<std::string> ids;
+    for (const std::string& id : found(html, " id=\"([^\"]*)\""))
+        CHECK(ids.insert(id).second);
+    for (const std::string& link : found(html, "href=\"#([^\"]*)\""))
+        CHECK(ids.contains(link));
+}
+
+TEST_CASE("a report with one target and no sweep still has every figure") {
+    const Folder folder;
+    const std::string html = page_of(folder, "--set heldout.file= --set paper.sweep-points=0");
+    CHECK(found(html, "<figure (id=\"figure-\\d+\")").size() == 11);
+    CHECK(html.find("held-out target:") == std::string::npos);
+}
