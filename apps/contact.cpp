@@ -3,11 +3,11 @@
 #include "apps/output.hpp"
 #include "apps/scan_settings.hpp"
 #include "apps/table.hpp"
+#include "apps/units.hpp"
+#include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
-
-#include <iostream>
 
 namespace app {
 
@@ -32,7 +32,7 @@ rough::Response measured_response(const Settings& settings) {
     rough::Profile profile = scan.profile;
     profile.spacing = model.grid.spacing();
     rough::Response response = respond(profile, model.body, model.loading, model.contact);
-    std::cout << scan.account << "\n";
+    say(scan.account);
     return response;
 }
 
@@ -71,6 +71,9 @@ int contact(const Words& words) {
                                  "tangent_stiffness_MPa_per_mm", "kkt_residual"},
                                 {response.displacement, response.pressure, response.contact_fraction,
                                  response.tangent_stiffness, response.kkt_residual}));
+    tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
+         name_of(response.solver) + ", height range " + readable(response.range) +
+         " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));
     return 0;
 }
 

@@ -2,6 +2,7 @@
 #include "apps/interrupt.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/progress.hpp"
+#include "apps/voice.hpp"
 #include "domain/database/build.hpp"
 #include "domain/errors.hpp"
 
@@ -63,7 +64,7 @@ rough::GenomeStore opened(const Settings& settings) {
     for (const auto& group : {law_settings(), model_settings()})
         for (const Setting& setting : group)
             set_up_given |= settings.given(setting.name);
-    if (!set_up_given && std::filesystem::exists(file))
+    if (!set_up_given && rough::GenomeStore::begun(file))
         return rough::GenomeStore::open(file);
     const rough::DatabaseSetup setup = setup_from_flags(settings);
     rough::validate(setup.law);
@@ -116,8 +117,8 @@ int database_build(const Words& words) {
     };
     rough::build(store, options);
     const std::uint64_t stored = store.stored();
-    std::cout << store.file().string() << ": " << stored << " genomes stored, " << stored - before
-              << " of them in the last " << duration(seconds()) << "\n";
+    say(store.file().string() + ": " + std::to_string(stored) + " genomes stored, " +
+        std::to_string(stored - before) + " of them in the last " + duration(seconds()));
     return interrupt.asked() ? exit_interrupted : 0;
 }
 

@@ -1,5 +1,6 @@
 #include "apps/commands.hpp"
 #include "apps/settings.hpp"
+#include "apps/voice.hpp"
 #include "domain/errors.hpp"
 
 #include <algorithm>
@@ -16,11 +17,13 @@ void print_help() {
         std::cout << "  " << command.name << std::string(12 - std::string(command.name).size(), ' ')
                   << command.summary << "\n";
     std::cout << "\n'rugosa SUBCOMMAND --help' tells its flags.\n"
+                 "--quiet leaves out remarks and progress, --verbose adds details.\n"
                  "Exit codes: 0 done; 2 wrong use or bad input; 3 asked for more than was found; 130 "
                  "interrupted.\n";
 }
 
-int dispatch(const app::Words& words) {
+int dispatch(app::Words words) {
+    app::take_voice(words);
     if (words.empty() || words[0] == "--help" || words[0] == "help") {
         print_help();
         return words.empty() ? 2 : 0;
@@ -45,16 +48,17 @@ int main(int count, char** values) {
     try {
         return dispatch({values + 1, values + count});
     } catch (const rough::InputError& error) {
-        std::cerr << "rugosa: " << error.what() << "\n";
+        std::cerr << app::error_mark() << error.what() << "\n";
         return 2;
     } catch (const rough::NotConverged& error) {
-        std::cerr << "rugosa: " << error.what() << "\n";
+        std::cerr << app::error_mark() << error.what() << "\n";
         return 3;
     } catch (const std::bad_alloc&) {
-        std::cerr << "rugosa: not enough memory for this grid, expected fewer nodes or --solver active-set\n";
+        std::cerr << app::error_mark()
+                  << "not enough memory for this grid, expected fewer nodes or --solver active-set\n";
         return 2;
     } catch (const std::exception& error) {
-        std::cerr << "rugosa: internal error: " << error.what() << "\n";
+        std::cerr << app::error_mark() << "internal error: " << error.what() << "\n";
         return 1;
     }
 }

@@ -4,6 +4,7 @@
 #include "apps/scan_settings.hpp"
 #include "apps/table.hpp"
 #include "apps/units.hpp"
+#include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
@@ -16,7 +17,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <numbers>
 
 namespace app {
@@ -153,12 +153,13 @@ std::string spectrum_picture(const rough::Spectrum& spectrum) {
     return svg_file(plot);
 }
 
-void print(const Shape& shape, const rough::Roughness& r) {
+void tell_roughness(const rough::Roughness& r) {
     const Unit height = length_unit(r.Rt);
     const auto row = [](const char* name, double value, const std::string& unit, const char* meaning) {
-        std::printf("  %-14s %12.6g %-5s %s\n", name, value, unit.c_str(), meaning);
+        char line[120];
+        std::snprintf(line, sizeof line, "  %-14s %12.6g %-5s %s", name, value, unit.c_str(), meaning);
+        say(line);
     };
-    std::cout << shape.account << "\n";
     row("Ra", r.Ra * height.factor, height.name, "arithmetic mean height");
     row("Rq", r.Rq * height.factor, height.name, "root mean square height");
     row("Rsk", r.Rsk, "", "skewness");
@@ -216,8 +217,9 @@ int profile(const Words& words) {
         write("spectrum.svg", spectrum_picture(spectrum));
     }
     write(numbers_file, numbers_of(shape, roughness).dump(1) + "\n");
-    print(shape, roughness);
-    std::cout << "written to " << out.path().string() << "\n";
+    say(shape.account);
+    tell_roughness(roughness);
+    say("written to " + out.path().string());
     return 0;
 }
 

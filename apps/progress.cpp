@@ -1,5 +1,7 @@
 #include "apps/progress.hpp"
 
+#include "apps/voice.hpp"
+
 #include <iostream>
 #include <unistd.h>
 
@@ -9,7 +11,7 @@ namespace {
 constexpr const char* clear_line = "\r\033[K";
 }
 
-Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0 && voice() != Voice::quiet) {}
 
 Progress::~Progress() {
     if (shown_)

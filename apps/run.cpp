@@ -4,10 +4,10 @@
 #include "apps/paper_tables.hpp"
 #include "apps/report/paper_page.hpp"
 #include "apps/result.hpp"
+#include "apps/units.hpp"
+#include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
-
-#include <iostream>
 
 namespace app {
 
@@ -92,7 +92,7 @@ int run(const Words& given) {
     write_database_table(paper, folder);
     if (flags.one_of("pictures", {"on", "off"}) == 0)
         rough::write_atomically(folder / "report.html", paper_page(paper));
-    std::cout << folder.string() << ": " << paper.seconds << " s\n";
+    say(folder.string() + ": " + readable(paper.seconds) + " s");
     return 0;
 }
 

@@ -28,6 +28,8 @@ void make_tables(Sqlite& sqlite) {
     sqlite.run("CREATE TABLE taken(first INTEGER PRIMARY KEY)");
 }
 
+bool holds_anything(Sqlite& sqlite) { return sqlite.number("SELECT count(*) FROM sqlite_master") > 0; }
+
 void expect_ours(Sqlite& sqlite) {
     if (sqlite.number("PRAGMA application_id") != application)
         throw InputError(sqlite.file().string() +
@@ -88,7 +90,7 @@ GenomeStore GenomeStore::create(const std::filesystem::path& file, const Databas
     const Fields wanted = fields(setup);
     Sqlite sqlite(file, Sqlite::Access::create);
     Transaction transaction(sqlite);
-    if (sqlite.number("SELECT count(*) FROM sqlite_master") == 0) {
+    if (!holds_anything(sqlite)) {
         make_tables(sqlite);
         Fields named = wanted;
         named.emplace_back("version", RUGOSA_VERSION);
@@ -110,6 +112,13 @@ GenomeStore GenomeStore::open(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file))
         throw InputError(file.string() + ": there is no such file, expected a genome database");
     return GenomeStore(Sqlite(file, Sqlite::Access::existing));
+}
+
+bool GenomeStore::begun(const std::filesystem::path& file) {
+    if (!std::filesystem::is_regular_file(file))
+        return false;
+    Sqlite sqlite(file, Sqlite::Access::existing);
+    return holds_anything(sqlite);
 }
 
 std::uint64_t GenomeStore::stored() const {

@@ -32,6 +32,9 @@ class GenomeStore {
     /// Opens one that exists, to read or to go on building.
     static GenomeStore open(const std::filesystem::path& file);
 
+    /// Whether there is such a file with anything in it: a program killed while it makes one leaves it empty.
+    static bool begun(const std::filesystem::path& file);
+
     const DatabaseSetup& setup() const { return setup_; }
     const std::string& version() const { return version_; } ///< of the program that made the file
     std::uint64_t stored() const;                           ///< genomes

@@ -50,7 +50,7 @@ void kill_and_resume(int kills) {
             continue;
         }
         ++hit;
-        if (!std::filesystem::exists(folder / file) || std::filesystem::file_size(folder / file) == 0)
+        if (!rough::GenomeStore::begun(folder / file))
             continue; // killed before the file was made
         const auto left = pressures(folder / file);
         CHECK(left.size() >= stored);

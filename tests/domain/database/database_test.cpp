@@ -185,6 +185,11 @@ TEST_CASE("what is no genome database is refused") {
     CHECK_THROWS_WITH(GenomeStore::open(folder.path / "other.db"), Catch::Contains("no genome database"));
     CHECK_THROWS_WITH(GenomeStore::create(folder.path / "other.db", small_setup()),
                       Catch::Contains("no genome database"));
+    write_atomically(folder.path / "empty.db", "");
+    CHECK_FALSE(GenomeStore::begun(folder.path / "empty.db"));
+    CHECK_FALSE(GenomeStore::begun(folder.path / "none.db"));
+    CHECK_NOTHROW(GenomeStore::create(folder.path / "empty.db", small_setup()));
+    CHECK(GenomeStore::begun(folder.path / "empty.db"));
     CHECK_THROWS_AS(GenomeStore::create(folder.path / "missing" / "a.db", small_setup()), InputError);
 }
 
