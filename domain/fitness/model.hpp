@@ -16,7 +16,8 @@ struct Model {
 /// The same set-up on a grid of `refine` elements for each of this one.
 Model refined(const Model& model, Index refine);
 
-/// Throws InputError where the genome's waves are flat at the grid's nodes (a wave of exactly the spacing is).
+/// Throws InputError where the genome's waves are flat at the grid's nodes (a wave of exactly the spacing
+/// is).
 Response respond(const Genome& genome, const Model& model);
 
 /// Whether the sampled profile's height range is rounding alone: under 1e-12 of its amplitudes' sum.

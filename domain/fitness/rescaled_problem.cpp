@@ -25,9 +25,9 @@ Genome at_scale_one(Genome genome) {
 } // namespace
 
 RescaledProblem::RescaledProblem(Model model, Target target, double max_pressure, double threshold,
-                                 std::shared_ptr<ResponseMemory> memory)
+                                 std::shared_ptr<ResponseMemory> memory, PhaseReach reach)
     : model_(std::move(model)), target_(std::move(target)), max_pressure_(max_pressure),
-      memory_(std::move(memory)) {
+      memory_(std::move(memory)), reach_(reach) {
     validate(target_);
     if (!(max_pressure > 0) || target_.highest_pressure() > max_pressure * (1 + 1e-9)) {
         std::ostringstream line;

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "domain/fitness/model.hpp"
+#include "domain/fitness/phases.hpp"
 #include "domain/fitness/response_memory.hpp"
+#include "domain/mwm/cross.hpp"
 #include "domain/response/similarity.hpp"
 #include "ga/problem.hpp"
 
@@ -27,7 +28,7 @@ class RescaledProblem {
     /// p_max]. Throws InputError if the target reaches beyond max_pressure or one of its two parts has no
     /// point.
     RescaledProblem(Model model, Target target, double max_pressure, double threshold,
-                    std::shared_ptr<ResponseMemory> memory = nullptr);
+                    std::shared_ptr<ResponseMemory> memory = nullptr, PhaseReach reach = {});
 
     Outcome evaluate(const Genome& genome) const;
     /// similarity (Eq. 12 over all points), low, high
@@ -40,6 +41,13 @@ class RescaledProblem {
     Genome with_genes(const Genome& genome, const std::vector<double>& values) const {
         return rough::with_genes(genome, values);
     }
+    /// The choice `all`: every phase within the reach.
+    std::vector<ga::Variable> bounds(const Genome& genome) const { return phase_variables(genome, reach_); }
+    void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const {
+        rough::cross_points(a, b, cuts, stream);
+    }
+    void cross_uniform(Genome& a, Genome& b, ga::Stream& stream) const { rough::cross_uniform(a, b, stream); }
+
     /// Relative misfits at the objective's points and their derivatives by the adjoint.
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 
@@ -54,6 +62,7 @@ class RescaledProblem {
     Target target_;
     double max_pressure_;
     std::shared_ptr<ResponseMemory> memory_;
+    PhaseReach reach_;
     std::vector<std::pair<std::string, std::vector<Index>>> points_;
     std::vector<ga::Objective<Outcome>> objectives_;
 };

@@ -11,13 +11,6 @@ enum class Form {
     minimax, ///< minimise t with +-(y(xi_k)/y_k - 1) <= t: all points at once
 };
 
-/// What the three algorithms share besides the problem.
-struct PaperChoices {
-    std::shared_ptr<const DominanceRule> rule; ///< Algorithm 1
-    Form form = Form::paper;
-    PhaseReach reach = {}; ///< of every refined phase
-};
-
 using PaperPipeline = ga::Stage<RescaledProblem>;
 
 /// The paper's three algorithms (Algorithms 3-5); scoring with Eq. 11 is the problem's. Stages as the paper's
@@ -25,11 +18,17 @@ using PaperPipeline = ga::Stage<RescaledProblem>;
 /// second.
 
 /// Similarity-optimised genomes: the three best of the database, refined.
-PaperPipeline sog(const PaperChoices& choices);
+PaperPipeline sog(const Vocabulary& words, Form form = Form::paper);
 /// Genome cross-over: sums of genomes that are good at low with genomes that are good at high pressure,
 /// refined.
-PaperPipeline gco(const PaperChoices& choices);
+PaperPipeline gco(const Vocabulary& words, Form form = Form::paper);
 /// Chromosome cross-over: the same with each parent reduced to its dominant chromosomes.
-PaperPipeline cco(const PaperChoices& choices);
+PaperPipeline cco(const Vocabulary& words, Form form = Form::paper);
+
+/// What text pipelines for the paper's problem are made of: the engine's words and roughness's.
+ga::Registry<RescaledProblem> paper_registry(const Vocabulary& words);
+
+/// sog, gco, cco and their minimax forms as text.
+ga::Variants paper_variants(const Vocabulary& words);
 
 } // namespace rough

@@ -1,29 +1,58 @@
 #pragma once
 
-#include "domain/fitness/dominance.hpp"
+#include "domain/fitness/phases.hpp"
 #include "ga/ga.hpp"
+#include "ga/text/parser.hpp"
+#include "ga/text/vocabulary.hpp"
+
+#include <memory>
 
 namespace rough {
 
-/// How far refinement may move a phase from where it was when its genome was first refined.
-struct PhaseReach {
-    double relative = 0.1; ///< of the phase's own value: the paper's +-10 %, which freezes phases near 0
-    double absolute = 0;   ///< rad, added to it
+/// What roughness adds to the engine's words: which phases refinement moves, how genomes are joined and
+/// reduced.
+struct Vocabulary {
+    std::shared_ptr<const DominanceRule> rule; ///< Algorithm 1
+    PhaseReach reach = {};                     ///< of every refined phase
+
+    ga::Variables<Genome> dominant() const {
+        return {"dominant", [*this](const Genome& genome) {
+                    return dominant_phase_variables(genome, (*rule)(genome), reach);
+                }};
+    }
+    ga::Variables<Genome> others() const {
+        return {"others", [*this](const Genome& genome) {
+                    return other_phase_variables(genome, (*rule)(genome), reach);
+                }};
+    }
+    ga::Variables<Genome> phases() const {
+        return {"phases", [*this](const Genome& genome) { return phase_variables(genome, reach); }};
+    }
+
+    /// Keeps a genome's dominant chromosomes alone, its scale as it is.
+    auto reduce_dominant() const {
+        return ga::transform("reduce dominant",
+                             [*this](const Genome& genome) { return reduced(genome, (*rule)(genome)); });
+    }
+
+    /// The sum of the two parents as they were scaled when scored: their relative amplitude matters.
+    static ga::Combine<Genome> unite() {
+        return {"unite", [](const ga::Individual<Genome>& left, const ga::Individual<Genome>& right) {
+                    return std::optional(sum(left.genome, right.genome));
+                }};
+    }
 };
 
-/// What roughness adds to the engine's words: which phases refinement moves, how genomes are joined and
-/// reduced. `rule` is Algorithm 1.
-ga::Variables<Genome> all_phases(PhaseReach reach = {});
-ga::Variables<Genome> dominant_phases(std::shared_ptr<const DominanceRule> rule, PhaseReach reach = {});
-ga::Variables<Genome> other_phases(std::shared_ptr<const DominanceRule> rule, PhaseReach reach = {});
-
-/// The sum of the two parents as they were scaled when scored: their relative amplitude matters.
-ga::Combine<Genome> unite();
-
-/// Keeps a genome's dominant chromosomes alone, its scale as it is.
-inline auto reduce(std::shared_ptr<const DominanceRule> rule) {
-    return ga::transform("reduce dominant",
-                         [rule](const Genome& genome) { return reduced(genome, (*rule)(genome)); });
+/// Adds those words to what text pipelines are made of.
+template <ga::Problem P>
+requires std::same_as<typename P::Genome, Genome>
+void add_words(ga::Registry<P>& registry, const Vocabulary& vocabulary) {
+    registry.add("reduce dominant", "roughness", "keeps each genome's dominant chromosomes (Algorithm 1)",
+                 vocabulary.reduce_dominant());
+    registry.add(Vocabulary::unite(), "the sum of two genomes, each as it was scaled when scored");
+    registry.add(vocabulary.dominant(), "phases of the dominant chromosomes (Algorithm 1)");
+    registry.add(vocabulary.others(), "phases of the other chromosomes");
+    registry.add(vocabulary.phases(), "phases of all chromosomes");
 }
 
 } // namespace rough

@@ -12,9 +12,9 @@ using Variants = std::map<std::string, std::string>;
 template <Problem P>
 class Parser {
   public:
-    explicit Parser(const Registry<P>& registry, Variants variants = {})
-        : registry_(registry), variants_(std::move(variants)) {
-        const auto names = registry.names();
+    explicit Parser(Registry<P> registry, Variants variants = {})
+        : registry_(std::move(registry)), variants_(std::move(variants)) {
+        const auto names = registry_.names();
         for (const auto& [name, text] : variants_)
             if (std::find(names.begin(), names.end(), name) != names.end())
                 throw UsageError("variant '" + name + "' has an operator's name; expected another");
@@ -168,7 +168,7 @@ class Parser {
         return names;
     }
 
-    const Registry<P>& registry_;
+    Registry<P> registry_;
     Variants variants_;
     std::vector<std::string> open_; ///< variants that are being expanded
 };

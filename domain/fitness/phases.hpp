@@ -1,0 +1,21 @@
+#pragma once
+
+#include "domain/fitness/dominance.hpp"
+#include "ga/problem.hpp"
+
+namespace rough {
+
+/// How far refinement may move a phase from where it was when its genome was first refined.
+struct PhaseReach {
+    double relative = 0.1; ///< of the phase's own value: the paper's +-10 %, which freezes phases near 0
+    double absolute = 0;   ///< rad, added to it
+};
+
+/// A variable for each phase of the genome, or of its dominant chromosomes alone, or of the others.
+std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach);
+std::vector<ga::Variable> dominant_phase_variables(const Genome& genome, const Dominance& dominance,
+                                                   PhaseReach reach);
+std::vector<ga::Variable> other_phase_variables(const Genome& genome, const Dominance& dominance,
+                                                PhaseReach reach);
+
+} // namespace rough

@@ -1,0 +1,68 @@
+#include "domain/mwm/cross.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+using testing::random_genome;
+
+namespace {
+
+std::size_t chromosomes(const Genome& genome) {
+    std::size_t count = 0;
+    for (const auto& series : genome.series)
+        count += series.chromosomes.size();
+    return count;
+}
+
+} // namespace
+
+TEST_CASE("cross-over of length scales only exchanges: the two children add up to the two parents") {
+    std::mt19937_64 random(31);
+    const Grid grid{64, 0.84942, false};
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        Genome a = random_genome(random, 1 + seed % 2, 1 + seed % 3, 0.84942, 0.03),
+               b = random_genome(random, 2, 1, 0.84942, 0.05);
+        a.scale = 0.01;
+        const Genome left = a, right = b;
+        ga::Stream stream(seed);
+        if (seed % 3 == 0)
+            cross_uniform(a, b, stream);
+        else
+            cross_points(a, b, seed % 3, stream);
+        CHECK_NOTHROW(validate(a, "child"));
+        CHECK_NOTHROW(validate(b, "child"));
+        CHECK(chromosomes(a) == chromosomes(left));
+        CHECK(chromosomes(b) == chromosomes(right));
+        const Eigen::VectorXd before = sample(left, grid).heights + sample(right, grid).heights;
+        CHECK((sample(a, grid).heights + sample(b, grid).heights - before).norm() < 1e-12 * before.norm());
+    }
+}
+
+TEST_CASE("crossed with itself a genome keeps its profile and its series") {
+    std::mt19937_64 random(32);
+    const Grid grid{64, 0.84942, false};
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const Genome parent = random_genome(random, 2, 1, 0.84942, 0.03);
+        Genome a = parent, b = parent;
+        ga::Stream stream(seed);
+        cross_uniform(a, b, stream);
+        CHECK(a.series.size() == 2);
+        const Eigen::VectorXd heights = sample(parent, grid).heights;
+        CHECK((sample(a, grid).heights - heights).norm() < 1e-12 * heights.norm());
+    }
+}
+
+TEST_CASE("a one-point cross-over exchanges the short waves and leaves the long ones") {
+    std::mt19937_64 random(33);
+    Genome a = random_genome(random, 1, 1, 0.84942, 0.03), b = random_genome(random, 1, 1, 0.84942, 0.03);
+    const auto longest = a.series[0].chromosomes[0].phases;
+    const auto shortest = b.series[0].chromosomes.back().phases;
+    ga::Stream stream(5);
+    cross_points(a, b, 1, stream);
+    CHECK(a.series[0].chromosomes[0].phases == longest);
+    REQUIRE(a.series.size() == 2);
+    if (chromosomes(a) >= chromosomes(b))
+        CHECK(a.series[1].chromosomes.back().phases == shortest);
+}
