@@ -19,6 +19,7 @@ int database(const Words& words);
 int profile(const Words& words);
 int run(const Words& words);
 int stability(const Words& words);
+int operators(const Words& words);
 
 /// All of them, in the order of the help page.
 const std::vector<Command>& commands();

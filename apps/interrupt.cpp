@@ -6,17 +6,18 @@ namespace app {
 
 namespace {
 
-volatile std::sig_atomic_t stop_asked = 0;
+std::atomic<bool> stop_asked = false; // lock-free, so a signal handler may set it
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 void ask(int signal) {
-    stop_asked = 1;
+    stop_asked = true;
     std::signal(signal, SIG_DFL);
 }
 
 } // namespace
 
 Interrupt::Interrupt() {
-    stop_asked = 0;
+    stop_asked = false;
     std::signal(SIGINT, ask);
     std::signal(SIGTERM, ask);
 }
@@ -26,6 +27,6 @@ Interrupt::~Interrupt() {
     std::signal(SIGTERM, SIG_DFL);
 }
 
-bool Interrupt::asked() const { return stop_asked != 0; }
+const std::atomic<bool>& Interrupt::flag() const { return stop_asked; }
 
 } // namespace app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+
 namespace app {
 
 /// From its construction on, the first interrupt (Ctrl-C) or request to end asks the program to stop at the
@@ -11,7 +13,8 @@ class Interrupt {
     Interrupt(const Interrupt&) = delete;
     Interrupt& operator=(const Interrupt&) = delete;
 
-    bool asked() const;
+    bool asked() const { return flag(); }
+    const std::atomic<bool>& flag() const; ///< for the engine's budget
 };
 
 constexpr int exit_interrupted = 130;

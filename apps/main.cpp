@@ -2,6 +2,7 @@
 #include "apps/settings.hpp"
 #include "apps/voice.hpp"
 #include "domain/errors.hpp"
+#include "ga/errors.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -49,6 +50,9 @@ int main(int count, char** values) {
         return dispatch({values + 1, values + count});
     } catch (const rough::InputError& error) {
         std::cerr << app::error_mark() << error.what() << "\n";
+        return 2;
+    } catch (const ga::UsageError& error) {
+        std::cerr << "rugosa: " << error.what() << "\n";
         return 2;
     } catch (const rough::NotConverged& error) {
         std::cerr << app::error_mark() << error.what() << "\n";

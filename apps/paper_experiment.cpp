@@ -11,24 +11,18 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 namespace app {
 
 namespace {
 
 using rough::DominanceRule;
-using rough::Form;
 using rough::RescaledProblem;
 
 struct Variant {
-    const char* name;
-    rough::PaperPipeline (*pipeline)(const rough::PaperChoices&);
-    Form form;
-};
-constexpr Variant variants[] = {
-    {"sog", rough::sog, Form::paper},           {"gco", rough::gco, Form::paper},
-    {"cco", rough::cco, Form::paper},           {"sog-minimax", rough::sog, Form::minimax},
-    {"gco-minimax", rough::gco, Form::minimax}, {"cco-minimax", rough::cco, Form::minimax},
+    std::string name;
+    rough::PaperPipeline pipeline;
 };
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -72,6 +66,35 @@ rough::DominanceReading other(rough::DominanceReading reading) {
     return reading == same_pressure ? same_step : same_pressure;
 }
 
+rough::PhaseReach reach_from(const Settings& settings) {
+    return {settings.number("paper.phase-relative", 0, 10), settings.number("paper.phase-absolute", 0, 10)};
+}
+
+std::vector<Variant> paper_three(const rough::Vocabulary& words) {
+    return {{"sog", sog(words)}, {"gco", gco(words)}, {"cco", cco(words)}};
+}
+
+/// The paper's three in both forms, from code, then what the experiment writes in [variants].
+std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabulary& words) {
+    using rough::Form;
+    std::vector<Variant> variants = paper_three(words);
+    variants.push_back({"sog-minimax", sog(words, Form::minimax)});
+    variants.push_back({"gco-minimax", gco(words, Form::minimax)});
+    variants.push_back({"cco-minimax", cco(words, Form::minimax)});
+    ga::Variants texts = paper_variants(words);
+    const auto own = settings.names_under("variants.");
+    for (const auto& name : own) {
+        if (texts.count(name))
+            throw rough::InputError(settings.place("variants." + name) +
+                                    ": the name of one of the paper's variants, expected another");
+        texts[name] = settings.text("variants." + name);
+    }
+    ga::Parser<RescaledProblem> parser(paper_registry(words), texts);
+    for (const auto& name : own)
+        variants.push_back({name, parser.variant(name)});
+    return variants;
+}
+
 struct Setup {
     rough::Model model;
     double max_pressure;
@@ -102,14 +125,10 @@ Setup setup_from(const Settings& settings) {
 /// The paper's genomes and targets with what all variants share.
 class Paper {
   public:
-    Paper(const Settings& settings, PaperRun& run, Progress& progress)
-        : settings_(settings), run_(run),
-          progress_(progress), choices_{std::make_shared<DominanceRule>(run.model, run.dominance),
-                                        Form::paper,
-                                        {settings.number("paper.phase-relative", 0, 10),
-                                         settings.number("paper.phase-absolute", 0, 10)}},
-          other_rule_(std::make_shared<DominanceRule>(run.model, other(run.dominance))),
-          genomes_(sobol_database(run.layout)) {}
+    Paper(const Settings& settings, PaperRun& run, Progress& progress, const std::atomic<bool>& stop)
+        : settings_(settings), run_(run), progress_(progress), stop_(stop),
+          genomes_(sobol_database(run.layout)), variants_(variants_from(settings, words_by(run.dominance))),
+          other_reading_(paper_three(words_by(other(run.dominance)))) {}
 
     void answer_database() {
         run_.database.resize(genomes_.size());
@@ -132,15 +151,18 @@ class Paper {
                 {similarity(target.target, curve), similarity(target.target, curve, points(0, target.p_bar)),
                  similarity(target.target, curve, points(target.p_bar, run_.max_pressure))});
         }
-        for (const Variant& variant : variants) {
+        for (const Variant& variant : variants_) {
+            if (stop_)
+                return;
             progress_.show(target.title + ": " + variant.name);
-            VariantRun run = run_variant(variant, problem, choices_.rule);
-            run.similarity_refined = similarity(problem, run.answer.genome, 4);
-            target.variants.push_back(std::move(run));
+            if (auto run = run_variant(variant, problem)) {
+                run->similarity_refined = similarity(problem, run->answer.genome, 4);
+                target.variants.push_back(std::move(*run));
+            }
         }
-        for (const Variant& variant : variants)
-            if (variant.form == Form::paper)
-                target.other_reading.push_back(run_variant(variant, problem, other_rule_));
+        for (const Variant& variant : other_reading_)
+            if (auto run = run_variant(variant, problem))
+                target.other_reading.push_back(std::move(*run));
     }
 
     void sweep(TargetRun& target) {
@@ -153,18 +175,25 @@ class Paper {
                           : from;
             const RescaledProblem problem(run_.model, target.target, run_.max_pressure,
                                           fraction * run_.max_pressure, memory_);
-            for (const Variant& variant : {variants[1], variants[2]}) {
+            for (const std::size_t cross_over : {1, 2}) {
+                if (stop_)
+                    return;
                 progress_.show(target.title + ": threshold " + std::to_string(i + 1) + " of " +
                                std::to_string(count));
-                target.thresholds.push_back(threshold_row(run_variant(variant, problem, choices_.rule),
-                                                          fraction * run_.max_pressure));
+                const auto row = run_variant(variants_[cross_over], problem);
+                if (row)
+                    target.thresholds.push_back(threshold_row(*row, fraction * run_.max_pressure));
             }
         }
     }
 
   private:
-    VariantRun run_variant(const Variant& variant, const RescaledProblem& problem,
-                           const std::shared_ptr<const DominanceRule>& rule) {
+    rough::Vocabulary words_by(rough::DominanceReading reading) const {
+        return {std::make_shared<DominanceRule>(run_.model, reading), reach_from(settings_)};
+    }
+
+    /// Nothing when it was stopped before a genome was scored.
+    std::optional<VariantRun> run_variant(const Variant& variant, const RescaledProblem& problem) {
         const auto start = std::chrono::steady_clock::now();
         VariantRun run;
         run.name = variant.name;
@@ -172,8 +201,11 @@ class Paper {
         options.variant = variant.name;
         options.seed = run_.seed;
         options.threads = run_.threads;
-        const auto result = ga::run(variant.pipeline({rule, variant.form, choices_.reach}), problem,
-                                    ga::population(genomes_), options, {recorder(run.stages)});
+        options.budget.stop = &stop_;
+        const auto result =
+            ga::run(variant.pipeline, problem, ga::population(genomes_), options, {recorder(run.stages)});
+        if (result.population.empty())
+            return std::nullopt;
         run.seconds = seconds_since(start);
         run.notes = result.notes;
         run.answer.genome = result.population.front().genome;
@@ -211,11 +243,12 @@ class Paper {
     const Settings& settings_;
     PaperRun& run_;
     Progress& progress_;
-    rough::PaperChoices choices_;
-    std::shared_ptr<const DominanceRule> other_rule_;
+    const std::atomic<bool>& stop_;
     std::shared_ptr<rough::ResponseMemory> memory_ =
         std::make_shared<rough::ResponseMemory>(); ///< of the sweep
     std::vector<rough::Genome> genomes_;
+    std::vector<Variant> variants_;
+    std::vector<Variant> other_reading_; ///< the paper's three under the other reading of Algorithm 1
 };
 
 } // namespace
@@ -228,6 +261,7 @@ std::vector<Setting> paper_settings() {
         {"target.file", "", "target curve (CSV)"},
         {"target.profile", "", "measured profile whose response is the target, in place of target.file"},
         {"heldout.file", "", "second target curve (CSV)"},
+        {"variants.*", "", "NAME = pipeline: further variants, as text (rugosa operators)"},
         {"paper.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"},
         {"paper.threshold", "0.5", "p_bar over p_max"},
         {"paper.sweep-from", "0.31", "first p_bar over p_max of the threshold sweep"},
@@ -252,7 +286,7 @@ std::vector<Setting> paper_settings() {
     return settings;
 }
 
-PaperRun run_paper(const Settings& settings, Progress& progress) {
+PaperRun run_paper(const Settings& settings, Progress& progress, const std::atomic<bool>& stop) {
     const auto start = std::chrono::steady_clock::now();
     PaperRun run;
     Setup setup = setup_from(settings);
@@ -265,7 +299,7 @@ PaperRun run_paper(const Settings& settings, Progress& progress) {
     const long threads = settings.whole("experiment.threads", 0, 1024);
     run.threads = threads > 0 ? static_cast<int>(threads) : omp_get_max_threads();
 
-    Paper paper(settings, run, progress);
+    Paper paper(settings, run, progress, stop);
     progress.show("database");
     paper.answer_database();
     for (TargetRun& target : run.targets) {

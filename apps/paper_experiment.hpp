@@ -4,6 +4,8 @@
 #include "apps/report/paper_data.hpp"
 #include "apps/settings.hpp"
 
+#include <atomic>
+
 namespace app {
 
 /// The keys that experiments/paper.ini may set.
@@ -11,6 +13,6 @@ std::vector<Setting> paper_settings();
 
 /// Runs the paper's experiment: the database, the variants on every target, the threshold sweep. Relative
 /// paths in the file are looked for beside it.
-PaperRun run_paper(const Settings& settings, Progress& progress);
+PaperRun run_paper(const Settings& settings, Progress& progress, const std::atomic<bool>& stop);
 
 } // namespace app

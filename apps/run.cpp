@@ -1,4 +1,5 @@
 #include "apps/commands.hpp"
+#include "apps/interrupt.hpp"
 #include "apps/output.hpp"
 #include "apps/paper_experiment.hpp"
 #include "apps/paper_tables.hpp"
@@ -76,8 +77,9 @@ int run(const Words& given) {
     const Settings settings = read_ini(file, paper_settings(), overrides);
     const OutputFolder output(flags.text("out"), file.stem().string(), flags.is_on("force"));
     const auto& folder = output.path();
+    const Interrupt interrupt;
     Progress progress;
-    PaperRun paper = run_paper(settings, progress);
+    PaperRun paper = run_paper(settings, progress, interrupt.flag());
     paper.version = RUGOSA_VERSION;
     paper.command = "rugosa run";
     for (const auto& word : given)
@@ -90,6 +92,10 @@ int run(const Words& given) {
         rough::write_atomically(place / "result.json", result_json(paper, target).dump(1) + "\n");
     }
     write_database_table(paper, folder);
+    if (interrupt.asked()) {
+        say(folder.string() + ": interrupted; what was found is in result.json, without a report");
+        return exit_interrupted;
+    }
     if (flags.one_of("pictures", {"on", "off"}) == 0)
         rough::write_atomically(folder / "report.html", paper_page(paper));
     say(folder.string() + ": " + readable(paper.seconds) + " s");

@@ -102,7 +102,8 @@ TEST_CASE("a measured scan is pressed as it stands, its tilt removed") {
     CHECK(rows_of(folder / "c.csv", header).size() == 20);
 
     folder.write("gap.txt", "0 1\n1 NaN\n2 3\n3 1\n");
-    check_refused(rugosa("contact --profile gap.txt --unit um --out d.csv", folder.path()), "gap.txt, line 2");
+    check_refused(rugosa("contact --profile gap.txt --unit um --out d.csv", folder.path()),
+                  "gap.txt, line 2");
     CHECK_FALSE(std::filesystem::exists(folder / "d.csv"));
 }
 
@@ -158,7 +159,7 @@ TEST_CASE("a curve is not written over unasked") {
 TEST_CASE("every subcommand has a help page") {
     const Ended all = rugosa("--help");
     CHECK(all.code == 0);
-    for (const char* name : {"contact", "run"}) {
+    for (const char* name : {"contact", "run", "operators"}) {
         CHECK_THAT(all.out, Catch::Contains(name));
         const Ended help = rugosa(std::string(name) + " --help");
         CHECK(help.code == 0);

@@ -99,6 +99,29 @@ TEST_CASE("a measured profile can be the target") {
     CHECK_FALSE(std::filesystem::exists(folder / "r/heldout"));
 }
 
+TEST_CASE("an experiment's own variants, written as text, run beside the paper's") {
+    const Folder folder;
+    const std::string own =
+        " --set paper.sweep-points=0 --set 'variants.mine=score | best 6 | repeat 2 { tournament 2 "
+        "| cross uniform | mutate 0.1 | score | refine lm 5 | elite 2 } | best 1'"
+        " --set 'variants.more=mine | refine minimax 3'";
+    const Ended ended = rugosa(paper + coarse + own + " --out r", folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    const json variants = result_in(folder / "r")["variants"];
+    CHECK(variants.size() == 8);
+    CHECK(variants["more"]["similarity"] >= variants["mine"]["similarity"]);
+    CHECK(variants["mine"]["stages"][2]["path"] == "mine/repeat.1/tournament.1");
+
+    const Ended misspelt =
+        rugosa(paper + coarse + " --set 'variants.mine=score | bset 3' --out m", folder.path());
+    CHECK(misspelt.code == 2);
+    CHECK(misspelt.error_lines() == 1);
+    CHECK_THAT(misspelt.err, Catch::Contains("column 9") && Catch::Contains("best"));
+    const Ended taken = rugosa(paper + coarse + " --set 'variants.sog=score' --out m", folder.path());
+    CHECK(taken.code == 2);
+}
+
 TEST_CASE("without --out a run finds a free folder, and a result is not written over unasked") {
     const Folder folder;
     const std::string quick = paper + coarse + " --set paper.sweep-points=0";
