@@ -1,0 +1,85 @@
+#include "tests/apps/program.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using app::testing::Folder;
+using app::testing::rugosa;
+
+namespace {
+
+struct Look {
+    nlohmann::json page; ///< what browser_probe.js tells
+    std::string console; ///< what the browser logged of the page
+};
+
+/// Opens the page, the probe at its end, in a headless Chromium; in a frame, as no window of its is as narrow
+/// as a phone.
+Look looked_at(const Folder& folder, std::string page, int width, bool dark) {
+    const std::string probe = rough::read_whole(RUGOSA_SOURCE "/tests/apps/report/browser_probe.js");
+    page.insert(page.rfind("</body>"), "<script>" + probe + "</script>");
+    folder.write("page.html", page);
+    const auto file = folder.write(
+        "frame.html",
+        "<!doctype html><meta name=\"color-scheme\" content=\"light dark\"><pre id=\"probe\"></pre>"
+        "<script>onmessage=(event)=>probe.textContent=event.data</script>"
+        "<iframe src=\"page.html\" style=\"border:0;height:900px;width:" +
+            std::to_string(width) + "px\"></iframe>");
+    const std::string command =
+        "timeout 120 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars "
+        "--enable-logging=stderr "
+        "--host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir='" +
+        (folder / "browser").string() +
+        "' --window-size=1400,1000 --virtual-time-budget=3000 --blink-settings=preferredColorScheme=" +
+        (dark ? "0" : "1") + " --dump-dom 'file://" + file.string() + "' >'" + (folder / "dom").string() +
+        "' 2>'" + (folder / "log").string() + "'";
+    REQUIRE(std::system(command.c_str()) == 0);
+    const std::string dom = rough::read_whole(folder / "dom"), mark = "<pre id=\"probe\">";
+    const std::size_t at = dom.find(mark);
+    REQUIRE(at != std::string::npos);
+    std::string told = dom.substr(at + mark.size(), dom.find("</pre>", at) - at - mark.size());
+    for (const auto& [entity, letter] : {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&amp;", "&"}})
+        for (std::size_t i; (i = told.find(entity)) != std::string::npos;)
+            told.replace(i, std::string(entity).size(), letter);
+    std::string console, line;
+    std::istringstream log(rough::read_whole(folder / "log"));
+    while (std::getline(log, line))
+        if (line.find("CONSOLE") != std::string::npos)
+            console += line + "\n";
+    return {nlohmann::json::parse(told), console};
+}
+
+} // namespace
+
+TEST_CASE("the report can be read on a phone and at a desk, in light and in dark, and fetches nothing",
+          "[long]") {
+    const Folder folder;
+    const auto ended = rugosa("run '" RUGOSA_SOURCE "/experiments/paper.ini' --out r", folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    const std::string html = rough::read_whole(folder / "r/report.html");
+    for (const int width : {390, 1280})
+        for (const bool dark : {false, true}) {
+            const auto [page, console] = looked_at(folder, html, width, dark);
+            INFO(width << (dark ? " dark" : " light"));
+            CHECK(console == "");
+            CHECK(page["fetched"].empty());
+            CHECK(page["width"] == width);
+            CHECK(page["dark"] == dark);
+            CHECK(page["scrolls"] == false);
+            CHECK(page["figures"] == 11);
+            CHECK(page["pictures"].size() >= 30);
+            for (const auto& picture : page["pictures"]) {
+                INFO(picture.dump());
+                CHECK(picture["width"] > 250);
+                CHECK(picture["height"] > 150);
+                CHECK(picture["inside"] == true);
+                CHECK(picture["letters"] > 9);
+                CHECK(picture["problems"].empty());
+                CHECK(picture["text"] >= 4.5); // WCAG 2.1, 1.4.3
+                CHECK(picture["lines"] >= 3);  // 1.4.11
+            }
+            INFO(page["faintest"].dump());
+            CHECK(page["faintest"]["contrast"] >= 4.5);
+        }
+}
