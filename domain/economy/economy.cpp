@@ -4,12 +4,14 @@
 #include "domain/economy/accuracy.hpp"
 #include "domain/economy/extrapolation.hpp"
 #include "domain/economy/load_rows.hpp"
+#include "domain/economy/surface.hpp"
 #include "domain/errors.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace rough {
 
@@ -20,8 +22,8 @@ constexpr double step_share = 0.25, solver_share = 0.05;
 /// Widest window of dropped chromosomes, in load steps and units of the accuracy: it makes a secant's bound a
 /// fifth of the accuracy or so.
 constexpr double window_share = 1.0 / 16;
-/// Elements of the coarsest grid to the shortest wave: fewer do not see the profile.
-constexpr double first_elements_per_wave = 6;
+/// Elements of the coarsest grid to the finest feature: fewer do not see the profile.
+constexpr double first_elements_per_feature = 6;
 constexpr Index fewest_elements = 48;
 /// Grids are sqrt(2) apart; a line is drawn through the last four.
 constexpr double grid_ratio = 1.4142135623730951;
@@ -31,94 +33,6 @@ constexpr double finest_part = 0.6;
 /// Coarser grids are given up when the estimate, falling as N^-2, would meet the accuracy only at so many
 /// times the finest grid's elements; estimates are erratic.
 constexpr double estimate_order = 2, patience = 1.5;
-
-double seconds_now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// The body that the resolved nodes' elements make up: it has the same ends on every grid.
-struct Extent {
-    double from, length; ///< mm
-};
-Extent extent(const Grid& resolved) {
-    const double overhang = resolved.wraps ? 0 : resolved.spacing();
-    return {-overhang / 2, resolved.length + overhang};
-}
-
-/// `count` equal elements over the extent, their nodes in the middle.
-Grid cells(const Extent& extent, Index count, bool wraps) {
-    const double spacing = extent.length / static_cast<double>(count);
-    return {count, wraps ? extent.length : extent.length - spacing, wraps,
-            extent.from + (wraps ? 0 : spacing / 2)};
-}
-
-ChromosomePlace place(const Genome& genome, std::size_t s, std::size_t c) {
-    const Series& series = genome.series[s];
-    const Chromosome& chromosome = series.chromosomes[c];
-    return {s, chromosome.n, wave_length(series, chromosome.n),
-            std::abs(genome.scale * wave(series, chromosome).amplitude)};
-}
-
-std::vector<ChromosomePlace> places(const Genome& genome) {
-    std::vector<ChromosomePlace> all;
-    for (std::size_t s = 0; s < genome.series.size(); ++s)
-        for (std::size_t c = 0; c < genome.series[s].chromosomes.size(); ++c)
-            all.push_back(place(genome, s, c));
-    return all;
-}
-
-double shortest_wave(const Genome& genome) {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const ChromosomePlace& one : places(genome))
-        shortest = std::min(shortest, one.wave_length_mm);
-    return shortest;
-}
-
-Genome without_waves_under(const Genome& genome, double wave_length_mm) {
-    return filtered(genome, [&](std::size_t s, std::size_t c) {
-        return place(genome, s, c).wave_length_mm >= wave_length_mm;
-    });
-}
-
-/// Which chromosomes to model.
-struct Selection {
-    Genome genome;
-    std::vector<ChromosomePlace> used, dropped;
-    Window window;
-};
-
-Selection everything(const Genome& genome) { return {genome, places(genome), {}, {}}; }
-
-/// Leaves out the shortest waves as long as the window stays within `widest` (mm): they are what asks for
-/// fine grids.
-Selection without_short_waves(const Genome& genome, const Grid& grid, const Profile& whole, double widest) {
-    std::vector<ChromosomePlace> order = places(genome);
-    std::sort(order.begin(), order.end(),
-              [](const auto& a, const auto& b) { return a.wave_length_mm < b.wave_length_mm; });
-    Selection best = everything(genome);
-    double amplitude = 0;
-    for (std::size_t k = 0; k + 1 < order.size(); ++k) {
-        amplitude += order[k].amplitude_mm;
-        // The window is at least about one amplitude wide; waves of equal length go together.
-        if (amplitude > 2 * widest)
-            break;
-        const double least = order[k + 1].wave_length_mm;
-        if (least == order[k].wave_length_mm)
-            continue;
-        const Genome reduced = without_waves_under(genome, least);
-        const Genome left_out = filtered(
-            genome, [&](std::size_t s, std::size_t c) { return place(genome, s, c).wave_length_mm < least; });
-        Profile profile = whole;
-        profile.heights -= sample(left_out, grid).heights;
-        const Window window = window_between(whole, profile);
-        if (window.width() <= widest)
-            best = {reduced,
-                    {order.begin() + static_cast<std::ptrdiff_t>(k) + 1, order.end()},
-                    {order.begin(), order.begin() + static_cast<std::ptrdiff_t>(k) + 1},
-                    window};
-    }
-    return best;
-}
 
 /// The bound of relative errors of rows whose exact pressures lie within bounds.
 double bounded_error(const Eigen::VectorXd& pressure, const Bounds& bounds) {
@@ -133,22 +47,6 @@ double bounded_error(const Eigen::VectorXd& pressure, const Bounds& bounds) {
     return worst;
 }
 
-/// By the lemma of README.md, pressures that leave gaps and penetrations of at most r Delta belong to
-/// displacements at most r Delta away.
-double solver_error(const std::vector<LoadStep>& steps, Index count) {
-    Bounds bounds{Eigen::VectorXd(count), Eigen::VectorXd(count)};
-    Eigen::VectorXd pressure(count);
-    for (Index j = 0; j < count; ++j) {
-        const auto at = static_cast<std::size_t>(j);
-        const LoadStep& beyond = steps[std::min(at + 1, steps.size() - 1)];
-        const double off = steps[at].kkt_residual * steps[at].displacement * beyond.tangent_stiffness;
-        pressure[j] = steps[at].pressure;
-        bounds.lower[j] = pressure[j] - off;
-        bounds.upper[j] = pressure[j] + off;
-    }
-    return bounded_error(pressure, bounds);
-}
-
 template <typename Member>
 Eigen::VectorXd column(const std::vector<LoadStep>& steps, Index count, Member member) {
     Eigen::VectorXd values(count);
@@ -157,82 +55,142 @@ Eigen::VectorXd column(const std::vector<LoadStep>& steps, Index count, Member m
     return values;
 }
 
-/// One question: a genome, its resolved profile, and the rows asked for.
+/// By the lemma of README.md, pressures that leave gaps and penetrations of at most r Delta belong to
+/// displacements at most r Delta away.
+double solver_error(const std::vector<LoadStep>& steps, Index count) {
+    const Eigen::VectorXd pressure = column(steps, count, &LoadStep::pressure);
+    Eigen::VectorXd off(count);
+    for (Index j = 0; j < count; ++j) {
+        const auto at = static_cast<std::size_t>(j);
+        const LoadStep& beyond = steps[std::min(at + 1, steps.size() - 1)];
+        off[j] = steps[at].kkt_residual * steps[at].displacement * beyond.tangent_stiffness;
+    }
+    return bounded_error(pressure, {pressure - off, pressure + off});
+}
+
+/// What the grids solved so far say, one column a grid.
+struct Ladder {
+    std::vector<Index> elements;
+    Eigen::MatrixXd pressure, fraction, tangent;
+
+    void add(Index grid, const std::vector<LoadStep>& steps, Index count) {
+        elements.push_back(grid);
+        for (auto [table, values] :
+             {std::pair{&pressure, column(steps, count, &LoadStep::pressure)},
+              std::pair{&fraction, column(steps, count, &LoadStep::contact_fraction)},
+              std::pair{&tangent, column(steps, count, &LoadStep::tangent_stiffness)}}) {
+            table->conservativeResize(count, table->cols() + 1);
+            table->rightCols(1) = values;
+        }
+    }
+    Index line() const { return static_cast<Index>(std::min(elements.size(), grids_in_line)); }
+    std::vector<Index> last() const { return {elements.end() - line(), elements.end()}; }
+};
+
+/// One question: a surface, its resolved profile, and the rows asked for.
 class Question {
   public:
-    Question(const Genome& genome, const Model& resolved, double accuracy)
-        : genome_(genome), model_(resolved), accuracy_(accuracy), whole_(sample(genome, resolved.grid)),
-          highest_(whole_.heights.maxCoeff()), range_(displacement_range(whole_, resolved.body.kernel)),
+    Question(Surface surface, const Model& resolved, double accuracy)
+        : surface_(std::move(surface)), model_(resolved), accuracy_(accuracy),
+          whole_(surface_.sampled(resolved.grid)), highest_(whole_.heights.maxCoeff()),
           rows_(step_displacements(whole_, resolved.body, resolved.loading, resolved.contact)),
           count_(static_cast<Index>(rows_.size())) {
-        if (is_flat(whole_, genome))
-            throw InputError("profile: all heights are equal at its " + std::to_string(whole_.nodes()) +
-                             " nodes, expected waves that the grid can show");
         if (accuracy > 0)
             model_.contact.tolerance = solver_share * accuracy / (2.0 * resolved.loading.steps);
+        response_.range = displacement_range(whole_, resolved.body.kernel);
+        response_.displacement = Eigen::Map<const Eigen::VectorXd>(rows_.data(), count_);
         account_.accuracy = accuracy;
         account_.resolved_nodes = resolved.grid.nodes;
         account_.rows = resolved.loading.steps;
         account_.tolerance = model_.contact.tolerance;
     }
 
-    EconomicResponse answer() {
-        const Selection selection =
-            without_short_waves(genome_, model_.grid, whole_, window_share * accuracy_ * rows_.front());
-        if (by_coarser_grids(selection) ||
-            (!selection.dropped.empty() && by_coarser_grids(everything(genome_))))
-            return {response_, account_};
-        return resolved();
+    const Profile& whole() const { return whole_; }
+    /// Widest window of dropped chromosomes that is worth a try, mm.
+    double widest_window() const { return window_share * accuracy_ * rows_.front(); }
+
+    /// Answers from coarser grids of the surface, which may lack short waves; false if none is good enough.
+    bool by_coarser_grids(const Surface& surface, const Window& window) {
+        const double features = model_.grid.length / surface.finest_feature;
+        const double first = std::max<double>(fewest_elements, first_elements_per_feature * features);
+        const double finest = finest_part * static_cast<double>(whole_.nodes());
+        const double highest =
+            window.width() > 0 ? surface.sampled(model_.grid).heights.maxCoeff() : highest_;
+        Ladder ladder;
+        for (int k = 0; first * std::pow(grid_ratio, k) <= finest; ++k) {
+            const Index elements = fast_fourier_length(std::lround(first * std::pow(grid_ratio, k)));
+            const std::optional<LoadRows> rows =
+                rows_on(cells(model_.grid, elements), surface, highest, window);
+            if (!rows)
+                continue;
+            account_.grids.push_back(elements);
+            ladder.add(elements, rows->steps, count_);
+            if (ladder.elements.size() < fewest_in_line)
+                continue;
+            const Extrapolation found =
+                extrapolate(ladder.last(), ladder.pressure.rightCols(ladder.line()), whole_.nodes());
+            take(*rows, found.error, dropped_error(window, *rows, found.pressure));
+            const double others = account_.estimated_error() - found.error;
+            if (account_.estimated_error() <= accuracy_) {
+                answer_with(ladder, found);
+                return true;
+            }
+            const double needed = std::pow(found.error / (accuracy_ - others), 1 / estimate_order);
+            if (others >= accuracy_ || needed * static_cast<double>(elements) > patience * finest)
+                return false;
+        }
+        return false;
     }
 
-    EconomicResponse resolved() {
+    void by_resolved_grid() {
         const LoadRows rows = solve_rows(whole_, model_.body, rows_, model_.contact, step_share * accuracy_);
         account_.grids.push_back(model_.grid.nodes);
-        account_.extrapolated = false;
-        account_.used = places(genome_);
-        account_.dropped.clear();
-        account_.window = {};
-        account_.grid_error = account_.dropped_error = 0;
-        take(rows);
+        take(rows, 0, 0);
         response_.pressure = column(rows.steps, count_, &LoadStep::pressure);
         response_.contact_fraction = column(rows.steps, count_, &LoadStep::contact_fraction);
         response_.tangent_stiffness = column(rows.steps, count_, &LoadStep::tangent_stiffness);
-        return {response_, account_};
     }
+
+    EconomicResponse answer() { return {std::move(response_), std::move(account_)}; }
 
   private:
-    /// What the last grid's rows tell of the answer whatever way it was found.
-    void take(const LoadRows& rows) {
-        account_.solver = rows.solver;
+    void take(const LoadRows& rows, double grid_error, double dropped_error) {
+        account_.solver = response_.solver = rows.solver;
         account_.solved_rows = rows.solved;
+        account_.grid_error = grid_error;
         account_.step_error = rows.error;
+        account_.dropped_error = dropped_error;
         account_.solver_error = solver_error(rows.steps, count_);
-        response_.range = range_;
-        response_.displacement = Eigen::Map<const Eigen::VectorXd>(rows_.data(), count_);
         response_.kkt_residual = column(rows.steps, count_, &LoadStep::kkt_residual);
-        response_.solver = rows.solver;
     }
 
-    /// The rows on a grid of so many elements, at displacements from the resolved profile's highest node,
-    /// and one more beyond the last where the window asks for it. Nothing where the grid's own profile is in
-    /// full contact before the last row.
-    std::optional<LoadRows> rows_on(const Selection& selection, Index elements) {
-        const Grid grid = cells(extent(model_.grid), elements, model_.grid.wraps);
-        const Profile profile = sample(selection.genome, grid);
-        const double highest = selected_highest(selection);
-        const double shift =
-            highest - profile.heights.maxCoeff() + 0.5 * (selection.window.lowest + selection.window.highest);
+    void answer_with(const Ladder& ladder, const Extrapolation& found) {
+        const auto read = [&](const Eigen::MatrixXd& values) {
+            return extrapolated(ladder.last(), values.rightCols(ladder.line()), whole_.nodes(), 1);
+        };
+        response_.pressure = found.pressure;
+        response_.contact_fraction = read(ladder.fraction).cwiseMax(0).cwiseMin(1);
+        response_.tangent_stiffness = read(ladder.tangent).cwiseMax(0);
+        account_.extrapolated = true;
+    }
+
+    /// The rows on a grid, at displacements from the resolved profile's highest node, in the middle of the
+    /// window, and one more beyond the last where the window asks for it. Nothing where the grid's own
+    /// profile is in full contact before the last row.
+    std::optional<LoadRows> rows_on(const Grid& grid, const Surface& surface, double highest,
+                                    const Window& window) const {
+        const Profile profile = surface.sampled(grid);
         std::vector<double> at = rows_;
-        if (selection.window.width() > 0 && model_.body.kernel != Kernel::periodic)
-            at.push_back(rows_.back() + selection.window.width());
+        if (window.width() > 0 && !grid.wraps)
+            at.push_back(rows_.back() + window.width());
+        const double shift = highest - profile.heights.maxCoeff() + 0.5 * (window.lowest + window.highest);
         for (double& displacement : at)
             displacement -= shift;
         if (grid.wraps && at.back() >= displacement_range(profile, Kernel::periodic))
             return std::nullopt;
         LoadRows rows = solve_rows(profile, model_.body, at, model_.contact, step_share * accuracy_);
-        // P is a mean over L, not over the extent.
-        const double factor =
-            grid.wraps ? 1 : profile.spacing * static_cast<double>(elements - 1) / model_.grid.length;
+        // P is a mean over L, not over the body's length.
+        const double factor = grid.length / model_.grid.length;
         for (LoadStep& step : rows.steps) {
             step.pressure *= factor;
             step.tangent_stiffness *= factor;
@@ -240,89 +198,47 @@ class Question {
         return rows;
     }
 
-    /// The highest node of the selected chromosomes on the resolved grid, mm.
-    double selected_highest(const Selection& selection) const {
-        return selection.dropped.empty() ? highest_
-                                         : sample(selection.genome, model_.grid).heights.maxCoeff();
-    }
-
-    double dropped_error(const Selection& selection, const LoadRows& rows, const Eigen::VectorXd& pressure) {
-        if (selection.dropped.empty())
+    double dropped_error(const Window& window, const LoadRows& rows, const Eigen::VectorXd& pressure) const {
+        if (window.width() == 0)
             return 0;
-        const double half = 0.5 * selection.window.width();
+        const double half = 0.5 * window.width();
         Bounds bounds = pressure_bounds(rows.steps, count_, {-half, half});
-        const Eigen::VectorXd own = column(rows.steps, count_, &LoadStep::pressure);
-        bounds.lower += pressure - own;
-        bounds.upper += pressure - own;
+        const Eigen::VectorXd correction = pressure - column(rows.steps, count_, &LoadStep::pressure);
+        bounds.lower += correction;
+        bounds.upper += correction;
         return bounded_error(pressure, bounds);
     }
 
-    bool by_coarser_grids(const Selection& selection) {
-        const auto resolved = static_cast<double>(whole_.nodes());
-        const double from =
-            std::max(static_cast<double>(fewest_elements),
-                     first_elements_per_wave * model_.grid.length / shortest_wave(selection.genome));
-        std::vector<Index> grids;
-        Eigen::MatrixXd pressures, fractions, tangents;
-        for (int k = 0;; ++k) {
-            const Index elements =
-                fast_fourier_length(static_cast<Index>(std::lround(from * std::pow(grid_ratio, k))));
-            if (static_cast<double>(elements) > finest_part * resolved)
-                return false;
-            const std::optional<LoadRows> solved = rows_on(selection, elements);
-            if (!solved)
-                continue;
-            const LoadRows& rows = *solved;
-            account_.grids.push_back(elements);
-            grids.push_back(elements);
-            for (auto [table, member] : {std::pair{&pressures, &LoadStep::pressure},
-                                         std::pair{&fractions, &LoadStep::contact_fraction},
-                                         std::pair{&tangents, &LoadStep::tangent_stiffness}}) {
-                table->conservativeResize(count_, table->cols() + 1);
-                table->rightCols(1) = column(rows.steps, count_, member);
-            }
-            if (grids.size() < fewest_in_line)
-                continue;
-            const auto in_line = static_cast<Index>(std::min(grids.size(), grids_in_line));
-            const std::vector<Index> line(grids.end() - in_line, grids.end());
-            const Extrapolation found = extrapolate(line, pressures.rightCols(in_line), whole_.nodes());
-            account_.grid_error = found.error;
-            account_.dropped_error = dropped_error(selection, rows, found.pressure);
-            take(rows);
-            if (account_.estimated_error() <= accuracy_) {
-                response_.pressure = found.pressure;
-                response_.contact_fraction =
-                    extrapolated(line, fractions.rightCols(in_line), whole_.nodes(), 1)
-                        .cwiseMax(0)
-                        .cwiseMin(1);
-                response_.tangent_stiffness =
-                    extrapolated(line, tangents.rightCols(in_line), whole_.nodes(), 1).cwiseMax(0);
-                account_.extrapolated = true;
-                account_.used = selection.used;
-                account_.dropped = selection.dropped;
-                account_.window = selection.window;
-                return true;
-            }
-            const double others = account_.estimated_error() - found.error;
-            if (others >= accuracy_)
-                return false;
-            const double needed = static_cast<double>(elements) *
-                                  std::pow(found.error / (accuracy_ - others), 1 / estimate_order);
-            if (needed > patience * finest_part * resolved)
-                return false;
-        }
-    }
-
-    const Genome& genome_;
+    Surface surface_;
     Model model_;
     double accuracy_;
     Profile whole_;
-    double highest_, range_;
+    double highest_;
     std::vector<double> rows_;
     Index count_;
     Response response_;
     Account account_;
 };
+
+void expect_accuracy(double accuracy) {
+    if (!(accuracy > 0) || accuracy > 1)
+        throw InputError("accuracy: " + std::to_string(accuracy) +
+                         " given, expected more than 0 and at most 1");
+}
+
+void expect_waves(const Genome& genome, const Profile& profile) {
+    if (is_flat(profile, genome))
+        throw InputError("profile: all heights are equal at its " + std::to_string(profile.nodes()) +
+                         " nodes, expected waves that the grid can show");
+}
+
+template <typename Ask>
+EconomicResponse timed(Ask ask) {
+    const auto start = std::chrono::steady_clock::now();
+    EconomicResponse result = ask();
+    result.account.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
 
 } // namespace
 
@@ -333,20 +249,53 @@ Grid resolved_grid(const Genome& genome, double length, bool wraps) {
 }
 
 EconomicResponse respond_within(const Genome& genome, const Model& resolved, double accuracy) {
-    if (!(accuracy > 0) || accuracy > 1)
-        throw InputError("accuracy: " + std::to_string(accuracy) +
-                         " given, expected more than 0 and at most 1");
-    const double start = seconds_now();
-    EconomicResponse result = Question(genome, resolved, accuracy).answer();
-    result.account.seconds = seconds_now() - start;
-    return result;
+    expect_accuracy(accuracy);
+    return timed([&] {
+        Question question(surface_of(genome), resolved, accuracy);
+        expect_waves(genome, question.whole());
+        Selection selection =
+            without_short_waves(genome, resolved.grid, question.whole(), question.widest_window());
+        if (!question.by_coarser_grids(surface_of(selection.genome), selection.window)) {
+            const bool all = selection.dropped.empty();
+            selection = everything(genome);
+            if (all || !question.by_coarser_grids(surface_of(genome), {}))
+                question.by_resolved_grid();
+        }
+        EconomicResponse result = question.answer();
+        result.account.used = selection.used;
+        result.account.dropped = selection.dropped;
+        result.account.window = selection.window;
+        return result;
+    });
+}
+
+EconomicResponse respond_within(const Profile& scan, const Model& resolved, double accuracy) {
+    expect_accuracy(accuracy);
+    return timed([&] {
+        Question question(surface_of(scan), resolved, accuracy);
+        if (!question.by_coarser_grids(surface_of(scan), {}))
+            question.by_resolved_grid();
+        return question.answer();
+    });
 }
 
 EconomicResponse respond_exactly(const Genome& genome, const Model& model) {
-    const double start = seconds_now();
-    EconomicResponse result = Question(genome, model, 0).resolved();
-    result.account.seconds = seconds_now() - start;
-    return result;
+    return timed([&] {
+        Question question(surface_of(genome), model, 0);
+        expect_waves(genome, question.whole());
+        question.by_resolved_grid();
+        EconomicResponse result = question.answer();
+        result.account.used = places(genome);
+        return result;
+    });
+}
+
+EconomicResponse respond_exactly(const Profile& scan, const Model& model) {
+    return timed([&] {
+        Question question({[&](const Grid&) { return scan; }, 0}, model, 0);
+        question.by_resolved_grid();
+        return question.answer();
+    });
 }
 
 } // namespace rough

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "domain/economy/chromosomes.hpp"
+#include "domain/response/response.hpp"
+
+namespace rough {
+
+/// What was modelled to answer a question, and how wrong the answer may be. Errors are relative, the worst
+/// over the rows in pressure and secant stiffness, against the resolved answer.
+struct Account {
+    double accuracy = 0;           ///< asked for; 0: the exact model as given
+    Index resolved_nodes = 0;      ///< nodes of the grid that counts as resolved
+    std::vector<Index> grids;      ///< nodes of every grid solved, in order
+    bool extrapolated = false;     ///< the answer is read off several grids; else it is the last grid's
+    int rows = 0, solved_rows = 0; ///< load steps asked for, and solved on the last grid
+    std::vector<ChromosomePlace> used, dropped; ///< both empty for a measured profile
+    Window window;                              ///< of the chromosomes dropped, mm
+    Solver solver = Solver::automatic;          ///< on the last grid
+    double tolerance = 0;                       ///< of an iterative solver
+    double grid_error = 0;                      ///< estimated
+    double step_error = 0;                      ///< bounded
+    double dropped_error = 0;                   ///< bounded
+    double solver_error = 0;                    ///< bounded
+    double seconds = 0;
+
+    double estimated_error() const { return grid_error + step_error + dropped_error + solver_error; }
+};
+
+} // namespace rough
