@@ -1,3 +1,4 @@
+#include "apps/account.hpp"
 #include "apps/commands.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/output.hpp"
@@ -6,8 +7,12 @@
 #include "apps/units.hpp"
 #include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
+#include "domain/economy/economy.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
+
+#include <filesystem>
+#include <limits>
 
 namespace app {
 
@@ -19,43 +24,76 @@ std::vector<Setting> contact_settings() {
         {"profile", "", "measured profile in place of a genome: a text file of one or two columns"},
         {"out", "", "curve file to write (CSV)"},
         {"force", "", "write over an existing curve file", true},
+        {"accuracy", "",
+         "largest relative error allowed, 0 to 1, against the resolved model: --nodes if given, else "
+         "64 nodes to the shortest wave [the model as given]"},
     };
     for (const auto& more : {scan_settings(), model_settings()})
         settings.insert(settings.end(), more.begin(), more.end());
     return settings;
 }
 
-rough::Response measured_response(const Settings& settings) {
-    const long nodes = settings.has("nodes") ? settings.whole("nodes", 2, 10000000) : 0;
-    const rough::Scan scan = scan_from(settings.text("profile"), settings, nodes);
-    rough::Model model = model_from(settings, scan.profile);
-    rough::Profile profile = scan.profile;
-    profile.spacing = model.grid.spacing();
-    rough::Response response = respond(profile, model.body, model.loading, model.contact);
-    say(scan.account);
-    return response;
+/// CURVE.json beside CURVE.csv.
+std::filesystem::path account_beside(const std::filesystem::path& curve) {
+    auto account = curve;
+    return curve.extension() == ".json" ? account += ".json" : account.replace_extension(".json");
 }
 
-rough::Response computed_response(const Settings& settings) {
+/// 0 where no accuracy is asked for.
+double accuracy_from(const Settings& settings) {
+    return settings.has("accuracy") ? settings.number("accuracy", std::numeric_limits<double>::min(), 1) : 0;
+}
+
+/// Within an accuracy, the solver's tolerance follows from it unless one is given.
+rough::Model within_accuracy(rough::Model model, const Settings& settings) {
+    if (!settings.given("tolerance"))
+        model.contact.tolerance = 1;
+    return model;
+}
+
+rough::EconomicResponse measured_response(const Settings& settings) {
+    const long nodes = settings.has("nodes") ? settings.whole("nodes", 2, 10000000) : 0;
+    const rough::Scan scan = scan_from(settings.text("profile"), settings, nodes);
+    const rough::Model model = model_from(settings, scan.profile);
+    rough::Profile profile = scan.profile;
+    profile.spacing = model.grid.spacing();
+    const double accuracy = accuracy_from(settings);
+    rough::EconomicResponse result = accuracy > 0
+                                         ? respond_within(profile, within_accuracy(model, settings), accuracy)
+                                         : respond_exactly(profile, model);
+    say(scan.account);
+    return result;
+}
+
+rough::EconomicResponse computed_response(const Settings& settings) {
     for (const auto& setting : scan_settings())
         if (settings.given(setting.name))
             throw rough::InputError("--" + setting.name +
                                     ": given with --genome, expected with --profile only");
-    const rough::Model model = model_from(settings);
-    return respond(rough::read_genome(settings.text("genome")), model);
+    rough::Model model = model_from(settings);
+    const rough::Genome genome = rough::read_genome(settings.text("genome"));
+    const double accuracy = accuracy_from(settings);
+    if (accuracy == 0)
+        return respond_exactly(genome, model);
+    if (!settings.has("nodes"))
+        model.grid = rough::resolved_grid(genome, model.grid.length, model.grid.wraps);
+    return respond_within(genome, within_accuracy(model, settings), accuracy);
 }
 
 } // namespace
 
 int contact(const Words& words) {
-    if (shows_help(words, "contact (--genome G.json | --profile SCAN.txt [--unit U]) --out CURVE.csv [flags]",
-                   "Presses a rough profile on an elastic body, load step by load step, and writes "
-                   "displacement, mean\n"
-                   "pressure, contact fraction and tangent stiffness, each step with its KKT residual.",
-                   contact_settings(),
-                   {"contact --genome surface.json --out curve.csv",
-                    "contact --genome surface.json --kernel periodic --steps 50 --out curve.csv",
-                    "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv"}))
+    if (shows_help(
+            words, "contact (--genome G.json | --profile SCAN.txt [--unit U]) --out CURVE.csv [flags]",
+            "Presses a rough profile on an elastic body, load step by load step, and writes "
+            "displacement, mean\n"
+            "pressure, contact fraction and tangent stiffness, each step with its KKT residual; and beside "
+            "the\ncurve, CURVE.json: what was modelled, and how wrong it may be.",
+            contact_settings(),
+            {"contact --genome surface.json --out curve.csv",
+             "contact --genome surface.json --kernel periodic --steps 50 --out curve.csv",
+             "contact --genome surface.json --accuracy 1e-3 --out curve.csv",
+             "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv"}))
         return 0;
     const Settings settings = read_command_line(words, contact_settings());
     if (settings.has("genome") == settings.has("profile"))
@@ -64,16 +102,22 @@ int contact(const Words& words) {
         throw rough::InputError("contact: --out is missing, expected the curve file to write");
     expect_writable(settings.text("out"), settings.is_on("force"));
 
-    const rough::Response response =
+    const std::filesystem::path account = account_beside(settings.text("out"));
+    expect_writable(account, settings.is_on("force"));
+
+    const rough::EconomicResponse result =
         settings.has("genome") ? computed_response(settings) : measured_response(settings);
+    const rough::Response& response = result.response;
     rough::write_atomically(settings.text("out"),
                             csv({"displacement_mm", "pressure_MPa", "contact_fraction",
                                  "tangent_stiffness_MPa_per_mm", "kkt_residual"},
                                 {response.displacement, response.pressure, response.contact_fraction,
                                  response.tangent_stiffness, response.kkt_residual}));
+    rough::write_atomically(account, account_json(result.account).dump(2) + "\n");
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
          name_of(response.solver) + ", height range " + readable(response.range) +
          " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));
+    tell(in_words(result.account));
     return 0;
 }
 

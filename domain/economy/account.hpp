@@ -11,7 +11,7 @@ struct Account {
     double accuracy = 0;           ///< asked for; 0: the exact model as given
     Index resolved_nodes = 0;      ///< nodes of the grid that counts as resolved
     std::vector<Index> grids;      ///< nodes of every grid solved, in order
-    bool extrapolated = false;     ///< the answer is read off several grids; else it is the last grid's
+    int read_grids = 1;            ///< the last of them that the answer is read off: several extrapolate
     int rows = 0, solved_rows = 0; ///< load steps asked for, and solved on the last grid
     std::vector<ChromosomePlace> used, dropped; ///< both empty for a measured profile
     Window window;                              ///< of the chromosomes dropped, mm
@@ -23,6 +23,7 @@ struct Account {
     double solver_error = 0;                    ///< bounded
     double seconds = 0;
 
+    bool extrapolated() const { return read_grids > 1; }
     double estimated_error() const { return grid_error + step_error + dropped_error + solver_error; }
 };
 

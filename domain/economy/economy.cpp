@@ -32,7 +32,7 @@ constexpr std::size_t grids_in_line = 4, fewest_in_line = 3;
 constexpr double finest_part = 0.6;
 /// Coarser grids are given up when the estimate, falling as N^-2, would meet the accuracy only at so many
 /// times the finest grid's elements; estimates are erratic.
-constexpr double estimate_order = 2, patience = 1.5;
+constexpr double estimate_order = 2, patience = 2;
 
 /// The bound of relative errors of rows whose exact pressures lie within bounds.
 double bounded_error(const Eigen::VectorXd& pressure, const Bounds& bounds) {
@@ -96,7 +96,8 @@ class Question {
           rows_(step_displacements(whole_, resolved.body, resolved.loading, resolved.contact)),
           count_(static_cast<Index>(rows_.size())) {
         if (accuracy > 0)
-            model_.contact.tolerance = solver_share * accuracy / (2.0 * resolved.loading.steps);
+            model_.contact.tolerance =
+                std::min(model_.contact.tolerance, solver_share * accuracy / (2.0 * resolved.loading.steps));
         response_.range = displacement_range(whole_, resolved.body.kernel);
         response_.displacement = Eigen::Map<const Eigen::VectorXd>(rows_.data(), count_);
         account_.accuracy = accuracy;
@@ -117,8 +118,8 @@ class Question {
         const double highest =
             window.width() > 0 ? surface.sampled(model_.grid).heights.maxCoeff() : highest_;
         Ladder ladder;
-        for (int k = 0; first * std::pow(grid_ratio, k) <= finest; ++k) {
-            const Index elements = fast_fourier_length(std::lround(first * std::pow(grid_ratio, k)));
+        for (double next = first; next < grid_ratio * finest; next *= grid_ratio) {
+            const Index elements = fast_fourier_length(std::lround(std::min(next, finest)));
             const std::optional<LoadRows> rows =
                 rows_on(cells(model_.grid, elements), surface, highest, window);
             if (!rows)
@@ -171,7 +172,7 @@ class Question {
         response_.pressure = found.pressure;
         response_.contact_fraction = read(ladder.fraction).cwiseMax(0).cwiseMin(1);
         response_.tangent_stiffness = read(ladder.tangent).cwiseMax(0);
-        account_.extrapolated = true;
+        account_.read_grids = static_cast<int>(ladder.line());
     }
 
     /// The rows on a grid, at displacements from the resolved profile's highest node, in the middle of the

@@ -16,8 +16,8 @@ Grid resolved_grid(const Genome& genome, double length, bool wraps);
 
 /// The response within `accuracy` (relative, more than 0 to 1) of the one that `resolved` gives on its grid,
 /// at the same displacements: those of the resolved profile. Chooses the chromosomes, the grids, the rows and
-/// the solver's tolerance; where nothing cheaper is good enough it solves the resolved model itself. Throws
-/// InputError on another accuracy, and what `respond` throws.
+/// the solver's tolerance (never above the one given); where nothing cheaper is good enough it solves the
+/// resolved model itself. Throws InputError on another accuracy, and what `respond` throws.
 EconomicResponse respond_within(const Genome& genome, const Model& resolved, double accuracy);
 EconomicResponse respond_within(const Profile& scan, const Model& resolved, double accuracy);
 

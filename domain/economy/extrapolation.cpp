@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pressure_order = 1.5; ///< between the erratic part's order and 2
 constexpr double weight_order = 3;     ///< the scatter's variance falls as N^-3
-constexpr double safety = 2;
+constexpr double safety = 1.8;
 
 /// A weighted straight line in x = N^-order - resolved^-order, read at x = 0.
 struct Line {

@@ -17,8 +17,8 @@ struct Extrapolation {
 /// Grid errors are not monotone in N: each contact edge falls anywhere between two nodes, so its error is of
 /// a random sign, and falls as N^-1.5 to N^-2. Two grids would extrapolate the noise; over several, unequal
 /// ones it averages out, and what is left of it tells how far to trust the line. The estimate is the larger
-/// of twice the extrapolated distance and twice the line's standard error. The factors were set on random
-/// scenes and checked on others (README.md).
+/// of the extrapolated distance and the line's standard error, times 1.8: a factor set on random scenes and
+/// checked on others (README.md).
 ///
 /// `grids` in elements, at least 3; `pressures` one column a grid, all at the same displacements.
 Extrapolation extrapolate(const std::vector<Index>& grids, const Eigen::MatrixXd& pressures, Index resolved);

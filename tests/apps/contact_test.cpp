@@ -167,3 +167,32 @@ TEST_CASE("every subcommand has a help page") {
     }
     check_refused(rugosa("contcat"), "did you mean 'contact'?");
 }
+
+TEST_CASE("within an accuracy the curve is that near the resolved one, and an account beside it says what "
+          "was modelled") {
+    const Folder folder;
+    folder.write("g.json", R"({"series":[{"A":1,"H":1.1,"gamma":1.7,"lambda":0.84942,"chromosomes":[
+        {"n":1,"phases":[0.3]},{"n":2,"phases":[4.1]},{"n":3,"phases":[2.2]},{"n":5,"phases":[5.0]}]}]})");
+    REQUIRE(rugosa("contact --genome g.json --nodes 4097 --out fine.csv", folder.path()).code == 0);
+    REQUIRE(rugosa("contact --genome g.json --accuracy 1e-2 --out cheap.csv", folder.path()).code == 0);
+    std::string header, same;
+    const auto fine = rows_of(folder.path() / "fine.csv", header);
+    const auto cheap = rows_of(folder.path() / "cheap.csv", same);
+    CHECK(header == same);
+    REQUIRE(cheap.size() == 20);
+    for (std::size_t j = 0; j < 20; ++j) {
+        CHECK(cheap[j][0] == Approx(fine[j][0]).epsilon(1e-12));
+        CHECK(std::abs(cheap[j][1] - fine[j][1]) <= 1e-2 * std::max(fine[j][1], 0.01 * fine.back()[1]));
+    }
+    const json exact = json::parse(rough::read_whole(folder.path() / "fine.json"));
+    CHECK(exact["accuracy"].is_null());
+    CHECK(exact["nodes"] == 4097);
+    const json account = json::parse(rough::read_whole(folder.path() / "cheap.json"));
+    CHECK(account["resolved_nodes"] == 4097);
+    CHECK(account["nodes"] < 4097);
+    CHECK(account["estimated_error"] <= 1e-2);
+    CHECK(account["chromosomes"]["used"].size() + account["chromosomes"]["dropped"].size() == 4);
+    CHECK_THAT(account["words"].get<std::string>(), Catch::Contains("in place of 4097"));
+    check_refused(rugosa("contact --genome g.json --accuracy 2 --out x.csv", folder.path()), "accuracy");
+    check_refused(rugosa("contact --genome g.json --accuracy 1e-2 --out cheap.csv", folder.path()), "cheap");
+}

@@ -121,7 +121,7 @@ TEST_CASE("an exact account is the model's own response and claims no error") {
 TEST_CASE("a smooth wave needs few nodes, and its many tiny companions are left out with their bound") {
     Genome genome = smooth_scene();
     const EconomicResponse smooth = respond_within(genome, model_on(Kernel::free, genome), 1e-2);
-    CHECK(smooth.account.extrapolated);
+    CHECK(smooth.account.extrapolated());
     CHECK(smooth.account.grids.back() <= 512);
     for (int n = 2; n <= 12; ++n)
         genome.series[0].chromosomes.push_back({n, {0.1 * n}});
@@ -141,7 +141,7 @@ TEST_CASE("where no coarser grid will do, the resolved model is solved itself") 
     Model model;
     model.grid.nodes = 512; // waves down to the spacing
     const EconomicResponse cheap = respond_within(genome, model, 1e-4);
-    CHECK_FALSE(cheap.account.extrapolated);
+    CHECK_FALSE(cheap.account.extrapolated());
     CHECK(cheap.account.grids.back() == 512);
     CHECK(relative_error(cheap.response.pressure, respond(genome, model).pressure) < 1e-9);
 }

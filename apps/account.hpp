@@ -1,0 +1,16 @@
+#pragma once
+
+#include "domain/economy/account.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+/// What was modelled, as CURVE.json and result.json hold it: nodes, steps, chromosomes used and dropped with
+/// their bound, solver, tolerance, seconds, estimated error, and the same in words.
+nlohmann::json account_json(const rough::Account& account);
+
+/// The same in a few sentences.
+std::string in_words(const rough::Account& account);
+
+} // namespace app
