@@ -97,7 +97,7 @@ concept Discrete = std::ranges::random_access_range<G> && std::integral<std::ran
     genome[0] = genome[0];
 };
 template <class G>
-concept Bits = Discrete<G> && std::same_as < std::ranges::range_value_t<G>,
+concept BitString = Discrete<G> && std::same_as < std::ranges::range_value_t<G>,
 bool > ;
 
 /// Draws the gene anew: a real one uniformly between its bounds, a whole number among its other values, a bit
@@ -106,9 +106,9 @@ struct Reset {
     std::string text() const { return "reset"; }
 
     template <Problem P>
-    requires(Bits<typename P::Genome> || (Bounded<P> && (Discrete<typename P::Genome> || HasGenes<P>))) bool
+    requires(BitString<typename P::Genome> || (Bounded<P> && (Discrete<typename P::Genome> || HasGenes<P>))) bool
     operator()(const P& problem, typename P::Genome& genome, double rate, Stream& stream) const {
-        if constexpr (Bits<typename P::Genome>) {
+        if constexpr (BitString<typename P::Genome>) {
             bool changed = false;
             for (std::size_t i = 0; i < genome.size(); ++i)
                 if (stream.chance(rate)) {

@@ -81,9 +81,9 @@ void overhead() {
 
 void reach() {
     const Real<rastrigin> problem;
-    const auto pipeline = sample(100) | score() |
-                          repeat(999, tournament(2) | cross(sbx(15), 0.9) | mutate(1.0 / 20, polynomial(20)) |
-                                          score() | plus());
+    const auto pipeline =
+        sample(100) | score() |
+        repeat(999, tournament(2) | cross(sbx(2), 0.9) | mutate(1.0 / 20, polynomial(20)) | score() | plus());
     std::vector<double> best;
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
         best.push_back(-run(pipeline, problem, population<std::vector<double>>({{}}),

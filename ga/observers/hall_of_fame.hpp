@@ -1,0 +1,52 @@
+#pragma once
+
+#include "ga/context.hpp"
+
+namespace ga {
+
+/// The n best different genomes a run has shown under one objective, best first; of equal ones the first. A
+/// place in it is never lost but to a better one. `checkpoints.keep("hall", hall.members)` keeps it with a
+/// run.
+template <Problem P>
+class HallOfFame {
+  public:
+    using Genome = typename P::Genome;
+
+    /// @param objective  name of one of the problem's; empty for its first
+    HallOfFame(const P& problem, std::size_t n, std::string objective = {})
+        : problem_(problem), n_(n),
+          objective_(objective.empty() ? problem.objectives().front().name : objective) {}
+    HallOfFame(const HallOfFame&) = delete;
+
+    Population<Genome> members;
+
+    Observer<Genome> observer() {
+        return [this](const Event<Genome>& event) {
+            for (const auto& individual : event.population)
+                if (individual.fitness.known(objective_) && !individual.fitness.has_failed())
+                    offer(individual);
+        };
+    }
+
+  private:
+    void offer(const Individual<Genome>& individual) {
+        if (members.size() == n_ && individual.value() <= members.back().value())
+            return;
+        const Fingerprint print = identify(problem_, individual.genome);
+        for (const auto& member : members)
+            if (identify(problem_, member.genome) == print)
+                return;
+        const auto place = std::find_if(members.begin(), members.end(), [&](const auto& member) {
+            return member.value() < individual.value();
+        });
+        members.insert(place, individual);
+        if (members.size() > n_)
+            members.pop_back();
+    }
+
+    const P& problem_;
+    std::size_t n_;
+    Name objective_;
+};
+
+} // namespace ga

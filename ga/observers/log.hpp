@@ -1,0 +1,76 @@
+#pragma once
+
+#include "ga/observers/summary.hpp"
+#include "ga/text/number.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+namespace ga {
+
+/// A table with a row for every stage of a run: path, generation, individuals, best, median, diversity,
+/// asked, evaluations, gradients, failures, seconds. Written beside its name and given it by `close`, so that
+/// no half of a table stands there. With `checkpoints.keep("log", log.position)` a resumed run goes on with
+/// the row after the checkpoint.
+class Log {
+  public:
+    explicit Log(std::filesystem::path file) : file_(std::move(file)), part_(file_.string() + ".part") {}
+    Log(const Log&) = delete;
+
+    std::uint64_t position = 0; ///< bytes of the table so far
+
+    template <Problem P>
+    Observer<typename P::Genome> observer(const P& problem) {
+        return [this, &problem](const Event<typename P::Genome>& event) {
+            const Summary of = summary(problem, event.population);
+            const auto cell = [](const std::optional<double>& value) {
+                return value ? number(*value) : std::string();
+            };
+            const Counters& counters = event.counters;
+            std::string generation;
+            for (const std::size_t each : event.generation)
+                generation += (generation.empty() ? "" : ".") + std::to_string(each);
+            std::string row = event.path + "," + generation;
+            for (const std::string& text :
+                 {std::to_string(of.individuals), cell(of.best), cell(of.median), number(of.diversity),
+                  std::to_string(counters.asked), std::to_string(counters.evaluations),
+                  std::to_string(counters.gradients), std::to_string(counters.failures),
+                  number(event.seconds)})
+                row += "," + text;
+            append(row + "\n");
+        };
+    }
+
+    /// Ends the table and gives it its name.
+    void close() {
+        if (position == 0)
+            append("");
+        stream_.close();
+        std::filesystem::rename(part_, file_);
+    }
+
+  private:
+    void append(const std::string& text) {
+        if (!stream_.is_open()) {
+            if (position > 0)
+                std::filesystem::resize_file(part_, position);
+            stream_.open(part_, position > 0 ? std::ios::app : std::ios::trunc);
+            if (position == 0)
+                put("path,generation,individuals,best,median,diversity,asked,evaluations,gradients,failures,"
+                    "seconds\n");
+        }
+        put(text);
+        stream_.flush();
+        if (!stream_)
+            throw UsageError("log '" + part_.string() + "' cannot be written");
+    }
+    void put(const std::string& text) {
+        stream_ << text;
+        position += text.size();
+    }
+
+    std::filesystem::path file_, part_;
+    std::ofstream stream_;
+};
+
+} // namespace ga

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "ga/context.hpp"
+
+#include <algorithm>
+
+namespace ga {
+
+/// A population in four numbers.
+struct Summary {
+    std::size_t individuals = 0;
+    std::optional<double> best,
+        median;           ///< fitness among the scored that have not failed; none where there are none
+    double diversity = 0; ///< share of different genomes, in (0, 1]
+};
+
+template <Problem P>
+Summary summary(const P& problem, const Population<typename P::Genome>& population) {
+    Summary summary;
+    summary.individuals = population.size();
+    std::vector<double> values;
+    Table<bool> different;
+    for (const auto& individual : population) {
+        different.at(identify(problem, individual.genome)) = true;
+        if (individual.fitness.known() && !individual.fitness.has_failed())
+            values.push_back(individual.value());
+    }
+    summary.diversity = population.empty()
+                            ? 0
+                            : static_cast<double>(different.size()) / static_cast<double>(population.size());
+    if (values.empty())
+        return summary;
+    std::sort(values.begin(), values.end());
+    summary.best = values.back();
+    summary.median = (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+    return summary;
+}
+
+} // namespace ga

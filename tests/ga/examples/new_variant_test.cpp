@@ -1,0 +1,122 @@
+// The page ga/README.md, word for word where it matters: a new problem, a new variant in code and in text, a
+// new operator.
+
+#include "ga/ga.hpp"
+#include "ga/text/parser.hpp"
+#include "ga/text/vocabulary.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+struct Knapsack {
+    using Genome = std::vector<bool>; // what is taken
+    struct Outcome {
+        double value, weight;
+    };
+
+    std::vector<double> values, weights;
+    std::vector<ga::Objective<Outcome>> list;
+
+    Knapsack(std::vector<double> v, std::vector<double> w, double capacity) : values(v), weights(w) {
+        list = {{"value",
+                 [=](const Outcome& o) { return o.weight <= capacity ? o.value : capacity - o.weight; }}};
+    }
+    Outcome evaluate(const Genome& taken) const {
+        Outcome sum{0, 0};
+        for (std::size_t i = 0; i < taken.size(); ++i)
+            if (taken[i])
+                sum = {sum.value + values[i], sum.weight + weights[i]};
+        return sum;
+    }
+    const std::vector<ga::Objective<Outcome>>& objectives() const { return list; }
+
+    Genome sample(ga::Stream& stream) const { // optional: what `sample` needs
+        Genome taken(values.size());
+        for (std::size_t i = 0; i < taken.size(); ++i)
+            taken[i] = stream.chance(0.5);
+        return taken;
+    }
+};
+
+/// Replaces the k worst by mutated copies of the best.
+struct Regrow : ga::Operator {
+    std::size_t k;
+    explicit Regrow(std::size_t count) : k(count) {}
+
+    std::string text() const { return "regrow " + std::to_string(k); }
+    void check(ga::Known& known) const {
+        known.need_score(text()); // before it: score
+        known.scored.reset();     // after it, somebody is unscored
+    }
+
+    template <ga::Problem P>
+    requires ga::Mutates<ga::Natural, P> ga::Population<typename P::Genome>
+    operator()(ga::Population<typename P::Genome> population, ga::Context<P>& context) const {
+        const auto order = ga::ranking(population);
+        for (std::size_t i = 0; i < std::min(k, order.size() - 1); ++i) {
+            auto& worst = population[order[order.size() - 1 - i]];
+            worst = population[order[0]];
+            ga::Stream stream = context.stream(i);
+            if (ga::Natural()(context.problem(), worst.genome, 0.1, stream))
+                context.make_child(worst, ga::Parents(worst.identity));
+        }
+        return population;
+    }
+};
+
+/// Twelve things whose best choice is found by trying all 4096.
+const Knapsack problem({12, 7, 9, 3, 14, 6, 8, 5, 11, 4, 10, 2}, {6, 4, 5, 2, 8, 3, 5, 3, 7, 2, 6, 1}, 25);
+
+double best_choice() {
+    double best = -HUGE_VAL;
+    for (unsigned choice = 0; choice < 4096; ++choice) {
+        std::vector<bool> taken(12);
+        for (std::size_t i = 0; i < 12; ++i)
+            taken[i] = (choice >> i) & 1u;
+        best = std::max(best, problem.list[0].fitness(problem.evaluate(taken)));
+    }
+    return best;
+}
+
+} // namespace
+
+using namespace ga;
+
+TEST_CASE("the page's variant solves its problem, in code and in text alike") {
+    const auto variant = sample(50) | score() |
+                         repeat(100, tournament(2) | cross(uniform()) | mutate(0.05) | score() | elite(1)) |
+                         best(1);
+    const auto result = run(variant, problem, population<Knapsack::Genome>({{}}), {.seed = 7, .threads = 2});
+    CHECK(result.best->value() == best_choice());
+
+    const auto registry = vocabulary<Knapsack>();
+    Parser<Knapsack> parser(registry, {{"start", "sample 50 | score"}}); // named pipelines stand as stages
+    const auto text = parser.parse(
+        "start | repeat 100 { tournament 2 | cross uniform | mutate 0.05 | score | elite 1 } | best 1");
+    const auto again = run(text, problem, population<Knapsack::Genome>({{}}), {.seed = 7, .threads = 1});
+    CHECK(again.best->genome == result.best->genome);
+    CHECK(again.best->identity == result.best->identity);
+    CHECK(again.counters.evaluations == result.counters.evaluations);
+    CHECK_THROWS_WITH(parser.parse("start | repeat 100 { tornament 2 }"),
+                      "pipeline, column 22: unknown stage 'tornament'; did you mean 'tournament'?");
+}
+
+TEST_CASE("the page's operator works in code and in text") {
+    auto registry = vocabulary<Knapsack>();
+    registry.add(
+        {"regrow",
+         "replacement",
+         "replaces the k worst by mutated copies of the best",
+         {whole("k", "5", 1, "how many")}},
+        [](const Arguments& a, const auto&, const auto&) { return Stage<Knapsack>(Regrow(a.count("k"))); });
+    const auto code = sample(20) | score() | repeat(60, Regrow(8) | score()) | best(1);
+    const auto text =
+        Parser<Knapsack>(registry).parse("sample 20 | score | repeat 60 { regrow 8 | score } | best 1");
+    const auto first = run(code, problem, population<Knapsack::Genome>({{}}));
+    const auto second = run(text, problem, population<Knapsack::Genome>({{}}));
+    CHECK(first.best->value() >= 0.95 * best_choice());
+    CHECK(first.best->genome == second.best->genome);
+    CHECK(run(sample(20) | score() | Regrow(3), problem, population<Knapsack::Genome>({{}}))
+              .population.size() == 20);
+}

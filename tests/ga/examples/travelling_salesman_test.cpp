@@ -1,0 +1,71 @@
+// The travelling salesman, with an optimum that is known: towns on a circle, and a grid of even side.
+
+#include "ga/ga.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <numbers>
+
+using namespace ga;
+
+namespace {
+
+struct Town {
+    double x, y;
+};
+
+/// A closed tour through all towns; fitness is minus its length.
+struct Salesman {
+    using Genome = Permutation;
+    using Outcome = double;
+
+    std::vector<Town> towns;
+
+    Outcome evaluate(const Permutation& tour) const {
+        double length = 0;
+        for (std::size_t i = 0; i < tour.size(); ++i) {
+            const Town &a = towns[tour.order[i]], &b = towns[tour.order[(i + 1) % tour.size()]];
+            length += std::hypot(a.x - b.x, a.y - b.y);
+        }
+        return length;
+    }
+    const std::vector<Objective<Outcome>>& objectives() const {
+        static const std::vector<Objective<Outcome>> list = {
+            {"short", [](const double& length) { return -length; }}};
+        return list;
+    }
+    Permutation sample(Stream& stream) const { return Permutation::random(towns.size(), stream); }
+};
+
+const auto pipeline = sample(100) | score() |
+                      until({.generations = 600, .stagnation = 100},
+                            tournament(4) | cross(order(), 0.3) | mutate(0.03, reverse()) | score() | plus());
+const auto nobody = population<Permutation>({{}});
+
+} // namespace
+
+TEST_CASE("the shortest tour of towns on a circle goes round it") {
+    Salesman problem;
+    constexpr int n = 24;
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * (i * 7 % n) / n;
+        problem.towns.push_back({std::cos(angle), std::sin(angle)});
+    }
+    const double shortest = 2 * n * std::sin(std::numbers::pi / n);
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+        CHECK(-run(pipeline, problem, nobody, {.seed = seed}).best->value() ==
+              Approx(shortest).epsilon(1e-12));
+}
+
+TEST_CASE("the shortest tour of a 4 x 6 grid takes 24 steps") {
+    Salesman problem;
+    for (int x = 0; x < 4; ++x)
+        for (int y = 0; y < 6; ++y)
+            problem.towns.push_back({double(x), double(y)});
+    // islands find it where one population may stop at a longer tour
+    const auto islanded =
+        sample(100) | score() |
+        islands(4, {.rounds = 250, .migrants = 1},
+                tournament(3) | cross(order(), 0.3) | mutate(0.03, reverse()) | score() | plus());
+    CHECK(-run(islanded, problem, nobody).best->value() == Approx(24).epsilon(1e-12));
+}

@@ -1,0 +1,109 @@
+#include "ga/checkpoint.hpp"
+#include "ga/ga.hpp"
+#include "ga/observers/hall_of_fame.hpp"
+#include "ga/observers/log.hpp"
+#include "ga/observers/progress.hpp"
+#include "tests/ga/vectors.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <sstream>
+#include <unistd.h>
+
+using namespace ga;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const Population<std::vector<double>> nobody = population<std::vector<double>>({{}});
+const auto pipeline =
+    sample(20) | score() | repeat(10, tournament(2) | cross(blend()) | mutate(0.1) | score() | elite(2));
+
+std::string contents(const fs::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The table without its last column, the seconds.
+std::string timeless(const std::string& table) {
+    std::istringstream lines(table);
+    std::string text;
+    for (std::string line; std::getline(lines, line);)
+        text += line.substr(0, line.rfind(',')) + "\n";
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("the log has a row for every stage with what a population is worth") {
+    const fs::path file = fs::temp_directory_path() / ("ga_log_" + std::to_string(::getpid()) + ".csv");
+    const Vectors problem;
+    Log log(file);
+    const auto result = run(pipeline, problem, nobody, {.variant = "v"}, {log.observer(problem)});
+    CHECK(!fs::exists(file));
+    log.close();
+    std::istringstream lines(contents(file));
+    std::vector<std::string> rows;
+    for (std::string line; std::getline(lines, line);)
+        rows.push_back(line);
+    REQUIRE(rows.size() == 1 + 2 + 10 * 5 + 1);
+    CHECK(rows[0] ==
+          "path,generation,individuals,best,median,diversity,asked,evaluations,gradients,failures,seconds");
+    CHECK(rows[1].starts_with("v/sample.1,,20,,,1,0,0,0,0,"));
+    CHECK(rows[2].starts_with("v/score.1,,20,-"));
+    CHECK(rows[52].starts_with("v/repeat.1/elite.1,9,20," + number(result.best->value())));
+    fs::remove(file);
+}
+
+TEST_CASE("a log goes on after a resume as if the run had never stopped") {
+    const fs::path folder = fs::temp_directory_path() / ("ga_log_resume_" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    const Vectors problem;
+    Log whole(folder / "whole.csv");
+    run(pipeline, problem, nobody, {}, {whole.observer(problem)});
+    whole.close();
+    HallOfFame<Vectors> all(problem, 5);
+    run(pipeline, problem, nobody, {}, {all.observer()});
+    std::string stopped = "not yet";
+    for (long budget = 15; !stopped.empty(); budget += 40) {
+        Log log(folder / "parts.csv");
+        HallOfFame<Vectors> hall(problem, 5);
+        Checkpoints<Vectors> checkpoints(folder / "run", "", true);
+        checkpoints.keep("log", log.position);
+        checkpoints.keep("hall", hall.members);
+        stopped = run(pipeline, problem, nobody, {.budget = {.evaluations = budget}},
+                      {log.observer(problem), hall.observer()}, &checkpoints)
+                      .stopped;
+        if (stopped.empty()) {
+            log.close();
+            REQUIRE(hall.members.size() == 5);
+            for (std::size_t i = 0; i < 5; ++i)
+                CHECK(hall.members[i].genome == all.members[i].genome);
+        }
+    }
+    CHECK(timeless(contents(folder / "parts.csv")) == timeless(contents(folder / "whole.csv")));
+    fs::remove_all(folder);
+}
+
+TEST_CASE("the hall of fame keeps the best different genomes ever shown, best first") {
+    const Given problem;
+    HallOfFame<Given> hall(problem, 3);
+    run<Given>(score() | best(2) | repeat(1, below(100)), problem, Given::of({1, 5, 3, 5, std::nan(""), 4}),
+               {}, {hall.observer()});
+    std::vector<double> values;
+    for (const auto& member : hall.members)
+        values.push_back(member.value());
+    CHECK(values == std::vector<double>{5, 4, 3});
+    CHECK(hall.members[0].identity == 1);
+}
+
+TEST_CASE("the status names the place, the generation, the best and the evaluations") {
+    std::vector<std::string> lines;
+    const Vectors problem;
+    run<Vectors>(pipeline, problem, nobody, {.variant = "v"},
+                 {progress<std::vector<double>>([&](const std::string& line) { lines.push_back(line); }, 0)});
+    CHECK(lines[0] == "v/sample.1, 0 evaluations");
+    CHECK(lines[7].starts_with("v/repeat.1/tournament.1 generation 2: best -0."));
+    CHECK(lines.back().ends_with(" evaluations"));
+}
