@@ -5,8 +5,6 @@
 #include "domain/database/screen.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
-#include "domain/response/curve.hpp"
-#include "domain/response/similarity.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -21,7 +19,7 @@ namespace {
 std::vector<Setting> query_settings() {
     std::vector<Setting> settings{
         {"file", "", "the database (may be given without the flag)"},
-        {"target", "", "target file (CSV): pressure_MPa,stiffness_MPa_per_mm"},
+        {"target", "", "target file (CSV): pressure_MPa or displacement_mm with what is asked for there"},
         {"max-pressure", "", "pressure that every genome is rescaled to by Eq. 11, MPa [amplitude is free]"},
         {"best", "10", "how many genomes to name"},
         {"out", "", "genome file (JSON) to write the best one to"},
@@ -48,12 +46,12 @@ void expect_set_up(const rough::GenomeStore& store, const Settings& settings) {
 
 /// The match's similarity at 4(N-1)+1 nodes; Eq. 11 anew where it applies.
 double refined_similarity(const rough::Genome& genome, const rough::Match& match, const rough::Model& model,
-                          const rough::Target& target, double max_pressure) {
+                          const rough::Goal& goal, double max_pressure) {
     const rough::Response response = respond(genome, refined(model, 4));
     const double factor =
         max_pressure > 0 ? max_pressure / response.pressure[response.steps() - 1] : match.scale;
-    const rough::Curve curve = stretched(secant_stiffness(response), factor);
-    return curve.to * (1 + 1e-9) >= target.highest_pressure() ? similarity(target, curve) : std::nan("");
+    const rough::Curve curve = curve_of(goal.quantity, scaled(response, factor));
+    return curve.to * (1 + 1e-9) >= goal.last() ? similarity(goal, curve) : std::nan("");
 }
 
 } // namespace
@@ -78,13 +76,13 @@ int database_query(const Words& words) {
         options.max_pressure = settings.positive("max-pressure");
     options.best = static_cast<std::size_t>(settings.whole("best", 1, 10000));
     options.threads = static_cast<int>(settings.whole("threads", 0, 1024));
-    const rough::Target target = rough::read_target(settings.text("target"));
+    const rough::Goal goal = rough::read_goal(settings.text("target"));
 
     const auto start = std::chrono::steady_clock::now();
     const rough::GenomeStore store = rough::GenomeStore::open(settings.text("file"));
     expect_set_up(store, settings);
-    const rough::StoredCurves curves = store.curves();
-    const auto matches = screen(curves, store.setup().model, target, options);
+    const rough::StoredCurves curves = store.curves(rough::need_fractions({goal}));
+    const auto matches = screen(curves, store.setup().model, {goal}, options);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     std::printf("%zu curves screened in %.3f s\n%4s %12s %12s %12s %14s\n", curves.index.size(), seconds,
@@ -93,7 +91,7 @@ int database_query(const Words& words) {
         const rough::Match& match = matches[rank];
         rough::Genome genome = store.genome(match.index);
         const double finer =
-            refined_similarity(genome, match, store.setup().model, target, options.max_pressure);
+            refined_similarity(genome, match, store.setup().model, goal, options.max_pressure);
         std::printf("%4zu %12llu %12.6f %12.6f %14.6g\n", rank + 1,
                     static_cast<unsigned long long>(match.index), match.similarity, finer, match.scale);
         if (rank == 0 && settings.has("out")) {

@@ -1,8 +1,6 @@
 #include "domain/database/screen.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/response/curve.hpp"
-#include "domain/response/similarity.hpp"
 #include "ga/parallel.hpp"
 
 #include <algorithm>
@@ -38,34 +36,95 @@ class Best {
     std::vector<Match> kept_;
 };
 
-/// Secants of a stored response, as secant_stiffness gives them.
-struct Secants {
-    std::vector<double> pressure, stiffness;
+/// Points of a curve at scale 1, as curve_of gives them; a genome's scale stretches x, and the load's y.
+struct Points {
+    std::vector<double> x, y;
+    bool stretches_y = false;
 };
 
-void take_secants(Secants& secants, const double* pressure, double displacement_step) {
+/// One genome's stored curves, in the goals' order.
+using Curves = std::vector<Points>;
+
+void take_secants(Points& points, const double* pressure, std::size_t steps, double displacement_step) {
+    points.x.resize(steps);
+    points.y.resize(steps);
     double last = 0;
-    for (std::size_t j = 0; j < secants.pressure.size(); ++j) {
-        secants.pressure[j] = 0.5 * (pressure[j] + last);
-        secants.stiffness[j] = (pressure[j] - last) / displacement_step;
+    for (std::size_t j = 0; j < steps; ++j) {
+        points.x[j] = 0.5 * (pressure[j] + last);
+        points.y[j] = (pressure[j] - last) / displacement_step;
         last = pressure[j];
     }
 }
 
-/// Eq. 12 with the secants' pressures times `factor`; stops below `bar`, where the exact value does not
-/// matter.
-double similarity_above(const Secants& secants, const Target& target, double factor, double bar) {
+void take_from_origin(Points& points, const double* x, double x_factor, const double* y, std::size_t steps) {
+    points.x.assign(1, 0);
+    points.y.assign(1, 0);
+    for (std::size_t j = 0; j < steps; ++j) {
+        points.x.push_back(x_factor * x[j]);
+        points.y.push_back(y[j]);
+    }
+}
+
+/// Reads the stored numbers of a genome as the goals ask.
+class Reader {
+  public:
+    Reader(const StoredCurves& curves, const Model& model, const std::vector<Goal>& goals)
+        : curves_(curves), goals_(goals), steps_(static_cast<std::size_t>(model.loading.steps)),
+          of_range_(load_displacements(1, model.loading, model.body.kernel)) {}
+
+    void read(std::size_t g, Curves& into) const {
+        const double* pressure = &curves_.pressure[g * steps_];
+        const double* fraction = curves_.fraction.empty() ? nullptr : &curves_.fraction[g * steps_];
+        const double range = curves_.range[g];
+        into.resize(goals_.size());
+        for (std::size_t i = 0; i < goals_.size(); ++i)
+            switch (goals_[i].quantity) {
+            case Quantity::stiffness:
+                take_secants(into[i], pressure, steps_, of_range_.front() * range);
+                break;
+            case Quantity::area_at_pressure:
+                take_from_origin(into[i], pressure, 1, fraction, steps_);
+                break;
+            case Quantity::area_at_displacement:
+                take_from_origin(into[i], of_range_.data(), range, fraction, steps_);
+                break;
+            case Quantity::load_at_displacement:
+                take_from_origin(into[i], of_range_.data(), range, pressure, steps_);
+                into[i].stretches_y = true;
+                break;
+            }
+    }
+    /// Where a genome's curve ends for a goal, at scale 1.
+    double end(std::size_t g, const Goal& goal) const {
+        return goal.against_pressure() ? curves_.pressure[(g + 1) * steps_ - 1]
+                                       : of_range_.back() * curves_.range[g];
+    }
+
+  private:
+    const StoredCurves& curves_;
+    const std::vector<Goal>& goals_;
+    std::size_t steps_;
+    std::vector<double> of_range_; ///< displacements of the load steps over the height range
+};
+
+/// The similarity at a scale; stops below `bar`, where the exact value does not matter.
+double similarity_above(const Curves& curves, const std::vector<Goal>& goals, double scale, double bar) {
     double worst = 0;
-    std::size_t left = 0;
-    const std::size_t last = secants.pressure.size() - 2;
-    for (Index k = 0; k < target.points() && 1 - worst >= bar; ++k) {
-        const double at = target.pressure[k] / factor;
-        while (left < last && at >= secants.pressure[left + 1])
-            ++left;
-        const double share =
-            (at - secants.pressure[left]) / (secants.pressure[left + 1] - secants.pressure[left]);
-        const double K = (1 - share) * secants.stiffness[left] + share * secants.stiffness[left + 1];
-        worst = std::max(worst, std::abs(K / target.stiffness[k] - 1));
+    for (std::size_t i = 0; i < goals.size(); ++i) {
+        const Goal& goal = goals[i];
+        const Points& points = curves[i];
+        std::size_t left = 0;
+        const std::size_t last = points.x.size() - 2;
+        for (Index k = 0; k < goal.points() && 1 - worst >= bar; ++k) {
+            const double at = goal.x[k] / scale;
+            while (left < last && at >= points.x[left + 1])
+                ++left;
+            const double share = (at - points.x[left]) / (points.x[left + 1] - points.x[left]);
+            const double y = ((1 - share) * points.y[left] + share * points.y[left + 1]) *
+                             (points.stretches_y ? scale : 1);
+            const double wanted = goal.has_band() ? std::clamp(y, goal.lower[k], goal.upper[k]) : goal.y[k];
+            worst = std::max(worst, goal.weight * std::abs(y - wanted) / goal.y[k]);
+        }
     }
     return 1 - worst;
 }
@@ -74,13 +133,13 @@ constexpr int amplitudes = 33;
 double amplitude(double smallest, double step) { return smallest * std::exp2(step / 8); }
 
 /// Narrows a free amplitude between the neighbours of the best of the coarse ones (golden section).
-Match settled(Match match, const Secants& secants, const Target& target, double smallest) {
+Match settled(Match match, const Curves& curves, const std::vector<Goal>& goals, double smallest) {
     const double golden = (std::sqrt(5.0) - 1) / 2;
     double low = std::max(match.scale / amplitude(1, 1), smallest), high = match.scale * amplitude(1, 1);
     for (int turn = 0; turn < 30; ++turn) {
         const double a = high - golden * (high - low), b = low + golden * (high - low);
-        const double at_a = similarity_above(secants, target, a, -HUGE_VAL);
-        const double at_b = similarity_above(secants, target, b, -HUGE_VAL);
+        const double at_a = similarity_above(curves, goals, a, -HUGE_VAL);
+        const double at_b = similarity_above(curves, goals, b, -HUGE_VAL);
         const double best = std::max(at_a, at_b);
         if (best > match.similarity)
             match = {match.index, best, at_a >= at_b ? a : b};
@@ -89,46 +148,66 @@ Match settled(Match match, const Secants& secants, const Target& target, double 
     return match;
 }
 
-} // namespace
-
-std::vector<Match> screen(const StoredCurves& curves, const Model& model, const Target& target,
-                          const ScreenOptions& options) {
-    validate(target);
-    const double highest = target.highest_pressure();
-    const bool rescaled = options.max_pressure > 0;
-    if (rescaled && highest > options.max_pressure * (1 + 1e-9))
-        throw InputError("target " + target.name + ": reaches " + std::to_string(highest) +
-                         " MPa, expected at most the pressure that genomes are rescaled to, " +
-                         std::to_string(options.max_pressure) + " MPa");
+void check(const StoredCurves& curves, const std::vector<Goal>& goals, const ScreenOptions& options) {
+    for (const Goal& goal : goals) {
+        validate(goal);
+        if (options.max_pressure > 0 && goal.against_pressure() &&
+            goal.last() > options.max_pressure * (1 + 1e-9))
+            throw InputError("target " + goal.name + ": reaches " + std::to_string(goal.last()) +
+                             " MPa, expected at most the pressure that genomes are rescaled to, " +
+                             std::to_string(options.max_pressure) + " MPa");
+    }
+    if (goals.empty())
+        throw InputError("genome database: no target given, expected one to screen for");
     if (curves.index.empty())
         throw InputError("genome database: nothing is stored in it, expected genomes to screen");
+    if (need_fractions(goals) && curves.fraction.size() != curves.pressure.size())
+        throw InputError("genome database: contact fractions were not read, but the target needs them");
+}
 
+} // namespace
+
+bool need_fractions(const std::vector<Goal>& goals) {
+    return std::any_of(goals.begin(), goals.end(), [](const Goal& goal) {
+        return goal.quantity == Quantity::area_at_pressure || goal.quantity == Quantity::area_at_displacement;
+    });
+}
+
+std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Goal>& goals,
+                          const ScreenOptions& options) {
+    check(curves, goals, options);
+    const bool rescaled = options.max_pressure > 0;
+    const Reader reader(curves, model, goals);
     const auto steps = static_cast<std::size_t>(model.loading.steps);
-    const double step_of_range = load_displacements(1, model.loading, model.body.kernel).front();
+    const auto covering = [&](std::size_t g) {
+        double scale = 0;
+        for (const Goal& goal : goals)
+            scale = std::max(scale, goal.last() / reader.end(g, goal));
+        return scale;
+    };
+    // The margin lets the same genome on a finer grid, whose curve ends elsewhere, cover the goals too.
+    const auto smallest = [&](std::size_t g) {
+        return rescaled ? options.max_pressure / curves.pressure[(g + 1) * steps - 1] : 1.02 * covering(g);
+    };
+
     const int threads = ga::thread_count(options.threads);
     const std::size_t parts = static_cast<std::size_t>(threads);
-    const auto secants_of = [&](std::size_t g, Secants& secants) {
-        take_secants(secants, &curves.pressure[g * steps], step_of_range * curves.range[g]);
-    };
-    // The margin lets the same genome on a finer grid, whose last pressure differs, cover the target too.
-    const double covered = rescaled ? options.max_pressure : 1.02 * highest;
-    const auto smallest = [&](std::size_t g) { return covered / curves.pressure[(g + 1) * steps - 1]; };
     // A coarse amplitude can hide a good genome: many more are narrowed than returned.
     const std::size_t candidates =
         rescaled ? std::max<std::size_t>(options.best, 1) : 200 + 20 * options.best;
     std::vector<Best> best(parts, Best(candidates));
     ga::parallel_for(parts, threads, [&](std::size_t part) {
-        Secants secants{std::vector<double>(steps), std::vector<double>(steps)};
+        Curves stored;
         for (std::size_t g = part * curves.index.size() / parts; g < (part + 1) * curves.index.size() / parts;
              ++g) {
-            if (std::isnan(curves.range[g]))
+            if (std::isnan(curves.range[g]) || smallest(g) < (1 - 1e-9) * covering(g))
                 continue;
-            secants_of(g, secants);
+            reader.read(g, stored);
             Match match{g, -HUGE_VAL, 1};
             for (int a = 0; a < (rescaled ? 1 : amplitudes); ++a) {
                 const double scale = amplitude(smallest(g), a);
                 const double bar = std::max(best[part].bar(), match.similarity);
-                const double similarity = similarity_above(secants, target, scale, bar);
+                const double similarity = similarity_above(stored, goals, scale, bar);
                 if (similarity > match.similarity)
                     match = {g, similarity, scale};
             }
@@ -140,12 +219,13 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
         matches.insert(matches.end(), some.kept().begin(), some.kept().end());
     std::sort(matches.begin(), matches.end(), better);
     matches.resize(std::min(matches.size(), candidates));
-    Secants secants{std::vector<double>(steps), std::vector<double>(steps)};
+    Curves stored;
     for (Match& match : matches) {
         const auto g = static_cast<std::size_t>(match.index);
-        secants_of(g, secants);
-        if (!rescaled)
-            match = settled(match, secants, target, smallest(g));
+        if (!rescaled) {
+            reader.read(g, stored);
+            match = settled(match, stored, goals, smallest(g));
+        }
         match.index = curves.index[g];
     }
     std::sort(matches.begin(), matches.end(), better);

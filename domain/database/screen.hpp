@@ -1,14 +1,14 @@
 #pragma once
 
 #include "domain/database/store.hpp"
-#include "domain/response/target.hpp"
+#include "domain/design/goal.hpp"
 
 namespace rough {
 
-/// A stored genome and how well its curve meets a target.
+/// A stored genome and how well its curves meet the goals.
 struct Match {
     std::uint64_t index = 0;
-    double similarity = 0; ///< Eq. 12
+    double similarity = 0; ///< 1 - the largest misfit of all goals (Eq. 12)
     double scale = 1;      ///< of the genome's amplitude
 };
 
@@ -19,11 +19,14 @@ struct ScreenOptions {
     int threads = 0;         ///< 0: all
 };
 
-/// The stored genomes nearest to a target by Eq. 12, best first; equal similarities by index.
-/// Where amplitude is free, each genome takes the best of 33 amplitudes from the one whose last pressure is
-/// 2 % above the target's highest up to 16 times that; the best are then narrowed between its neighbours.
-/// Throws InputError when the target reaches beyond max_pressure, or nothing is stored.
-std::vector<Match> screen(const StoredCurves& curves, const Model& model, const Target& target,
+/// Whether goals need the stored contact fractions.
+bool need_fractions(const std::vector<Goal>& goals);
+
+/// The stored genomes nearest to the goals, best first; equal similarities by index. Genomes whose curves end
+/// before a goal does are left out. Where amplitude is free, each genome takes the best of 33 amplitudes from
+/// the least whose curves reach 2 % beyond the goals up to 16 times that; the best are then narrowed between
+/// its neighbours. Throws InputError when a goal reaches beyond max_pressure, or nothing is stored.
+std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Goal>& goals,
                           const ScreenOptions& options);
 
 } // namespace rough

@@ -178,22 +178,29 @@ void GenomeStore::add(const Span& span, const std::vector<Genome>& genomes,
     transaction.commit();
 }
 
-StoredCurves GenomeStore::curves() const {
+StoredCurves GenomeStore::curves(bool with_fractions) const {
     const auto steps = static_cast<std::size_t>(setup_.model.loading.steps);
     StoredCurves curves;
     const std::uint64_t all = stored();
     curves.index.reserve(all);
     curves.range.reserve(all);
     curves.pressure.reserve(all * steps);
-    Statement rows(sqlite_, "SELECT first, numbers FROM pressure ORDER BY first");
+    const auto append = [&](std::vector<double>& list, const double* values) {
+        list.insert(list.end(), values, values + steps);
+    };
+    Statement rows(sqlite_, with_fractions
+                                ? "SELECT first, pressure.numbers, contact.numbers FROM pressure JOIN "
+                                  "contact USING(first) ORDER BY first"
+                                : "SELECT first, numbers FROM pressure ORDER BY first");
     while (rows.step()) {
         const auto values = unpacked(rows.bytes(1));
+        const auto contact = with_fractions ? unpacked(rows.bytes(2)) : std::vector<double>{};
         for (std::size_t g = 0; (g + 1) * (steps + 1) <= values.size(); ++g) {
-            const auto response = values.begin() + static_cast<std::ptrdiff_t>(g * (steps + 1));
             curves.index.push_back(as_index(rows.number(0)) + g);
-            curves.range.push_back(*response);
-            curves.pressure.insert(curves.pressure.end(), response + 1,
-                                   response + 1 + static_cast<std::ptrdiff_t>(steps));
+            curves.range.push_back(values[g * (steps + 1)]);
+            append(curves.pressure, &values[g * (steps + 1) + 1]);
+            if (with_fractions)
+                append(curves.fraction, &contact[g * 2 * steps]);
         }
     }
     return curves;

@@ -19,6 +19,7 @@ struct StoredCurves {
     std::vector<double>
         range; ///< height range (periodic: to full contact), mm; NaN where there is no response
     std::vector<double> pressure; ///< genomes x steps, MPa
+    std::vector<double> fraction; ///< genomes x steps, contact fractions; empty unless asked for
 };
 
 /// A genome database: an SQLite file with the genomes of a law and their responses, in batches. A batch is
@@ -46,7 +47,7 @@ class GenomeStore {
     /// Stores a batch; where another builder was faster, its copy stays.
     void add(const Span& span, const std::vector<Genome>& genomes, const std::vector<Response>& responses);
 
-    StoredCurves curves() const;
+    StoredCurves curves(bool with_fractions = false) const;
     Genome genome(std::uint64_t index) const;     ///< throws InputError when it is not stored
     Response response(std::uint64_t index) const; ///< displacement, pressure, contact fraction and tangents
 
