@@ -2,6 +2,7 @@
 
 #include "apps/settings.hpp"
 #include "domain/errors.hpp"
+#include "ga/text/nearest.hpp"
 
 #include <iostream>
 
@@ -28,8 +29,7 @@ int database(const Words& words) {
             return part.run({words.begin() + 1, words.end()});
         names.push_back(part.name);
     }
-    throw rough::InputError("database: '" + words[0] + "' given, expected build, info or query" +
-                            suggestion(words[0], names));
+    throw rough::InputError("database: '" + words[0] + "' given" + ga::suggestion(words[0], names));
 }
 
 } // namespace app

@@ -3,6 +3,7 @@
 #include "apps/voice.hpp"
 #include "domain/errors.hpp"
 #include "ga/errors.hpp"
+#include "ga/text/nearest.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -39,8 +40,7 @@ int dispatch(app::Words words) {
             return command.run({words.begin() + 1, words.end()});
         names.push_back(command.name);
     }
-    throw rough::InputError("'" + words[0] + "' is no subcommand, expected one of rugosa --help" +
-                            app::suggestion(words[0], names));
+    throw rough::InputError("'" + words[0] + "' is no subcommand" + ga::suggestion(words[0], names));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "apps/result.hpp"
 
 #include "apps/model_settings.hpp"
+#include "domain/contact/datum.hpp"
 #include "domain/mwm/genome_json.hpp"
 
 #include <cmath>
@@ -9,7 +10,7 @@ namespace app {
 
 using nlohmann::json;
 
-json variant_json(const VariantRun& variant) {
+json variant_json(const VariantRun& variant, const rough::Model& model) {
     json stages = json::array();
     for (const StageRecord& stage : variant.stages) {
         json candidates = json::array();
@@ -20,14 +21,19 @@ json variant_json(const VariantRun& variant) {
                  {"similarity", std::isnan(one.similarity) ? json() : json(one.similarity)}});
         stages.push_back({{"path", stage.path}, {"candidates", std::move(candidates)}});
     }
-    return {{"similarity", variant.similarity},
-            {"similarity_refined", variant.similarity_refined},
-            {"genome", genome_to_json(variant.answer.genome)},
-            {"stages", std::move(stages)},
-            {"notes", variant.notes},
-            {"seconds", variant.seconds},
-            {"curves", variant.curves},
-            {"gradients", variant.gradients}};
+    json result = {{"similarity", variant.similarity},
+                   {"similarity_refined", variant.similarity_refined},
+                   {"genome", genome_to_json(variant.answer.genome)},
+                   {"stages", std::move(stages)},
+                   {"notes", variant.notes},
+                   {"seconds", variant.seconds},
+                   {"curves", variant.curves},
+                   {"gradients", variant.gradients}};
+    if (model.body.kernel == rough::Kernel::free)
+        for (const double stiffness : variant.answer.response.tangent_stiffness)
+            result["tangent_stiffness_per_ln_datum_MPa_per_mm"].push_back(
+                rough::datum_sensitivity(stiffness, model.grid.length, model.body.effective_modulus));
+    return result;
 }
 
 json model_json(const rough::Model& model) {

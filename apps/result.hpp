@@ -6,8 +6,9 @@
 
 namespace app {
 
-/// One variant's way and answer, as result.json holds it.
-nlohmann::json variant_json(const VariantRun& variant);
+/// One variant's way and answer, as result.json holds it; for the free half-plane with dK/d ln d at each load
+/// step.
+nlohmann::json variant_json(const VariantRun& variant, const rough::Model& model);
 
 /// The model set-up at the top of every result.json: grid, body, load steps.
 nlohmann::json model_json(const rough::Model& model);

@@ -50,7 +50,7 @@ nlohmann::json result_json(const PaperRun& run, const TargetRun& target) {
     result["threshold_MPa"] = target.p_bar;
     result["target"] = target_json(target.target);
     for (const VariantRun& variant : target.variants)
-        result["variants"][variant.name] = variant_json(variant);
+        result["variants"][variant.name] = variant_json(variant, run.model);
     return result;
 }
 

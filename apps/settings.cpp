@@ -1,6 +1,7 @@
 #include "apps/settings.hpp"
 
 #include "domain/errors.hpp"
+#include "ga/text/nearest.hpp"
 
 #include <boost/program_options.hpp>
 
@@ -8,7 +9,6 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <numeric>
 #include <sstream>
 
 namespace app {
@@ -54,21 +54,6 @@ std::map<std::string, std::string> values_of(const po::parsed_options& parsed, c
             throw InputError(place + option.string_key + ": given twice, expected once");
     }
     return values;
-}
-
-/// Edit distance in letters (Levenshtein).
-std::size_t distance(const std::string& left, const std::string& right) {
-    std::vector<std::size_t> row(right.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < left.size(); ++i) {
-        std::size_t diagonal = row[0]++;
-        for (std::size_t j = 0; j < right.size(); ++j) {
-            const std::size_t replaced = diagonal + (left[i] != right[j]);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
 }
 
 } // namespace
@@ -141,11 +126,7 @@ std::size_t Settings::one_of(const std::string& name, const std::vector<std::str
     const auto found = std::find(words.begin(), words.end(), text(name));
     if (found != words.end())
         return static_cast<std::size_t>(found - words.begin());
-    std::string list;
-    for (const auto& word : words)
-        list += (list.empty() ? "" : ", ") + word;
-    throw InputError(place(name) + ": \"" + text(name) + "\" given, expected one of " + list +
-                     suggestion(text(name), words));
+    throw InputError(place(name) + ": \"" + text(name) + "\" given" + ga::suggestion(text(name), words));
 }
 
 std::vector<std::string> Settings::names_under(const std::string& prefix) const {
@@ -174,7 +155,7 @@ Settings read_command_line(const std::vector<std::string>& words, const std::vec
     } catch (const po::unknown_option& error) {
         std::string name = error.get_option_name();
         name.erase(0, name.find_first_not_of('-'));
-        throw InputError("--" + name + ": unknown flag" + suggestion(name, names_of(known)));
+        throw InputError("--" + name + ": unknown flag" + ga::suggestion(name, names_of(known)));
     } catch (const po::too_many_positional_options_error&) {
         throw InputError("too many words given, expected " + std::to_string(positional.size()) +
                          " beside the flags");
@@ -210,7 +191,7 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
         const std::string any = name.substr(0, name.find('.')) + ".*";
         if (std::find(names.begin(), names.end(), name) == names.end() &&
             std::find(names.begin(), names.end(), any) == names.end())
-            throw InputError(file.string() + ": unknown key '" + name + "'" + suggestion(name, names));
+            throw InputError(file.string() + ": unknown key '" + name + "'" + ga::suggestion(name, names));
     }
     return {file.string(), known, values, overridden};
 }
@@ -219,15 +200,6 @@ std::string described(const std::vector<Setting>& known) {
     std::ostringstream out;
     out << options_of(known);
     return out.str();
-}
-
-std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
-    const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
-        return distance(word, a) < distance(word, b);
-    });
-    if (nearest == names.end() || distance(word, *nearest) > std::max<std::size_t>(2, word.size() / 3))
-        return "";
-    return " (did you mean '" + *nearest + "'?)";
 }
 
 } // namespace app

@@ -59,9 +59,6 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
 /// The settings as a help page lists them.
 std::string described(const std::vector<Setting>& known);
 
-/// The nearest of the names, as " (did you mean 'x'?)", or nothing when none is near.
-std::string suggestion(const std::string& word, const std::vector<std::string>& names);
-
 /// The word as a number, or as a whole number. Throws rough::InputError that begins with `place`.
 double number_from(const std::string& word, const std::string& place);
 

@@ -6,6 +6,7 @@
 #include "apps/settings.hpp"
 #include "apps/stability_scenes.hpp"
 #include "domain/errors.hpp"
+#include "ga/text/nearest.hpp"
 
 #include <algorithm>
 #include <array>
@@ -122,8 +123,7 @@ void expect_scene(const std::string& name) {
     for (const StabilityScene& scene : stability_scenes())
         names.push_back(scene.name);
     if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
-        throw rough::InputError("--scene: '" + name + "' given, expected the name of a scene" +
-                                suggestion(name, names));
+        throw rough::InputError("--scene: '" + name + "' given as a scene" + ga::suggestion(name, names));
 }
 
 } // namespace app

@@ -43,7 +43,8 @@ std::string readable(double value, int digits) {
         std::snprintf(text, sizeof text, "%.*f", std::max(0, digits - 1 - order), std::abs(value));
         return sign + text;
     }
-    return sign + mantissa + " × 10<sup>" + (order < 0 ? "−" : "") + std::to_string(std::abs(order)) + "</sup>";
+    return sign + mantissa + " × 10<sup>" + (order < 0 ? "−" : "") + std::to_string(std::abs(order)) +
+           "</sup>";
 }
 
 } // namespace app
