@@ -10,7 +10,7 @@ Studies studies_of(const PaperRun& run) {
                                      64, 96, 128, 192, 256, 384, 512, 768, 1024};
     return {{chromosome_example(1, run.seed), chromosome_example(2, run.seed)},
             ridge_study(ridges, phase_sets, run.seed),
-            fractal_studies(run.model, run.seed),
+            fractal_studies(run.model, run.seed, run.threads),
             readings_of(run)};
 }
 

@@ -60,6 +60,8 @@ double gap(const rough::Curve& a, const rough::Curve& b) {
 }
 
 double slope(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+    if (x.size() < 2)
+        return none;
     const Eigen::ArrayXd dx = x.array() - x.mean();
     return (dx * (y.array() - y.mean())).sum() / dx.square().sum();
 }

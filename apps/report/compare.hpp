@@ -19,7 +19,7 @@ double relative_gap(const rough::Curve& a, const rough::Curve& b);
 /// Largest difference |b - a| at the points of `a` that both can be read at.
 double gap(const rough::Curve& a, const rough::Curve& b);
 
-/// Slope of a least-squares line through the points.
+/// Slope of a least-squares line through the points; NaN for fewer than two.
 double slope(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
 
 } // namespace app

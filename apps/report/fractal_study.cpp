@@ -2,6 +2,7 @@
 
 #include "apps/report/compare.hpp"
 #include "domain/response/curve.hpp"
+#include "ga/parallel.hpp"
 #include "ga/random.hpp"
 
 #include <algorithm>
@@ -49,11 +50,10 @@ FractalStudy study_of(const rough::Model& model, std::uint64_t seed) {
 
 } // namespace
 
-std::vector<FractalStudy> fractal_studies(const rough::Model& model, std::uint64_t seed) {
+std::vector<FractalStudy> fractal_studies(const rough::Model& model, std::uint64_t seed, int threads) {
     std::vector<FractalStudy> studies(20);
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t i = 0; i < studies.size(); ++i)
-        studies[i] = study_of(model, ga::fold(seed, i));
+    ga::parallel_for(studies.size(), threads,
+                     [&](std::size_t i) { studies[i] = study_of(model, ga::fold(seed, i)); });
     return studies;
 }
 

@@ -20,6 +20,6 @@ struct FractalStudy {
 };
 
 /// Twenty such profiles, on the model's grid and body.
-std::vector<FractalStudy> fractal_studies(const rough::Model& model, std::uint64_t seed);
+std::vector<FractalStudy> fractal_studies(const rough::Model& model, std::uint64_t seed, int threads);
 
 } // namespace app

@@ -3,6 +3,7 @@
 #include "apps/report/compare.hpp"
 #include "domain/fitness/dominance.hpp"
 #include "domain/response/similarity.hpp"
+#include "ga/parallel.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -34,7 +35,19 @@ Reduction reduction_of(const Genome& genome, const Curve& whole, const PaperRun&
             similarity(whole, at_pressure(respond(kept, run.model), run.max_pressure)), dominance.only_best};
 }
 
-Removal removal(const rough::Response& whole, const rough::Response& rest) {
+/// The coarser (longer) or the finer half of a genome's waves alone.
+Genome half_of(const Genome& genome, bool coarse) {
+    return filtered(genome, [&](std::size_t s, std::size_t c) {
+        return (2 * c < genome.series[s].chromosomes.size()) == coarse;
+    });
+}
+
+/// How the whole's curves change to those of what is left; NaN where that has no height at the nodes.
+Removal removal(const rough::Response& whole, const Genome& left, const rough::Model& model) {
+    const rough::Profile profile = sample(left, model.grid);
+    if (is_flat(profile, left))
+        return {};
+    const rough::Response rest = respond(profile, model.body, model.loading, model.contact);
     return {relative_gap(secant_stiffness(whole), secant_stiffness(rest)),
             relative_gap(area_against_pressure(whole), area_against_pressure(rest))};
 }
@@ -54,26 +67,16 @@ Readings readings_of(const PaperRun& run) {
     readings.without_fine.resize(count);
     readings.datum_similarity.resize(count);
     std::vector<Curve> elsewhere(count);
-#pragma omp parallel for schedule(dynamic) num_threads(std::max(1, run.threads))
-    for (std::size_t i = 0; i < count; ++i) {
+    ga::parallel_for(count, run.threads, [&](std::size_t i) {
         const Answered& member = run.database[i];
         const Curve whole = secant_stiffness(member.response);
         readings.same_pressure[i] = reduction_of(member.genome, whole, run, same_pressure);
         readings.same_step[i] = reduction_of(member.genome, whole, run, same_step);
-        const auto half = [&](bool coarse) {
-            return respond(filtered(member.genome,
-                                    [&](std::size_t s, std::size_t c) {
-                                        const auto& series = member.genome.series[s];
-                                        const bool is_coarse = 2 * c < series.chromosomes.size();
-                                        return is_coarse == coarse;
-                                    }),
-                           run.model);
-        };
-        readings.without_fine[i] = removal(member.response, half(true));
-        readings.without_coarse[i] = removal(member.response, half(false));
+        readings.without_fine[i] = removal(member.response, half_of(member.genome, true), run.model);
+        readings.without_coarse[i] = removal(member.response, half_of(member.genome, false), run.model);
         elsewhere[i] = at_pressure(respond(member.genome, other), run.max_pressure);
         readings.datum_similarity[i] = similarity(whole, elsewhere[i]);
-    }
+    });
     for (const TargetRun& target : run.targets) {
         double best = -std::numeric_limits<double>::infinity();
         for (const Curve& curve : elsewhere)

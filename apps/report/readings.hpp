@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/plot.hpp"
 #include "apps/report/paper_data.hpp"
 
 namespace app {
@@ -12,9 +13,9 @@ struct Reduction {
 };
 
 /// How far a genome's curves move when half of its waves go: the mean relative change, at equal pressures
-/// that both profiles reach.
+/// that both profiles reach; NaN where what is left is flat.
 struct Removal {
-    double stiffness = 0, area = 0;
+    double stiffness = unset, area = unset;
 };
 
 /// What the run's numbers owe to our reading of the paper, measured on the database; a row a genome.

@@ -33,10 +33,13 @@ std::string dominance_words(const PaperRun& run, const Readings& readings, rough
     for (const TargetRun& target : run.targets) {
         words += (&target == &run.targets.front() ? ", " : "; ") + target.title + " target:";
         const auto& variants = reading == run.dominance ? target.variants : target.other_reading;
+        const char* before = " ";
         for (const VariantRun& variant : variants)
-            if (variant.name.find('-') == std::string::npos)
-                words += (&variant == &variants.front() ? " " : ", ") + shown_name(variant.name) + " " +
-                         readable(variant.similarity);
+            for (const Algorithm& algorithm : algorithms)
+                if (variant.name == algorithm.name) {
+                    words += before + (algorithm.title + (" " + readable(variant.similarity)));
+                    before = ", ";
+                }
     }
     return words + ".";
 }

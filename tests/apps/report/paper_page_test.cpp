@@ -56,6 +56,17 @@ TEST_CASE("the report shows Figures 1 to 11, a verdict for every claim, and how 
         CHECK(ids.contains(link));
 }
 
+TEST_CASE("a report on a handful of nodes, another body or the other reading is whole, too") {
+    for (const char* model : {"--set model.nodes=4", "--set model.kernel=periodic",
+                              "--set model.kernel=strip", "--set paper.dominance=step"}) {
+        const Folder folder;
+        INFO(model);
+        const std::string html =
+            page_of(folder, "--set database.pairs=2 --set paper.sweep-points=1 " + std::string(model));
+        CHECK(found(html, "<figure (id=\"figure-\\d+\")").size() == 11);
+    }
+}
+
 TEST_CASE("a report with one target and no sweep still has every figure") {
     const Folder folder;
     const std::string html = page_of(folder, "--set heldout.file= --set paper.sweep-points=0");
