@@ -9,6 +9,7 @@ namespace app {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all{
+        {"chart", "chart speed against accuracy for every contact solver", chart},
         {"contact", "press a rough profile on an elastic body: pressure, area and stiffness", contact},
         {"database", "keep genomes and their responses in a file, and ask it for a target", database},
         {"profile", "what a profile is: heights, solid (STL), picture, roughness, spectrum", profile},

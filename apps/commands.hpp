@@ -14,6 +14,7 @@ struct Command {
     int (*run)(const Words&);
 };
 
+int chart(const Words& words);
 int contact(const Words& words);
 int database(const Words& words);
 int profile(const Words& words);

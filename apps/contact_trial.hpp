@@ -22,7 +22,7 @@ struct ContactTrial {
     Outcome outcome = Outcome::solved;
     std::string message;         ///< why it was refused, did not converge or is wrong
     rough::ContactCurve curve;   ///< where solved
-    double seconds = 0;          ///< of one solution, on one core
+    double seconds = 0;          ///< of one core, for one solution
     double kkt_residual() const; ///< the worst of the curve's steps
 };
 
