@@ -29,6 +29,19 @@ Unit length_unit(double largest) {
     return fitting(largest, {{"nm", 1e6}, {"µm", 1e3}, {"mm", 1}, {"m", 1e-3}});
 }
 
+namespace {
+
+/// A whole number in Unicode's superscripts, which pages and terminals both show.
+std::string superscript(int number) {
+    static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = number < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(number)))
+        text += digits[digit - '0'];
+    return text;
+}
+
+} // namespace
+
 std::string readable(double value, int digits) {
     if (!std::isfinite(value))
         return "–";
@@ -43,8 +56,7 @@ std::string readable(double value, int digits) {
         std::snprintf(text, sizeof text, "%.*f", std::max(0, digits - 1 - order), std::abs(value));
         return sign + text;
     }
-    return sign + mantissa + " × 10<sup>" + (order < 0 ? "−" : "") + std::to_string(std::abs(order)) +
-           "</sup>";
+    return sign + mantissa + " × 10" + superscript(order);
 }
 
 } // namespace app

@@ -16,7 +16,7 @@ Unit pressure_unit(double largest);
 /// The same for lengths (mm), within nm to m.
 Unit length_unit(double largest);
 
-/// A number in `digits` significant digits, as for reading: "0.954", "1.2 × 10⁻⁷" (HTML), "–" if it is none.
+/// A number in `digits` significant digits, as for reading: "0.954", "1.2 × 10⁻⁷", "–" if it is none.
 std::string readable(double value, int digits = 3);
 
 } // namespace app

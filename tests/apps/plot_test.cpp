@@ -129,8 +129,8 @@ TEST_CASE("numbers for reading keep their significant digits") {
     CHECK(readable(66.6667, 4) == "66.67");
     CHECK(readable(-12.34, 2) == "−12");
     CHECK(readable(0) == "0");
-    CHECK(readable(1.26e-9, 2) == "1.3 × 10<sup>−9</sup>");
+    CHECK(readable(1.26e-9, 2) == "1.3 × 10⁻⁹");
     CHECK(readable(std::nan("")) == "–");
     CHECK(readable(9.996) == "10.0");
-    CHECK(readable(999999.9) == "1.00 × 10<sup>6</sup>");
+    CHECK(readable(999999.9) == "1.00 × 10⁶");
 }
