@@ -39,16 +39,17 @@ caption{text-align:left;font-weight:600;padding-bottom:.5rem}
 th,td{text-align:left;vertical-align:top;padding:.5rem .9rem .5rem 0;border-bottom:1px solid var(--line)}
 th{color:var(--quiet);font-weight:600;font-size:.88rem}
 .number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+th.number{white-space:normal}
 .tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,10.5rem),1fr));gap:.8rem;margin:1.5rem 0}
 .tiles div{background:var(--card);border-radius:.6rem;padding:.8rem 1rem}
 .tiles dt{font-size:.88rem;color:var(--quiet);line-height:1.35}
 .tiles dd{margin:.2rem 0 0;font-size:1.7rem;font-weight:650;letter-spacing:-.02em;line-height:1.2;
 font-variant-numeric:tabular-nums}
-.badge{display:inline-block;border-radius:1rem;padding:.1rem .65rem;font-size:.85rem;font-weight:600;white-space:nowrap}
+.badge{display:inline-block;border-radius:1rem;padding:.1em .75em;font-size:.9em;font-weight:600;white-space:nowrap}
 .reproduced{color:var(--good);background:var(--good-ground)}
 .contradicted{color:var(--bad);background:var(--bad-ground)}
 .undecidable{color:var(--open);background:var(--open-ground)}
-.rule{display:block;color:var(--quiet);font-size:.86rem;margin-top:.2rem}
+.rule{display:block;color:var(--quiet);font-size:.9em;margin-top:.2rem}
 pre{background:var(--card);border-radius:.6rem;padding:.9rem 1.1rem;overflow-x:auto;font-size:.9rem}
 code{font-family:ui-monospace,"SF Mono",Menlo,Consolas,monospace}
 @media screen and (max-width:46rem){
@@ -60,6 +61,7 @@ code{font-family:ui-monospace,"SF Mono",Menlo,Consolas,monospace}
 }
 @media print{header,main{max-width:none;padding:0}nav{display:none}figure,tr{break-inside:avoid}h2{break-after:avoid}
 .panels>div,.tiles div,pre{border:1px solid var(--line)}a{color:inherit;text-decoration:none}body{font-size:10pt}
+.table{overflow:visible}table{font-size:8.5pt;min-width:0}th{font-size:8pt}th,td{padding-right:.6rem}
 .of-2,.of-3{grid-template-columns:repeat(2,minmax(0,1fr))}}
 )css";
 
