@@ -131,26 +131,28 @@ class Evaluator {
         Evaluation<Outcome>* place;
     };
 
-    /// Evaluates what is fresh. Waking threads costs microseconds, so a batch that takes less by the cost
-    /// seen so far stays on this one; that decides no result.
+    /// Evaluates what is fresh. Waking threads costs microseconds, so a batch that takes less stays on this
+    /// one, by the least that an evaluation took lately; that decides no result.
     void make(Patience patience) {
         const auto make_one = [&](std::size_t i) {
             if (patience == Patience::finish || !watch_.expired())
                 *fresh_[i].place = evaluate(*fresh_[i].genome);
         };
-        if (threads_ == 1)
+        if (threads_ == 1 || fresh_.empty())
             return parallel_for(fresh_.size(), 1, make_one);
-        constexpr double worth_waking = 50e-6;
-        const std::size_t first = cost_ < 0 && !fresh_.empty() ? 1 : 0;
-        const auto timed = [&](std::size_t from, std::size_t to, int threads) {
+        const auto timed = [&](std::size_t i) {
             const double start = watch_.seconds();
-            parallel_for(to - from, threads, [&](std::size_t i) { make_one(from + i); });
-            if (to > from)
-                cost_ = (watch_.seconds() - start) * threads / static_cast<double>(to - from);
+            make_one(i);
+            cost_ = std::min(watch_.seconds() - start, 1.2 * cost_);
         };
-        timed(0, first, 1);
-        const double expected = cost_ * static_cast<double>(fresh_.size() - first);
-        timed(first, fresh_.size(), expected > worth_waking ? threads_ : 1);
+        const std::size_t alone =
+            std::isinf(cost_) ? 1 : 0; // the first of all is timed before others are begun
+        if (alone)
+            timed(0);
+        constexpr double worth_waking = 50e-6;
+        const bool together = cost_ * static_cast<double>(fresh_.size()) > worth_waking;
+        parallel_for(fresh_.size() - alone, together ? threads_ : 1,
+                     [&](std::size_t i) { alone == 0 && i == 0 ? timed(i) : make_one(i + alone); });
     }
 
     bool take_prepaid(const Fingerprint& print, Evaluation<Outcome>& place) {
@@ -206,7 +208,7 @@ class Evaluator {
     std::vector<Request> queue_;
     std::vector<Fresh> fresh_;
     std::size_t heaviest_ = 0;
-    double cost_ = -1; ///< seconds an evaluation took lately; negative before the first
+    double cost_ = HUGE_VAL; ///< seconds an evaluation took lately
     bool succeeded_ = false;
     Reason first_failure_;
 };
