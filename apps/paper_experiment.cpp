@@ -2,9 +2,13 @@
 
 #include "apps/model_settings.hpp"
 #include "apps/recorder.hpp"
+#include "apps/result.hpp"
 #include "apps/scan_settings.hpp"
 #include "domain/errors.hpp"
+#include "domain/fitness/stored.hpp"
 #include "domain/variants/paper.hpp"
+#include "ga/checkpoint.hpp"
+#include "ga/observers/log.hpp"
 
 #include <omp.h>
 
@@ -125,8 +129,9 @@ Setup setup_from(const Settings& settings) {
 /// The paper's genomes and targets with what all variants share.
 class Paper {
   public:
-    Paper(const Settings& settings, PaperRun& run, Progress& progress, const std::atomic<bool>& stop)
-        : settings_(settings), run_(run), progress_(progress), stop_(stop),
+    Paper(const Settings& settings, PaperRun& run, Progress& progress, const std::atomic<bool>& stop,
+          const Keeping& keeping)
+        : settings_(settings), run_(run), progress_(progress), stop_(stop), keeping_(keeping),
           genomes_(sobol_database(run.layout)), variants_(variants_from(settings, words_by(run.dominance))),
           other_reading_(paper_three(words_by(other(run.dominance)))) {}
 
@@ -155,7 +160,7 @@ class Paper {
             if (stop_)
                 return;
             progress_.show(target.title + ": " + variant.name);
-            if (auto run = run_variant(variant, problem)) {
+            if (auto run = run_kept(variant, problem, target.title)) {
                 run->similarity_refined = similarity(problem, run->answer.genome, 4);
                 target.variants.push_back(std::move(*run));
             }
@@ -192,21 +197,60 @@ class Paper {
         return {std::make_shared<DominanceRule>(run_.model, reading), reach_from(settings_)};
     }
 
-    /// Nothing when it was stopped before a genome was scored.
-    std::optional<VariantRun> run_variant(const Variant& variant, const RescaledProblem& problem) {
-        const auto start = std::chrono::steady_clock::now();
-        VariantRun run;
-        run.name = variant.name;
+    using Run = ga::Result<rough::Genome>;
+
+    Run run_pipeline(const Variant& variant, const RescaledProblem& problem,
+                     const std::vector<ga::Observer<rough::Genome>>& observers,
+                     ga::Keeper<RescaledProblem>* keeper = nullptr) const {
         ga::RunOptions options;
         options.variant = variant.name;
         options.seed = run_.seed;
         options.threads = run_.threads;
         options.budget.stop = &stop_;
-        const auto result =
-            ga::run(variant.pipeline, problem, ga::population(genomes_), options, {recorder(run.stages)});
+        return ga::run(variant.pipeline, problem, ga::population(genomes_), options, observers, keeper);
+    }
+
+    /// Nothing when it was stopped before a genome was scored.
+    std::optional<VariantRun> run_variant(const Variant& variant, const RescaledProblem& problem) const {
+        std::vector<StageRecord> stages;
+        const Run result = run_pipeline(variant, problem, {recorder(stages)});
+        return told(variant, problem, result, std::move(stages));
+    }
+
+    /// The same with a checkpoint and a log of every stage in the run's folder.
+    std::optional<VariantRun> run_kept(const Variant& variant, const RescaledProblem& problem,
+                                       const std::string& title) const {
+        const std::string name = title + "-" + variant.name;
+        for (const char* folder : {"checkpoints", "log"})
+            std::filesystem::create_directories(keeping_.folder / folder);
+        std::vector<StageRecord> stages;
+        ga::Log log(keeping_.folder / "log" / (name + ".csv"));
+        ga::Checkpoints<RescaledProblem> checkpoints(keeping_.folder / "checkpoints" / (name + ".cbor"),
+                                                     description(problem), keeping_.resume);
+        checkpoints.keep("stages", stages);
+        checkpoints.keep("log", log.position);
+        const Run result =
+            run_pipeline(variant, problem, {recorder(stages), log.observer(problem)}, &checkpoints);
+        log.close();
+        return told(variant, problem, result, std::move(stages));
+    }
+
+    /// What decides a variant's result beside its pipeline, seed and start.
+    static std::string description(const RescaledProblem& problem) {
+        nlohmann::json settings = model_json(problem.model());
+        settings["target"] = target_json(problem.target());
+        settings["max_pressure_MPa"] = problem.max_pressure();
+        return settings.dump();
+    }
+
+    std::optional<VariantRun> told(const Variant& variant, const RescaledProblem& problem, const Run& result,
+                                   std::vector<StageRecord> stages) const {
         if (result.population.empty())
             return std::nullopt;
-        run.seconds = seconds_since(start);
+        VariantRun run;
+        run.name = variant.name;
+        run.stages = std::move(stages);
+        run.seconds = result.seconds;
         run.notes = result.notes;
         run.answer.genome = result.population.front().genome;
         run.answer.response = respond(run.answer.genome, run_.model);
@@ -244,6 +288,7 @@ class Paper {
     PaperRun& run_;
     Progress& progress_;
     const std::atomic<bool>& stop_;
+    const Keeping& keeping_;
     std::shared_ptr<rough::ResponseMemory> memory_ =
         std::make_shared<rough::ResponseMemory>(); ///< of the sweep
     std::vector<rough::Genome> genomes_;
@@ -286,7 +331,8 @@ std::vector<Setting> paper_settings() {
     return settings;
 }
 
-PaperRun run_paper(const Settings& settings, Progress& progress, const std::atomic<bool>& stop) {
+PaperRun run_paper(const Settings& settings, Progress& progress, const std::atomic<bool>& stop,
+                   const Keeping& keeping) {
     const auto start = std::chrono::steady_clock::now();
     PaperRun run;
     Setup setup = setup_from(settings);
@@ -299,7 +345,7 @@ PaperRun run_paper(const Settings& settings, Progress& progress, const std::atom
     const long threads = settings.whole("experiment.threads", 0, 1024);
     run.threads = threads > 0 ? static_cast<int>(threads) : omp_get_max_threads();
 
-    Paper paper(settings, run, progress, stop);
+    Paper paper(settings, run, progress, stop, keeping);
     progress.show("database");
     paper.answer_database();
     for (TargetRun& target : run.targets) {

@@ -3,11 +3,17 @@
 #include "apps/report/paper_data.hpp"
 #include "ga/context.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace app {
 
 /// An observer that keeps every stage's candidates: identity, parents and similarity (the problem's first
 /// objective; NaN where a stage left it unscored).
 ga::Observer<rough::Genome> recorder(std::vector<StageRecord>& stages);
+
+/// As a checkpoint keeps them.
+void to_json(nlohmann::json& j, const StageRecord& stage);
+void from_json(const nlohmann::json& j, StageRecord& stage);
 
 /// The first record at the path, or nothing.
 const StageRecord* stage_at(const std::vector<StageRecord>& stages, const std::string& path);

@@ -19,6 +19,7 @@ std::vector<Setting> run_settings() {
         {"experiment", "", "the experiment's .ini file (may be given without the flag)"},
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
         {"force", "", "write over an existing result", true},
+        {"resume", "", "go on with an interrupted run in the folder given by --out", true},
         {"seed", "", "seed of everything random [the experiment's]"},
         {"threads", "", "threads [the experiment's; 0 takes all]"},
         {"pictures", "on", "off leaves out the report and its pictures"},
@@ -75,11 +76,15 @@ int run(const Words& given) {
 
     const std::filesystem::path file = flags.text("experiment");
     const Settings settings = read_ini(file, paper_settings(), overrides);
-    const OutputFolder output(flags.text("out"), file.stem().string(), flags.is_on("force"));
+    const bool resume = flags.is_on("resume");
+    if (resume && !flags.has("out"))
+        throw rough::InputError(
+            "--resume: given without --out, expected the folder of the run to go on with");
+    const OutputFolder output(flags.text("out"), file.stem().string(), flags.is_on("force") || resume);
     const auto& folder = output.path();
     const Interrupt interrupt;
     Progress progress;
-    PaperRun paper = run_paper(settings, progress, interrupt.flag());
+    PaperRun paper = run_paper(settings, progress, interrupt.flag(), {folder, resume});
     paper.version = RUGOSA_VERSION;
     paper.command = "rugosa run";
     for (const auto& word : given)
@@ -93,9 +98,10 @@ int run(const Words& given) {
     }
     write_database_table(paper, folder);
     if (interrupt.asked()) {
-        say(folder.string() + ": interrupted; what was found is in result.json, without a report");
+        say(folder.string() + ": interrupted; what was found is in result.json; --resume goes on");
         return exit_interrupted;
     }
+    std::filesystem::remove_all(folder / "checkpoints");
     if (flags.one_of("pictures", {"on", "off"}) == 0)
         rough::write_atomically(folder / "report.html", paper_page(paper));
     say(folder.string() + ": " + readable(paper.seconds) + " s");

@@ -41,12 +41,13 @@ class Log {
         };
     }
 
-    /// Ends the table and gives it its name.
+    /// Ends the table and gives it its name; a run that had ended before it was resumed has its table already.
     void close() {
         if (position == 0)
             append("");
         stream_.close();
-        std::filesystem::rename(part_, file_);
+        if (std::filesystem::exists(part_))
+            std::filesystem::rename(part_, file_);
     }
 
   private:

@@ -122,6 +122,25 @@ TEST_CASE("an experiment's own variants, written as text, run beside the paper's
     CHECK(taken.code == 2);
 }
 
+TEST_CASE("an experiment killed at any moment goes on to the very result of an uninterrupted one") {
+    const Folder folder;
+    const std::string words =
+        paper + coarse + " --set paper.sweep-points=0 --set database.pairs=20 --threads 1";
+    REQUIRE(rugosa(words + " --out whole", folder.path()).code == 0);
+    const json whole = timeless(result_in(folder / "whole"));
+    for (const char* seconds : {"0.05", "0.15", "0.3"}) {
+        const std::string out = std::string("killed") + seconds;
+        const std::string kill = "cd '" + folder.path().string() + "' && timeout -s KILL " + seconds +
+                                 " '" RUGOSA_PROGRAM "' " + words + " --out " + out + " >/dev/null 2>&1";
+        static_cast<void>(std::system(kill.c_str()));
+        const Ended ended = rugosa(words + " --out " + out + " --resume", folder.path());
+        INFO(ended.err);
+        REQUIRE(ended.code == 0);
+        CHECK(timeless(result_in(folder / out)) == whole);
+        CHECK(std::filesystem::exists(folder / (out + "/log/drawn-gco.csv")));
+    }
+}
+
 TEST_CASE("without --out a run finds a free folder, and a result is not written over unasked") {
     const Folder folder;
     const std::string quick = paper + coarse + " --set paper.sweep-points=0";
