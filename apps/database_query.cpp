@@ -36,12 +36,8 @@ void expect_set_up(const rough::GenomeStore& store, const Settings& settings) {
     bool given = false;
     for (const Setting& setting : model_settings())
         given |= settings.given(setting.name);
-    if (!given)
-        return;
-    const std::string differs =
-        rough::difference(rough::fields(store.setup().model), rough::fields(model_from(settings)));
-    if (!differs.empty())
-        throw rough::InputError(store.file().string() + ": a database of another set-up: its " + differs);
+    if (given)
+        rough::expect_model(store, model_from(settings));
 }
 
 /// The match's similarity at 4(N-1)+1 nodes; Eq. 11 anew where it applies.

@@ -2,6 +2,7 @@
 #include "domain/database/build.hpp"
 #include "domain/database/codec.hpp"
 #include "domain/database/screen.hpp"
+#include "domain/database/starts.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/response/curve.hpp"
@@ -255,4 +256,23 @@ TEST_CASE("screening with free amplitude finds a stored genome at the amplitude 
                       Approx(similarity(goal, curve_of(quantity, response))).epsilon(1e-9));
             }
         }
+}
+
+TEST_CASE("stored starts meet a design's goals at their amplitude, and another model's are refused") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    GenomeStore store = GenomeStore::create(folder.path / "genomes.db", setup);
+    build(store, {.genomes = 100});
+    DesignSetup design;
+    design.model = setup.model;
+    design.goals = {goal_of(store.response(5), 0.02, 0.9)};
+    const auto starts = stored_starts(store, design, 4);
+    REQUIRE(starts.size() == 4);
+    const Response response = respond(starts[0], setup.model);
+    CHECK(similarity(design.goals[0], curve_of(Quantity::stiffness, response)) > 0.999);
+    design.max_pressure = store.response(5).pressure[7] * 0.02;
+    CHECK(respond(stored_starts(store, design, 1)[0], setup.model).pressure[7] ==
+          Approx(*design.max_pressure));
+    design.model.loading.steps = 9;
+    CHECK_THROWS_WITH(stored_starts(store, design, 4), Catch::Contains("steps is 8, not 9"));
 }
