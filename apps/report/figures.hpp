@@ -19,5 +19,6 @@ Figure thresholds_figure(const PaperRun& run);               ///< 8
 Figure answers_figure(const PaperRun& run);                  ///< 9
 Figure profiles_figure(const PaperRun& run);                 ///< 10
 Figure spectra_figure(const PaperRun& run);                  ///< 11
+Figure convergence_figure(const PaperRun& run);              ///< ours: every variant's way
 
 } // namespace app

@@ -35,6 +35,7 @@ struct Candidate {
 struct StageRecord {
     std::string path; ///< e.g. "sog/refine.2"
     std::vector<Candidate> candidates;
+    long spent = 0; ///< contact curves and gradients of the run until then
 };
 
 /// One algorithm's way to its answer.

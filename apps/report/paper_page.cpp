@@ -99,6 +99,7 @@ void add_runs(Page& page, const PaperRun& run) {
         "minimax forms are the same algorithms with all points of the target seen by GCMMA at once.");
     for (const TargetRun& target : run.targets)
         page.table(runs_table(target));
+    page.figure(convergence_figure(run));
 }
 
 void add_repeat(Page& page, const PaperRun& run) {
