@@ -55,8 +55,9 @@ class ActiveSet {
     /// leaves the smaller residual.
     void start(double approach, const std::optional<Eigen::VectorXd>& guess) {
         load_.pressure += (approach - approach_) * tangent_.pressure;
-        load_.displacement += (approach - approach_) * tangent_.displacement;
         approach_ = approach;
+        solver_.load(load_);
+        stale_ = false;
         if (!guess)
             return;
         Loaded other(problem_.nodes());
@@ -114,16 +115,13 @@ class ActiveSet {
         for (const int i : set_.nodes())
             if (!(load_.pressure[i] > 0))
                 dropped.push_back(i);
-        for (const int i : dropped)
+        for (const int i : dropped) {
             set_.erase(i);
-        if (dropped.size() < 10) {
-            for (const int i : dropped)
-                SetSolver::unload(problem_, i, load_);
-        } else {
-            for (const int i : dropped)
-                load_.pressure[i] = 0;
-            solver_.load(load_);
+            load_.pressure[i] = 0;
         }
+        if (stale_ || !dropped.empty())
+            solver_.load(load_);
+        stale_ = true;
         depth_ = approach - (problem_.gap + load_.displacement).array();
         const std::vector<int> added =
             dropped.empty() ? advancing_nodes(depth_, set_.touching(), least) : std::vector<int>();
@@ -145,6 +143,7 @@ class ActiveSet {
     Loaded load_, tangent_;
     Eigen::ArrayXd depth_;
     double approach_ = 0;
+    bool stale_ = true; ///< the displacement off the contact set
 };
 
 Solution guess(const ContactProblem& problem, ContactOptions options);

@@ -1,5 +1,6 @@
 #include "domain/contact/set_solver.hpp"
 
+#include "domain/contact/deflation.hpp"
 #include "domain/contact/kernel.hpp"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ void ContactSet::collect() {
 }
 
 SetSolver::SetSolver(const ContactProblem& problem)
-    : forward_(fourier_operator(problem)),
+    : column_(problem.column), sums_(cumulative(problem.column)), forward_(fourier_operator(problem)),
       inverse_(FourierOperator::circulant(circulant_length(problem),
                                           inverse_circulant(problem, circulant_length(problem)))) {}
 
@@ -87,16 +88,17 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
         const Index i = nodes[static_cast<std::size_t>(k)];
         r[k] = target(i) - x.displacement[i];
     }
+    const Deflation deflation(nodes, column_, sums_);
+    x.pressure(nodes) += deflation.project(r);
     double rz = 1;
+    bool solved = false;
     for (long iteration = 0;; ++iteration) {
         precondition(set, r, z);
         const double energy = r.dot(z);
-        if (!std::isfinite(energy))
-            return false;
-        if (enough(r.cwiseAbs().maxCoeff(), energy))
-            return true;
-        if (iteration == most || !(energy > 0))
-            return false;
+        solved = std::isfinite(energy) && enough(r.cwiseAbs().maxCoeff(), energy);
+        if (solved || iteration == most || !(energy > 0))
+            break;
+        deflation.purge(z);
         q = z + (iteration == 0 ? 0.0 : energy / rz) * q;
         rz = energy;
         double* full = forward_.input();
@@ -109,21 +111,16 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             hq[k] = image[nodes[static_cast<std::size_t>(k)]];
         const double curvature = q.dot(hq);
         if (!(curvature > 0))
-            return false;
+            break;
         const double step = rz / curvature;
         r -= step * hq;
-        for (Index k = 0; k < m; ++k)
-            x.pressure[nodes[static_cast<std::size_t>(k)]] += step * q[k];
-        x.displacement += step * Eigen::Map<const Eigen::VectorXd>(image, n);
+        x.pressure(nodes) += step * q;
     }
-}
-
-void SetSolver::unload(const ContactProblem& problem, Index node, Loaded& x) {
-    const double p = x.pressure[node];
-    x.pressure[node] = 0;
-    const Index before = node, after = problem.nodes() - node;
-    x.displacement.head(before) -= p * problem.column.segment(1, before).reverse();
-    x.displacement.tail(after) -= p * problem.column.head(after);
+    for (Index k = 0; k < m; ++k) {
+        const Index i = nodes[static_cast<std::size_t>(k)];
+        x.displacement[i] = target(i) - r[k];
+    }
+    return solved;
 }
 
 void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w) {

@@ -37,21 +37,20 @@ class SetSolver {
 
     /// u = H p afresh
     void load(Loaded& x);
-    /// Improves x until `enough(largest |b - H x| on A, energy estimate of the error)` says so.
-    /// Returns false where `most` iterations were not enough or rounding stops it.
+    /// Improves x until `enough(largest |b - H x| on A, energy estimate of the error)` says so;
+    /// x.displacement is then up to date on A only. Returns false where `most` iterations were not enough or
+    /// rounding stops it.
     bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
                  const std::function<bool(double, double)>& enough, long most);
     /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
     /// entries.
     void tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
 
-    /// Takes the pressure off one node.
-    static void unload(const ContactProblem& problem, Index node, Loaded& x);
-
     long applies() const { return applies_; }
 
   private:
     void precondition(const ContactSet& set, const Eigen::VectorXd& residual, Eigen::VectorXd& z);
+    Eigen::VectorXd column_, sums_;
     FourierOperator forward_, inverse_;
     long applies_ = 0;
 };
