@@ -31,6 +31,9 @@ std::string grid_words(const rough::Account& account) {
         words << " nodes in place of " << account.resolved_nodes;
         if (first > 0)
             words << ", after " << first << " coarser one(s) that did not suffice";
+        if (account.resolved_rows > 0)
+            words << "; the first " << account.resolved_rows << " load steps, the lightest, on the "
+                  << account.resolved_nodes << " nodes themselves";
     } else {
         words << "Solved on " << account.grids.back() << " nodes";
         if (count > 1)
@@ -59,7 +62,7 @@ std::string in_words(const rough::Account& account) {
         words << ". ";
     }
     if (account.accuracy > 0)
-        words << "Against the resolved model's the curve is off by an estimated " << account.estimated_error()
+        words << "Against the resolved model's the curve is off by an estimated " << account.estimated_error
               << " at most, relative, in pressure and secant stiffness; " << account.accuracy
               << " was asked for.";
     else
@@ -75,6 +78,7 @@ json account_json(const rough::Account& account) {
             {"extrapolated", account.extrapolated()},
             {"steps", account.rows},
             {"solved_steps", account.solved_rows},
+            {"resolved_steps", account.resolved_rows},
             {"chromosomes",
              {{"used", chromosomes_json(account.used)},
               {"dropped", chromosomes_json(account.dropped)},
@@ -83,7 +87,7 @@ json account_json(const rough::Account& account) {
             {"solver", name_of(account.solver)},
             {"tolerance", account.tolerance},
             {"seconds", account.seconds},
-            {"estimated_error", account.estimated_error()},
+            {"estimated_error", account.estimated_error},
             {"grid_error", account.grid_error},
             {"step_error", account.step_error},
             {"solver_error", account.solver_error},

@@ -40,7 +40,16 @@ double expected_contact(const ContactProblem& problem, ContactOptions options) {
     }
 }
 
+double apply_cost(double nodes) { return per_transform * nodes * std::log2(2 * nodes); }
+
 } // namespace
+
+double nested_cost(double nodes, double contact, double steps) {
+    return regrowth * per_elimination * contact * contact * contact / 6 +
+           steps * checks_per_step * (apply_cost(nodes) + per_elimination * contact * contact);
+}
+
+double active_set_cost(double nodes, double steps) { return steps * applies_per_step * apply_cost(nodes); }
 
 SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options) {
     std::ostringstream reason;
@@ -51,10 +60,7 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
     const double n = static_cast<double>(problem.nodes()),
                  steps = static_cast<double>(problem.approach.size());
     const double m = std::ceil(expected_contact(problem, options) * n);
-    const double apply = per_transform * n * std::log2(2 * n);
-    const double nested = regrowth * per_elimination * m * m * m / 6 +
-                          steps * checks_per_step * (apply + per_elimination * m * m);
-    const double active_set = steps * applies_per_step * apply;
+    const double nested = nested_cost(n, m, steps), active_set = active_set_cost(n, steps);
     // Half as much again, as the estimate comes from a coarse grid.
     const double memory = 1.5 * GrowingFactor::bytes(static_cast<Index>(m));
     reason.precision(2);

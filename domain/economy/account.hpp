@@ -13,10 +13,12 @@ struct Account {
     std::vector<Index> grids;      ///< nodes of every grid solved, in order
     int read_grids = 1;            ///< the last of them that the answer is read off: several extrapolate
     int rows = 0, solved_rows = 0; ///< load steps asked for, and solved on the last grid
+    int resolved_rows = 0;         ///< the first ones, taken from the resolved grid
     std::vector<ChromosomePlace> used, dropped; ///< both empty for a measured profile
     Window window;                              ///< of the chromosomes dropped, mm
     Solver solver = Solver::automatic;          ///< on the last grid
     double tolerance = 0;                       ///< of an iterative solver
+    double estimated_error = 0;                 ///< all sources together, the worst row
     double grid_error = 0;                      ///< estimated
     double step_error = 0;                      ///< bounded
     double dropped_error = 0;                   ///< bounded
@@ -24,7 +26,6 @@ struct Account {
     double seconds = 0;
 
     bool extrapolated() const { return read_grids > 1; }
-    double estimated_error() const { return grid_error + step_error + dropped_error + solver_error; }
 };
 
 } // namespace rough

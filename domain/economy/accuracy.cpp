@@ -1,6 +1,7 @@
 #include "domain/economy/accuracy.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rough {
 
@@ -18,6 +19,45 @@ ErrorScale error_scale(const Eigen::VectorXd& pressure) {
         if (pressure[j] < floor)
             scale.difference[j] = std::max(scale.difference[j], floor);
     return scale;
+}
+
+Doubt Doubt::known_up_to(Eigen::Index rows, double offset) const {
+    const Eigen::Index rest = pressure.size() - rows;
+    Doubt result = *this;
+    result.pressure.head(rows).setZero();
+    result.difference.head(rows).setZero();
+    result.pressure.tail(rest).array() += std::abs(offset);
+    return result;
+}
+
+Doubt operator+(const Doubt& a, const Doubt& b) {
+    return {a.pressure + b.pressure, a.difference + b.difference};
+}
+
+Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+    const Eigen::VectorXd below = pressure - lower, above = upper - pressure;
+    Doubt doubt{below.cwiseMax(above), below.cwiseMax(above)};
+    for (Eigen::Index j = 1; j < pressure.size(); ++j)
+        doubt.difference[j] = std::max(above[j] + below[j - 1], below[j] + above[j - 1]);
+    return doubt;
+}
+
+Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale) {
+    return doubt.pressure.cwiseQuotient(scale.pressure)
+        .cwiseMax(doubt.difference.cwiseQuotient(scale.difference));
+}
+
+Eigen::Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy) {
+    Eigen::Index known = scale.pressure.size();
+    double worst = 0;
+    for (Eigen::Index j = known - 1; j >= 0; --j) {
+        worst = std::max(worst, doubt.pressure[j] / scale.pressure[j]);
+        if (!(std::max(worst, doubt.difference[j] / scale.difference[j]) <= accuracy))
+            break;
+        if (j == 0 || worst + doubt.pressure[j - 1] / scale.pressure[j] <= accuracy)
+            known = j;
+    }
+    return known;
 }
 
 double relative_error(const Eigen::VectorXd& pressure, const Eigen::VectorXd& resolved) {

@@ -18,6 +18,25 @@ ErrorScale error_scale(const Eigen::VectorXd& pressure);
 /// P_j - P_{j-1}, P_0 = 0.
 Eigen::VectorXd differences(const Eigen::VectorXd& pressure);
 
+/// How far off pressures and their differences from row to row may be, MPa.
+struct Doubt {
+    Eigen::VectorXd pressure, difference;
+
+    /// Without any in the first rows, which are known; the others moved by `offset` (MPa) to join them.
+    Doubt known_up_to(Eigen::Index rows, double offset) const;
+};
+Doubt operator+(const Doubt& a, const Doubt& b);
+
+/// The doubt of pressures whose exact values lie within bounds.
+Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
+
+/// Each row's relative error at most.
+Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale);
+
+/// How many of the first rows must be known for the others, moved to join the last of them, to be within
+/// `accuracy`; all of them where nothing less will do.
+Eigen::Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy);
+
 /// The largest relative error over the rows, in pressure and in secant stiffness, of pressures against
 /// resolved ones at the same displacements.
 double relative_error(const Eigen::VectorXd& pressure, const Eigen::VectorXd& resolved);

@@ -1,5 +1,6 @@
 #include "domain/economy/economy.hpp"
 
+#include "domain/contact/choice.hpp"
 #include "domain/contact/fourier.hpp"
 #include "domain/economy/accuracy.hpp"
 #include "domain/economy/extrapolation.hpp"
@@ -23,7 +24,7 @@ constexpr double step_share = 0.25, solver_share = 0.05;
 /// fifth of the accuracy or so.
 constexpr double window_share = 1.0 / 16;
 /// Elements of the coarsest grid to the finest feature: fewer do not see the profile.
-constexpr double first_elements_per_feature = 6;
+constexpr double first_elements_per_feature = 4.5;
 constexpr Index fewest_elements = 48;
 /// Grids are sqrt(2) apart; a line is drawn through the last four.
 constexpr double grid_ratio = 1.4142135623730951;
@@ -32,20 +33,9 @@ constexpr std::size_t grids_in_line = 4, fewest_in_line = 3;
 constexpr double finest_part = 0.6;
 /// Coarser grids are given up when the estimate, falling as N^-2, would meet the accuracy only at so many
 /// times the finest grid's elements; estimates are erratic.
-constexpr double estimate_order = 2, patience = 2;
-
-/// The bound of relative errors of rows whose exact pressures lie within bounds.
-double bounded_error(const Eigen::VectorXd& pressure, const Bounds& bounds) {
-    const ErrorScale scale = error_scale(pressure);
-    const Eigen::VectorXd below = pressure - bounds.lower, above = bounds.upper - pressure;
-    double worst = 0;
-    for (Index j = 0; j < pressure.size(); ++j) {
-        worst = std::max(worst, std::max(below[j], above[j]) / scale.pressure[j]);
-        const double rise = above[j] + (j ? below[j - 1] : 0), fall = below[j] + (j ? above[j - 1] : 0);
-        worst = std::max(worst, std::max(rise, fall) / scale.difference[j]);
-    }
-    return worst;
-}
+constexpr double estimate_order = 2, patience = 1.3;
+/// The resolved grid's part of an answer may cost so much of the whole curve there.
+constexpr double worth_while = 0.8;
 
 template <typename Member>
 Eigen::VectorXd column(const std::vector<LoadStep>& steps, Index count, Member member) {
@@ -57,15 +47,19 @@ Eigen::VectorXd column(const std::vector<LoadStep>& steps, Index count, Member m
 
 /// By the lemma of README.md, pressures that leave gaps and penetrations of at most r Delta belong to
 /// displacements at most r Delta away.
-double solver_error(const std::vector<LoadStep>& steps, Index count) {
-    const Eigen::VectorXd pressure = column(steps, count, &LoadStep::pressure);
+Doubt solver_doubt(const std::vector<LoadStep>& steps, Index count) {
     Eigen::VectorXd off(count);
     for (Index j = 0; j < count; ++j) {
         const auto at = static_cast<std::size_t>(j);
         const LoadStep& beyond = steps[std::min(at + 1, steps.size() - 1)];
         off[j] = steps[at].kkt_residual * steps[at].displacement * beyond.tangent_stiffness;
     }
-    return bounded_error(pressure, {pressure - off, pressure + off});
+    return doubt_of(off, Eigen::VectorXd::Zero(count), 2 * off);
+}
+
+/// What a curve costs on so many nodes, of which a part touches at its last step, by the faster solver.
+double cost(double nodes, double fraction, double rows) {
+    return std::min(nested_cost(nodes, fraction * nodes, rows), active_set_cost(nodes, rows));
 }
 
 /// What the grids solved so far say, one column a grid.
@@ -110,11 +104,13 @@ class Question {
     /// Widest window of dropped chromosomes that is worth a try, mm.
     double widest_window() const { return window_share * accuracy_ * rows_.front(); }
 
-    /// Answers from coarser grids of the surface, which may lack short waves; false if none is good enough.
+    /// Answers from coarser grids of the surface, which may lack short waves, and from the resolved grid for
+    /// the first rows, where contact is slight: these are the hardest for coarse grids and the cheapest for
+    /// fine ones. False if that is not worth it.
     bool by_coarser_grids(const Surface& surface, const Window& window) {
         const double features = model_.grid.length / surface.finest_feature;
         const double first = std::max<double>(fewest_elements, first_elements_per_feature * features);
-        const double finest = finest_part * static_cast<double>(whole_.nodes());
+        const double finest = finest_part * resolved_nodes();
         const double highest =
             window.width() > 0 ? surface.sampled(model_.grid).heights.maxCoeff() : highest_;
         Ladder ladder;
@@ -130,49 +126,101 @@ class Question {
                 continue;
             const Extrapolation found =
                 extrapolate(ladder.last(), ladder.pressure.rightCols(ladder.line()), whole_.nodes());
-            take(*rows, found.error, dropped_error(window, *rows, found.pressure));
-            const double others = account_.estimated_error() - found.error;
-            if (account_.estimated_error() <= accuracy_) {
-                answer_with(ladder, found);
+            const Sources sources{found.doubt, dropped_doubt(window, *rows, found.pressure),
+                                  solver_doubt(rows->steps, count_)};
+            const ErrorScale scale = error_scale(found.pressure);
+            const double allowed = accuracy_ - rows->error;
+            const Index known = rows_to_know(sources.together(), scale, allowed);
+            const auto touching = [&](Index row) {
+                return row == 0 ? 0 : ladder.fraction(row - 1, ladder.fraction.cols() - 1);
+            };
+            const double costs = cost(resolved_nodes(), touching(known), static_cast<double>(known));
+            const double finer = std::min(next * grid_ratio, finest);
+            const bool last = next >= finest || hopeless(relative(found.doubt, scale), elements, finest);
+            const double stays =
+                last ? worth_while * cost(resolved_nodes(), touching(count_), static_cast<double>(count_))
+                     : cost(finer, touching(count_), static_cast<double>(count_));
+            if (known < count_ && costs <= stays && answer_with(ladder, found, sources, *rows, known))
                 return true;
-            }
-            const double needed = std::pow(found.error / (accuracy_ - others), 1 / estimate_order);
-            if (others >= accuracy_ || needed * static_cast<double>(elements) > patience * finest)
+            if (last)
                 return false;
         }
         return false;
     }
 
     void by_resolved_grid() {
-        const LoadRows rows = solve_rows(whole_, model_.body, rows_, model_.contact, step_share * accuracy_);
+        const LoadRows rows = resolved(rows_);
         account_.grids.push_back(model_.grid.nodes);
-        take(rows, 0, 0);
+        account_.solver = response_.solver = rows.solver;
+        account_.solved_rows = rows.solved;
+        account_.resolved_rows = static_cast<int>(count_);
+        account_.step_error = rows.error;
         response_.pressure = column(rows.steps, count_, &LoadStep::pressure);
         response_.contact_fraction = column(rows.steps, count_, &LoadStep::contact_fraction);
         response_.tangent_stiffness = column(rows.steps, count_, &LoadStep::tangent_stiffness);
+        response_.kkt_residual = column(rows.steps, count_, &LoadStep::kkt_residual);
+        account_.solver_error =
+            relative(solver_doubt(rows.steps, count_), error_scale(response_.pressure)).maxCoeff();
+        account_.estimated_error = account_.step_error + account_.solver_error;
     }
 
     EconomicResponse answer() { return {std::move(response_), std::move(account_)}; }
 
   private:
-    void take(const LoadRows& rows, double grid_error, double dropped_error) {
-        account_.solver = response_.solver = rows.solver;
-        account_.solved_rows = rows.solved;
-        account_.grid_error = grid_error;
-        account_.step_error = rows.error;
-        account_.dropped_error = dropped_error;
-        account_.solver_error = solver_error(rows.steps, count_);
-        response_.kkt_residual = column(rows.steps, count_, &LoadStep::kkt_residual);
+    /// What an answer's errors come from.
+    struct Sources {
+        Doubt grid, dropped, solver;
+        Doubt together() const { return grid + dropped + solver; }
+    };
+
+    double resolved_nodes() const { return static_cast<double>(whole_.nodes()); }
+
+    LoadRows resolved(const std::vector<double>& rows) const {
+        return solve_rows(whole_, model_.body, rows, model_.contact, step_share * accuracy_);
     }
 
-    void answer_with(const Ladder& ladder, const Extrapolation& found) {
-        const auto read = [&](const Eigen::MatrixXd& values) {
-            return extrapolated(ladder.last(), values.rightCols(ladder.line()), whole_.nodes(), 1);
+    /// Whether half the rows would need more elements than there may be.
+    bool hopeless(Eigen::VectorXd errors, Index elements, double finest) const {
+        std::nth_element(errors.begin(), errors.begin() + errors.size() / 2, errors.end());
+        const double times = std::pow(errors[errors.size() / 2] / accuracy_, 1 / estimate_order);
+        return times * static_cast<double>(elements) > patience * finest;
+    }
+
+    /// Takes the answer from the grids, its first rows from the resolved one; false if it is not within the
+    /// accuracy then.
+    bool answer_with(const Ladder& ladder, const Extrapolation& found, const Sources& sources,
+                     const LoadRows& rows, Index known) {
+        const LoadRows first = resolved({rows_.begin(), rows_.begin() + known});
+        const auto joined = [&](Eigen::VectorXd values, auto member) {
+            values.head(known) = column(first.steps, known, member);
+            return values;
         };
-        response_.pressure = found.pressure;
-        response_.contact_fraction = read(ladder.fraction).cwiseMax(0).cwiseMin(1);
-        response_.tangent_stiffness = read(ladder.tangent).cwiseMax(0);
+        const double offset = known == 0 ? 0 : first.steps.back().pressure - found.pressure[known - 1];
+        response_.pressure = joined(found.pressure.array() + offset, &LoadStep::pressure);
+        const ErrorScale scale = error_scale(response_.pressure);
+        const auto error = [&](const Doubt& doubt, double moved) {
+            return relative(doubt.known_up_to(known, moved), scale).maxCoeff();
+        };
+        account_.grid_error = error(sources.grid, offset);
+        account_.dropped_error = error(sources.dropped, 0);
+        account_.solver_error = error(sources.solver, 0);
+        account_.step_error = std::max(rows.error, first.error);
+        account_.estimated_error = error(sources.together(), offset) + account_.step_error;
+        if (!(account_.estimated_error <= accuracy_))
+            return false;
+        const auto read = [&](const Eigen::MatrixXd& values) -> Eigen::VectorXd {
+            return extrapolated(ladder.last(), values.rightCols(ladder.line()), whole_.nodes(), 1)
+                .cwiseMax(0);
+        };
+        response_.contact_fraction = joined(read(ladder.fraction).cwiseMin(1), &LoadStep::contact_fraction);
+        response_.tangent_stiffness = joined(read(ladder.tangent), &LoadStep::tangent_stiffness);
+        response_.kkt_residual =
+            joined(column(rows.steps, count_, &LoadStep::kkt_residual), &LoadStep::kkt_residual);
+        account_.solver = response_.solver = rows.solver;
+        account_.solved_rows = rows.solved;
+        account_.resolved_rows = static_cast<int>(known);
         account_.read_grids = static_cast<int>(ladder.line());
+        return true;
     }
 
     /// The rows on a grid, at displacements from the resolved profile's highest node, in the middle of the
@@ -199,15 +247,13 @@ class Question {
         return rows;
     }
 
-    double dropped_error(const Window& window, const LoadRows& rows, const Eigen::VectorXd& pressure) const {
+    Doubt dropped_doubt(const Window& window, const LoadRows& rows, const Eigen::VectorXd& pressure) const {
         if (window.width() == 0)
-            return 0;
+            return {Eigen::VectorXd::Zero(count_), Eigen::VectorXd::Zero(count_)};
         const double half = 0.5 * window.width();
-        Bounds bounds = pressure_bounds(rows.steps, count_, {-half, half});
+        const Bounds bounds = pressure_bounds(rows.steps, count_, {-half, half});
         const Eigen::VectorXd correction = pressure - column(rows.steps, count_, &LoadStep::pressure);
-        bounds.lower += correction;
-        bounds.upper += correction;
-        return bounded_error(pressure, bounds);
+        return doubt_of(pressure, bounds.lower + correction, bounds.upper + correction);
     }
 
     Surface surface_;

@@ -49,8 +49,8 @@ int main(int count, char** words) {
             const double resolved_ms = 1e3 * static_cast<double>(middle - start) / CLOCKS_PER_SEC;
             const double cheap_ms = 1e3 * static_cast<double>(end - middle) / CLOCKS_PER_SEC;
             const double error = relative_error(cheap.response.pressure, exact.response.pressure);
-            const double estimate = cheap.account.estimated_error();
-            covered += error <= estimate + exact.account.estimated_error();
+            const double estimate = cheap.account.estimated_error;
+            covered += error <= estimate + exact.account.estimated_error;
             within += error <= accuracy;
             cheaper += cheap.account.extrapolated();
             worst = std::max(worst, error / accuracy);
