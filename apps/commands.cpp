@@ -15,6 +15,7 @@ const std::vector<Command>& commands() {
         {"profile", "what a profile is: heights, solid (STL), picture, roughness, spectrum", profile},
         {"run", "run an experiment (.ini): design surfaces and report on them", run},
         {"stability", "try every contact solver where methods fail, and tabulate who fails", stability},
+        {"design", "find a rough profile that answers as a target asks", design},
         {"operators", "list what text pipelines are made of", operators},
     };
     return all;

@@ -16,6 +16,7 @@ struct Command {
 
 int chart(const Words& words);
 int contact(const Words& words);
+int design(const Words& words);
 int database(const Words& words);
 int profile(const Words& words);
 int run(const Words& words);

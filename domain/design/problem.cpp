@@ -1,6 +1,8 @@
 #include "domain/design/problem.hpp"
 
+#include "domain/design/starts.hpp"
 #include "domain/errors.hpp"
+#include "domain/mwm/cross.hpp"
 #include "domain/response/sensitivity.hpp"
 
 #include <algorithm>
@@ -14,6 +16,8 @@ namespace rough {
 namespace {
 
 constexpr Index judged_refinement = 4;
+/// Most nodes at which the direct solver is taken unasked.
+constexpr Index directly_solved = 2048;
 /// Refinement aims this far inside the limits on shape, so that it need not end on their edge.
 constexpr double limit_guard = 2e-3;
 /// A limit's excess in units of misfit.
@@ -190,8 +194,13 @@ double DesignOutcome::similarity() const {
     return 1 - worst;
 }
 
-DesignProblem::DesignProblem(DesignSetup setup) : setup_(std::make_shared<DesignSetup>(std::move(setup))) {
-    check(*setup_);
+DesignProblem::DesignProblem(DesignSetup setup)
+    : DesignProblem(std::make_shared<DesignSetup>(std::move(setup))) {}
+
+DesignProblem::DesignProblem(std::shared_ptr<DesignSetup> setup) : setup_(setup) {
+    check(*setup);
+    if (setup->model.contact.solver == Solver::automatic && setup->model.grid.nodes <= directly_solved)
+        setup->model.contact.solver = Solver::nested; // exact pressures: derivatives to the last digits
     // Below every genome within the limits, by how far it is over them.
     const auto limited = [](double similarity, const Outcome& outcome) {
         return outcome.excess > 0 ? std::min(similarity, 0.0) - 1 - outcome.excess : similarity;
@@ -233,6 +242,18 @@ Genome DesignProblem::settled(Genome genome, const Outcome& outcome) const {
     if (setup_->max_pressure)
         genome.scale = outcome.scale;
     return genome;
+}
+
+Genome DesignProblem::sample(ga::Stream& random) const {
+    return with_fitting_amplitude(*setup_, drawn_start(*setup_, ga::Stream(random())));
+}
+
+void DesignProblem::cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const {
+    rough::cross_points(a, b, cuts, stream);
+}
+
+void DesignProblem::cross_uniform(Genome& a, Genome& b, ga::Stream& stream) const {
+    rough::cross_uniform(a, b, stream);
 }
 
 std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {

@@ -4,6 +4,7 @@
 #include "domain/design/limits.hpp"
 #include "domain/fitness/model.hpp"
 #include "ga/problem.hpp"
+#include "ga/random.hpp"
 
 #include <memory>
 #include <optional>
@@ -39,7 +40,8 @@ class DesignProblem {
     using Genome = rough::Genome;
     using Outcome = DesignOutcome;
 
-    /// Throws InputError on no goals, a goal beyond max_pressure, goals that the set-up cannot load together,
+    /// Where the solver is left open and the grid is small, the direct one is taken. Throws InputError on no
+    /// goals, a goal beyond max_pressure, goals that the set-up cannot load together,
     /// or limits without sense.
     explicit DesignProblem(DesignSetup setup);
 
@@ -54,6 +56,11 @@ class DesignProblem {
     Genome with_genes(const Genome& genome, const std::vector<double>& values) const {
         return rough::with_genes(genome, values);
     }
+    /// A genome drawn blindly (drawn_start), its amplitude fitted where it is free.
+    Genome sample(ga::Stream& random) const;
+    void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const;
+    void cross_uniform(Genome& a, Genome& b, ga::Stream& stream) const;
+
     /// Every gene that may move: phases by half a turn; A by a factor of 10; H, gamma and lambda within the
     /// set-up's bounds, the latter two so that no wave becomes shorter than allowed, both sharing the slack.
     std::vector<ga::Variable> bounds(const Genome& genome) const;
@@ -64,6 +71,8 @@ class DesignProblem {
     const DesignSetup& setup() const { return *setup_; }
 
   private:
+    explicit DesignProblem(std::shared_ptr<DesignSetup> setup);
+
     std::shared_ptr<const DesignSetup> setup_;
     std::vector<ga::Objective<Outcome>> objectives_;
 };

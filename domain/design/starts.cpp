@@ -21,9 +21,11 @@ std::vector<int> drawn_order(Index nodes, bool wraps, ga::Stream& random) {
         double at, width;
     };
     std::vector<Peak> all;
+    // A single one stands near the middle, so that its contact does not reach the ends.
+    const double margin = peaks == 1 ? 0.4 : 0.25;
     for (std::size_t i = 0; i < peaks; ++i) {
         const double place =
-            (static_cast<double>(i) + random.uniform(0.25, 0.75)) / static_cast<double>(peaks);
+            (static_cast<double>(i) + random.uniform(margin, 1 - margin)) / static_cast<double>(peaks);
         all.push_back({place, peaks == 1 ? 1 : random.uniform(0.7, 1)});
     }
     std::vector<double> depth(static_cast<std::size_t>(nodes));

@@ -46,8 +46,8 @@ std::vector<double> load_displacements(double range, const Loading& loading, Ker
 std::vector<double> step_displacements(const Profile& profile, const Body& body, const Loading& loading,
                                        const ContactOptions& options = {});
 
-/// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm, to 12 digits of pressure:
-/// Newton's method on the convex P(Delta). Throws InputError where the periodic profile is in full contact
+/// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm: Newton's method on the convex
+/// P(Delta), to 12 digits of pressure by a direct solver and up to 3 tolerances above it by another. Throws InputError where the periodic profile is in full contact
 /// below it.
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 const ContactOptions& options = {});

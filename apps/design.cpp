@@ -1,0 +1,243 @@
+#include "apps/commands.hpp"
+#include "apps/design_page.hpp"
+#include "apps/design_settings.hpp"
+#include "apps/interrupt.hpp"
+#include "apps/output.hpp"
+#include "apps/progress.hpp"
+#include "apps/recorder.hpp"
+#include "apps/result.hpp"
+#include "apps/table.hpp"
+#include "apps/units.hpp"
+#include "apps/voice.hpp"
+#include "domain/atomic_file.hpp"
+#include "domain/errors.hpp"
+#include "domain/mwm/genome_json.hpp"
+
+#include <omp.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using nlohmann::json;
+
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+json number_or_null(double value) { return std::isfinite(value) ? json(value) : json(); }
+
+json goal_json(const rough::Goal& goal) {
+    const rough::Columns columns = columns_of(goal.quantity);
+    json points = json::array();
+    for (rough::Index k = 0; k < goal.points(); ++k) {
+        json point = {{columns.x, goal.x[k]}, {columns.y, goal.y[k]}};
+        if (goal.has_band())
+            point["lower"] = goal.lower[k], point["upper"] = goal.upper[k];
+        points.push_back(std::move(point));
+    }
+    return {{"name", goal.name}, {"weight", goal.weight}, {"points", std::move(points)}};
+}
+
+json answer_json(const rough::Answer& answer) {
+    return {{"similarity", answer.similarity},
+            {"similarity_refined", answer.similarity_refined},
+            {"difference", answer.difference},
+            {"genome", rough::genome_to_json(answer.genome)}};
+}
+
+json checks_json(const std::vector<rough::Check>& checks) {
+    json all = json::array();
+    for (const auto& check : checks)
+        all.push_back({{"name", check.name}, {"similarity", number_or_null(check.similarity)}});
+    return all;
+}
+
+json trust_json(const rough::Trust& trust) {
+    return {
+        {"checks", checks_json(trust.checks)},
+        {"median", number_or_null(trust.median)},
+        {"tenth_percentile", number_or_null(trust.tenth)},
+        {"other_kernels", checks_json(trust.kernels)},
+        {"phases_redrawn",
+         {{"best", number_or_null(trust.redrawn_best)}, {"median", number_or_null(trust.redrawn_median)}}},
+        {"rms_slope", trust.rms_slope},
+        {"peak_pressure_MPa", trust.peak_pressure},
+        {"shortest_wave_nodes", trust.shortest_wave_nodes},
+        {"contact_at_ends", trust.contact_at_ends},
+        {"flags", trust.flags}};
+}
+
+json design_json(const DesignRun& run) {
+    json result = model_json(run.setup.model);
+    result["version"] = run.version;
+    result["command"] = run.command;
+    result["seed"] = run.options.seed;
+    result["threads"] = run.options.threads > 0 ? run.options.threads : omp_get_max_threads();
+    result["max_pressure_MPa"] = run.setup.max_pressure ? json(*run.setup.max_pressure) : json();
+    result["target"] = goal_json(run.setup.goals.front());
+    for (const rough::Goal& goal : run.setup.goals)
+        result["targets"].push_back(goal_json(goal));
+    result["verdict"] = run.verdict;
+    result["interrupted"] = run.interrupted;
+    result["out_of_reach"] = json::array();
+    for (const auto& reason : run.out_of_reach)
+        result["out_of_reach"].push_back(
+            {{"reason", reason.reason}, {"at", reason.at}, {"highest_similarity", reason.bound}});
+
+    VariantRun variant;
+    variant.name = run.options.variant;
+    variant.stages = run.stages;
+    variant.notes = run.found.notes;
+    variant.answer.genome = run.found.best.genome;
+    variant.answer.response = respond(run.setup, run.found.best.genome, run.setup.model).responses.front();
+    variant.similarity = run.found.best.similarity;
+    variant.similarity_refined = run.found.best.similarity_refined;
+    variant.seconds = run.seconds;
+    variant.curves = run.found.counters.evaluations;
+    variant.gradients = run.found.counters.gradients;
+    json answer = variant_json(variant, run.setup.model);
+    answer["pipeline"] = run.found.pipeline;
+    answer["stopped"] = run.found.stopped;
+    answer["alternatives"] = json::array();
+    for (const auto& alternative : run.found.alternatives)
+        answer["alternatives"].push_back(answer_json(alternative));
+    answer["margins"] = json::array();
+    for (const auto& margin : run.margins)
+        answer["margins"].push_back({{"name", margin.name},
+                                     {"limit", margin.limit > 0 ? json(margin.limit) : json()},
+                                     {"value", margin.value},
+                                     {"margin", margin.limit > 0 ? json(margin.margin()) : json()},
+                                     {"holds", margin.holds()}});
+    answer["within_limits"] = run.found.within_limits;
+    if (run.trust)
+        answer["trust"] = trust_json(*run.trust);
+    result["variants"][run.options.variant] = std::move(answer);
+    return result;
+}
+
+/// The answer's own curve on both grids beside the files' usual columns.
+void write_tables(const DesignRun& run, const std::filesystem::path& folder) {
+    const auto coarse = respond(run.setup, run.found.best.genome, run.setup.model);
+    const rough::Response& response = coarse.responses.front();
+    rough::write_atomically(folder / "answer.csv",
+                            csv({"displacement_mm", "pressure_MPa", "contact_fraction",
+                                 "tangent_stiffness_MPa_per_mm", "kkt_residual"},
+                                {response.displacement, response.pressure, response.contact_fraction,
+                                 response.tangent_stiffness, response.kkt_residual}));
+    rough::write_atomically(folder / "genome.json",
+                            rough::genome_to_json(run.found.best.genome).dump(1) + "\n");
+}
+
+/// Wall time that verifying takes at most, from one answer on both grids.
+double trust_seconds(const DesignRun& run) {
+    const auto start = Clock::now();
+    similarity(run.setup, run.found.best.genome, 4);
+    return 6 * since(start);
+}
+
+int exit_code(const DesignRun& run) {
+    if (run.interrupted)
+        return exit_interrupted;
+    const bool missed = run.options.reach && run.found.best.judged() < *run.options.reach;
+    return missed || !run.out_of_reach.empty() || !run.found.within_limits ? 3 : 0;
+}
+
+} // namespace
+
+std::string verdict_of(const DesignRun& run) {
+    const double judged = run.found.best.judged();
+    std::string line;
+    if (!run.out_of_reach.empty())
+        line = "out of reach of every profile: " + run.out_of_reach.front().reason +
+               "; no similarity is above " + readable(run.bound, 4) + ", the nearest found has " +
+               readable(judged, 4);
+    else if (judged >= run.wanted)
+        line = "found: similarity " + readable(judged, 5) + " on both grids";
+    else
+        line = "not found within the budget: the nearest curve has similarity " + readable(judged, 4) +
+               ", wanted is " + readable(run.wanted, 4);
+    if (!run.found.within_limits)
+        line += "; no answer holds every limit";
+    return line;
+}
+
+int design(const Words& words) {
+    const auto start = Clock::now();
+    if (shows_help(
+            words, "design (--target T.csv | --like SCAN.txt [--unit U]) [flags]",
+            "Finds a rough profile that answers as the target asks, and says what to believe of it. Writes\n"
+            "result.json, genome.json, answer.csv and report.html to a folder. A target is a CSV file with "
+            "the\n"
+            "columns pressure_MPa and stiffness_MPa_per_mm, contact_fraction or conductance, or "
+            "displacement_mm\n"
+            "and contact_fraction or pressure_MPa; columns lower and upper give a tolerance band.\n"
+            "Exit codes: 0 done; 2 wrong use; 3 similarity or limits missed, or the target is out of reach; "
+            "130\n"
+            "interrupted. The best so far is written in every case but wrong use.",
+            design_settings(),
+            {"design --target target.csv", "design --target target.csv --max-pressure 1.6e-4 --seconds 5",
+             "design --like scan.txt --unit um --reach-similarity 0.99",
+             "design --target stiffness.csv,area.csv --weights 1,0.3",
+             "design --target target.csv --largest-slope 0.05 --smallest-radius 0.01",
+             "design --target target.csv --pipeline \"sample 200 | score | best 20 | refine lm 40 | best "
+             "1\""}))
+        return 0;
+    const Settings settings = read_command_line(words, design_settings());
+    DesignRun run = design_from(settings);
+    run.version = RUGOSA_VERSION;
+    run.command = "rugosa design";
+    for (const auto& word : words)
+        run.command += " " + word;
+    const OutputFolder output(settings.text("out"), "design", settings.is_on("force"));
+    const bool pictures = settings.one_of("pictures", {"on", "off"}) == 0;
+    for (const auto& account : run.accounts)
+        say(account);
+
+    const Interrupt interrupt;
+    Progress progress;
+    const double limit = run.options.seconds;
+    // What follows the search: picking on the finer grid, verifying, the report.
+    run.options.seconds = std::max(0.3 * limit, 0.9 * limit - (pictures ? 1.5 : 0.5)) - since(start);
+    run.options.stop = &interrupt.flag();
+    if (!run.out_of_reach.empty())
+        run.options.evaluations = 3000; // the nearest curve is enough
+    double best = -HUGE_VAL;
+    const auto report_progress = [&](const ga::Event<rough::Genome>& event) {
+        for (const auto& individual : event.population)
+            if (individual.fitness.known() && !individual.fitness.has_failed())
+                best = std::max(best, individual.value());
+        progress.show(event.path + ": " + std::to_string(event.counters.asked) + " curves, best " +
+                      readable(best, 5));
+    };
+    run.found = rough::search(run.setup, run.options, {recorder(run.stages), report_progress});
+    run.interrupted = interrupt.asked();
+    run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
+    run.verdict = verdict_of(run);
+    run.seconds = since(start);
+
+    const auto& folder = output.path();
+    rough::write_atomically(folder / "result.json", design_json(run).dump(1) + "\n");
+    write_tables(run, folder);
+    const auto has_time = [&](double needed) { return !interrupt.asked() && since(start) + needed < limit; };
+    if (!run.interrupted) {
+        progress.show("verifying");
+        if (has_time(trust_seconds(run)))
+            run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options);
+        else
+            run.found.notes.push_back("no time was left to verify the answer");
+        run.seconds = since(start);
+        rough::write_atomically(folder / "result.json", design_json(run).dump(1) + "\n");
+        if (pictures && has_time(1))
+            rough::write_atomically(folder / "report.html", design_page(run));
+    }
+    if (run.trust)
+        for (const auto& flag : run.trust->flags)
+            say("note: " + flag);
+    say(folder.string() + ": " + run.verdict + " (" + readable(since(start)) + " s)");
+    return exit_code(run);
+}
+
+} // namespace app

@@ -1,0 +1,61 @@
+#include "domain/design/pipelines.hpp"
+
+namespace rough {
+
+ga::Population<Genome> Shape::operator()(ga::Population<Genome>, ga::Context<DesignProblem>& context) const {
+    ga::Population<Genome> fresh(n);
+    ga::parallel_for(n, context.threads(), [&](std::size_t i) {
+        fresh[i].genome = shaped_start(context.problem().setup(), context.stream(i));
+    });
+    for (auto& individual : fresh)
+        individual.identity = context.new_identity();
+    return fresh;
+}
+
+ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
+    auto registry = ga::vocabulary<DesignProblem>();
+    add_words(registry, Vocabulary{std::make_shared<DominanceRule>(setup.model)});
+    registry.add({"shape",
+                  "roughness",
+                  "n genomes made for the target, contact solved backwards, in the population's place",
+                  {ga::whole("n", std::nullopt, 1, "how many")}},
+                 [](const ga::Arguments& a, const auto&, const auto&) {
+                     return ga::Stage<DesignProblem>(Shape(a.count("n")));
+                 });
+    return registry;
+}
+
+const ga::Variants& design_variants() {
+    static const std::string polish = " | best 2 | score judged | refine lm 6 sharpen=2";
+    static const ga::Variants variants{
+        // Starts near the target; the best are brought down the squares, then towards the maximum norm. While
+        // that is not enough, fresh ones join and length scales of good ones cross. Both grids at the end.
+        {"default",
+         "shape 24 | score | best 8 | refine lm 15 | best 5 | refine lm 25 sharpen=8 | "
+         "until fitness 0.9995 generations 10 { shape 8 | score | best 2 | refine lm 20 | parents | "
+         "tournament 2 size=6 | cross uniform rate=0.7 | mutate 0.05 gaussian 0.02 | score | "
+         "refine lm 25 sharpen=10 | plus 5 }" +
+             polish},
+        // The same effort without a target's shape in the starts and without cross-over: what chance brings.
+        {"multistart",
+         "sample 400 | score | best 60 | refine lm 12 | best 15 | refine lm 60 sharpen=1 | best 3" + polish},
+        // Selection, cross-over of length scales and mutation, no derivative.
+        {"plain",
+         "score | best 50 | repeat 100 { tournament 2 | cross uniform rate=0.8 | mutate 0.1 gaussian 0.05 | "
+         "score | elite 2 } | best 1"},
+        // The paper's algorithms (Algorithms 3-5).
+        {"sog", "score | best 3 | refine gcmma 5 genes=dominant | refine gcmma 2 genes=others | best 1"},
+        {"gco", "pair(score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, unite) | score "
+                "| best 3 "
+                "| refine gcmma 3 genes=dominant | refine gcmma 2 genes=others | best 1"},
+        {"cco",
+         "pair(score low | above 0.95 at_least=3 | reduce dominant, score high | above 0.95 at_least=3 | "
+         "reduce dominant, unite) | score | best 3 | refine gcmma 3 genes=phases | best 1"},
+        // Global optimisers of NLopt on every gene of the best start.
+        {"esch", "score | best 1 | refine nlopt GN_ESCH 5000"},
+        {"crs2", "score | best 1 | refine nlopt GN_CRS2_LM 5000"},
+    };
+    return variants;
+}
+
+} // namespace rough

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "domain/design/starts.hpp"
+#include "domain/variants/vocabulary.hpp"
+
+namespace rough {
+
+/// Puts n genomes made for the target (shaped_start) in the place of the population.
+struct Shape : ga::Operator {
+    std::size_t n;
+
+    explicit Shape(std::size_t count) : n(count) {}
+    std::string text() const { return "shape " + std::to_string(n); }
+    void check(ga::Known& known) const { known.scored.reset(); }
+
+    ga::Population<Genome> operator()(ga::Population<Genome> population,
+                                      ga::Context<DesignProblem>& context) const;
+};
+
+/// What text pipelines for a design are made of: the engine's words, roughness's, and `shape`.
+ga::Registry<DesignProblem> design_registry(const DesignSetup& setup);
+
+/// The ways to search that have a name, as text: `default`, `multistart`, `plain`, `sog`, `gco`, `cco` and
+/// their minimax forms, `esch`, `crs2`. Those that do not begin with `shape` or `sample` work on the Sobol
+/// database.
+const ga::Variants& design_variants();
+
+} // namespace rough

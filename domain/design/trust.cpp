@@ -1,0 +1,187 @@
+#include "domain/design/trust.hpp"
+
+#include "domain/design/starts.hpp"
+#include "ga/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <sstream>
+
+namespace rough {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// 2 L/(pi E*) ln(factor): what a farther datum adds to a displacement for each unit of mean pressure.
+double compliance_of_datum(const Model& model, double factor) {
+    return 2 * model.grid.length / (std::numbers::pi * model.body.effective_modulus) * std::log(factor);
+}
+
+/// The set-up without Eq. 11: the genome's own amplitude, loaded as far as the goals go.
+DesignSetup in_final_amplitude(const DesignSetup& setup) {
+    DesignSetup final = setup;
+    final.max_pressure.reset();
+    return final;
+}
+
+double or_unknown(const std::function<double()>& similarity) {
+    try {
+        return similarity();
+    } catch (const std::exception&) {
+        return unknown;
+    }
+}
+
+double quantile(std::vector<double> values, double part) {
+    std::erase_if(values, [](double value) { return std::isnan(value); });
+    if (values.empty())
+        return unknown;
+    std::sort(values.begin(), values.end());
+    const double place = part * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const double above = values[std::min(below + 1, values.size() - 1)];
+    return values[below] + (place - static_cast<double>(below)) * (above - values[below]);
+}
+
+Model with_kernel(Model model, Kernel kernel) {
+    model.body.kernel = kernel;
+    model.grid.wraps = kernel == Kernel::periodic;
+    if (kernel == Kernel::periodic)
+        model.loading.reach = std::min(model.loading.reach, 0.95);
+    if (kernel == Kernel::strip && !(model.body.strip_width > 0))
+        model.body.strip_width = model.grid.length / 511;
+    if (kernel == Kernel::free && !(model.body.datum > 0))
+        model.body.datum = model.grid.length;
+    return model;
+}
+
+const char* name_of(Kernel kernel) {
+    return kernel == Kernel::free ? "free" : kernel == Kernel::periodic ? "periodic" : "strip";
+}
+
+void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
+                   Trust& trust) {
+    const Profile profile = sample(genome, setup.model.grid);
+    const Index n = profile.nodes();
+    trust.rms_slope = (profile.heights.tail(n - 1) - profile.heights.head(n - 1)).norm() /
+                      (profile.spacing * std::sqrt(static_cast<double>(n - 1)));
+    const DesignResponse response = respond(setup, genome, setup.model);
+    double displacement = 0;
+    for (const Response& one : response.responses)
+        displacement = std::max(displacement, one.displacement.tail(1)[0]);
+    ContactOptions contact = setup.model.contact;
+    contact.states = true;
+    const ContactCurve curve = solve_contact(profile, setup.model.body, {displacement}, contact);
+    const ContactState& state = curve.states.front();
+    trust.peak_pressure = state.pressure.maxCoeff();
+    const auto [least, most] = std::minmax_element(state.nodes.begin(), state.nodes.end());
+    trust.contact_at_ends = setup.model.body.kernel != Kernel::periodic && (*least == 0 || *most == n - 1);
+    trust.shortest_wave_nodes = margins(genome, setup.model.grid, {})[0].value / setup.model.grid.spacing();
+
+    const auto flag = [&](const auto&... parts) {
+        std::ostringstream line;
+        line.precision(3);
+        (line << ... << parts);
+        trust.flags.push_back(line.str());
+    };
+    if (trust.rms_slope > 0.1)
+        flag("rms slope ", trust.rms_slope, " is above 0.1: half-plane theory supposes small slopes");
+    if (options.hardness > 0 && trust.peak_pressure > options.hardness)
+        flag("peak pressure ", trust.peak_pressure, " MPa is above the hardness, ", options.hardness,
+             " MPa: the peaks would flow");
+    if (trust.shortest_wave_nodes < 8 * (1 - 1e-9))
+        flag("the shortest wave has ", trust.shortest_wave_nodes,
+             " nodes, under 8: the grid is part of the answer");
+    if (trust.contact_at_ends)
+        flag("contact reaches the profile's ends, where a real surface would go on");
+}
+
+} // namespace
+
+std::vector<Goal> with_datum(const std::vector<Goal>& goals, const Model& model, double factor) {
+    const double c = compliance_of_datum(model, factor);
+    std::vector<Goal> moved;
+    for (Goal goal : goals) {
+        const auto stiffer = [&](Eigen::VectorXd& K) { K = K.array() / (1 + c * K.array()); };
+        if (goal.quantity == Quantity::stiffness) {
+            stiffer(goal.y);
+            if (goal.has_band())
+                stiffer(goal.lower), stiffer(goal.upper);
+        } else if (goal.quantity == Quantity::load_at_displacement && !goal.has_band()) {
+            goal.x += c * goal.y;
+        } else if (goal.quantity != Quantity::area_at_pressure) {
+            continue;
+        }
+        moved.push_back(std::move(goal));
+    }
+    return moved;
+}
+
+Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options) {
+    Trust trust;
+    std::vector<std::pair<std::string, std::function<double()>>> jobs;
+    const auto under = [&](const Model& model) {
+        return [&setup, &genome, model] { return similarity(setup, respond(setup, genome, model)); };
+    };
+    jobs.emplace_back("as designed", under(setup.model));
+    for (const Index finer : {2, 4})
+        jobs.emplace_back(std::to_string(finer) + " times the nodes", under(refined(setup.model, finer)));
+    Model steps = setup.model;
+    steps.loading.steps *= 4;
+    jobs.emplace_back("4 times the load steps", under(steps));
+    if (setup.model.body.kernel == Kernel::free) {
+        DesignSetup far = in_final_amplitude(setup);
+        far.goals = with_datum(setup.goals, setup.model, 4);
+        far.model.body.datum *= 4;
+        if (!far.goals.empty())
+            jobs.emplace_back("4 times the datum, the target moved with it",
+                              [far, &genome] { return similarity(far, respond(far, genome, far.model)); });
+    }
+    if (options.noise > 0)
+        for (int draw = 0; draw < options.noise_draws; ++draw)
+            jobs.emplace_back("height noise, draw " + std::to_string(draw + 1), [&, draw] {
+                ga::Stream random(
+                    ga::fold(ga::fold(options.seed, "height noise"), static_cast<std::uint64_t>(draw)));
+                Profile noisy = sample(genome, setup.model.grid);
+                for (double& z : noisy.heights)
+                    z += options.noise * random.normal();
+                const DesignSetup final = in_final_amplitude(setup);
+                return similarity(final, respond(final, noisy, final.model));
+            });
+    const std::size_t checks = jobs.size();
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
+        if (kernel != setup.model.body.kernel)
+            jobs.emplace_back(name_of(kernel), under(with_kernel(setup.model, kernel)));
+    const std::size_t kernels = jobs.size();
+    for (int draw = 0; draw < options.phase_draws; ++draw)
+        jobs.emplace_back("", [&, draw] {
+            ga::Stream random(ga::fold(ga::fold(options.seed, "phases"), static_cast<std::uint64_t>(draw)));
+            Genome redrawn = genome;
+            for (Series& series : redrawn.series)
+                for (Chromosome& chromosome :
+                     series.chromosomes) { // the ridge's amplitude stays, its place moves
+                    const double turn = random.uniform(0, 2 * std::numbers::pi);
+                    for (double& phase : chromosome.phases)
+                        phase += turn;
+                }
+            return similarity(setup, with_fitting_amplitude(setup, redrawn));
+        });
+    std::vector<double> values(jobs.size(), unknown);
+    ga::parallel_for(jobs.size(), ga::thread_count(options.threads),
+                     [&](std::size_t i) { values[i] = or_unknown(jobs[i].second); });
+    for (std::size_t i = 0; i < kernels; ++i)
+        (i < checks ? trust.checks : trust.kernels).push_back({jobs[i].first, values[i]});
+    const std::vector<double> checked(values.begin(), values.begin() + static_cast<long>(checks));
+    trust.median = quantile(checked, 0.5);
+    trust.tenth = quantile(checked, 0.1);
+    const std::vector<double> redrawn(values.begin() + static_cast<long>(kernels), values.end());
+    trust.redrawn_best = quantile(redrawn, 1);
+    trust.redrawn_median = quantile(redrawn, 0.5);
+    judge_strains(setup, genome, options, trust);
+    return trust;
+}
+
+} // namespace rough
