@@ -47,14 +47,17 @@ class Evaluator {
                     break;
                 ++counters.asked;
             }
-            const Fingerprint print = identify(problem_, individual.genome);
-            Evaluation<Outcome>& place = memory_.at(print);
-            queue_.push_back({&individual, &place});
+            queue_.push_back({&individual, identify(problem_, individual.genome), nullptr});
+            memory_.prefetch(queue_.back().print);
+        }
+        for (Request& request : queue_) {
+            Evaluation<Outcome>& place = memory_.at(request.print);
+            request.place = &place;
             if (auto* pending = std::get_if<Pending>(&place); pending && !pending->queued) {
-                if (prepaid_.size() > 0 && take_prepaid(print, place))
+                if (prepaid_.size() > 0 && take_prepaid(request.print, place))
                     continue;
                 pending->queued = true;
-                fresh_.push_back({&individual.genome, &place});
+                fresh_.push_back({&request.individual->genome, &place});
             } else {
                 ++counters.remembered;
             }
@@ -124,6 +127,7 @@ class Evaluator {
   private:
     struct Request {
         Individual<Genome>* individual;
+        Fingerprint print;
         const Evaluation<Outcome>* place;
     };
     struct Fresh {

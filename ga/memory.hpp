@@ -24,25 +24,24 @@ class Table {
   public:
     /// Null when there is none.
     Value* find(const Fingerprint& print) {
-        if (index_.empty())
-            return nullptr;
-        for (std::size_t i = print.low & mask();; i = (i + 1) & mask()) {
-            const Slot& slot = index_[i];
-            if (slot.entry == 0)
-                return nullptr;
-            if (slot.tag == tag(print) && entries_[slot.entry - 1].print == print)
-                return &entries_[slot.entry - 1].value;
-        }
+        const std::size_t entry = index_.empty() ? 0 : index_[slot_of(print)].entry;
+        return entry == 0 ? nullptr : &entries_[entry - 1].value;
     }
     /// The value of a fingerprint, made where there is none.
     Value& at(const Fingerprint& print) {
-        if (Value* found = find(print))
-            return *found;
         if (2 * (entries_.size() + 1) > index_.size())
             grow();
-        entries_.push_back({print, {}});
-        place(entries_.size());
-        return entries_.back().value;
+        Slot& slot = index_[slot_of(print)];
+        if (slot.entry == 0) {
+            entries_.push_back({print, {}});
+            slot = {tag(print), static_cast<std::uint32_t>(entries_.size())};
+        }
+        return entries_[slot.entry - 1].value;
+    }
+    /// Lets the processor fetch where a fingerprint will be looked up soon.
+    void prefetch(const Fingerprint& print) const {
+        if (!index_.empty())
+            __builtin_prefetch(&index_[print.low & mask()]);
     }
     std::size_t size() const { return entries_.size(); }
     void clear() { *this = {}; }
@@ -62,17 +61,23 @@ class Table {
 
     static std::uint32_t tag(const Fingerprint& print) { return static_cast<std::uint32_t>(print.high); }
     std::size_t mask() const { return index_.size() - 1; }
-    void place(std::size_t entry) {
-        const Fingerprint& print = entries_[entry - 1].print;
-        std::size_t i = print.low & mask();
-        while (index_[i].entry != 0)
-            i = (i + 1) & mask();
-        index_[i] = {tag(print), static_cast<std::uint32_t>(entry)};
+    /// Where a fingerprint is, or the free slot where it would be.
+    std::size_t slot_of(const Fingerprint& print) const {
+        for (std::size_t i = print.low & mask();; i = (i + 1) & mask()) {
+            const Slot& slot = index_[i];
+            if (slot.entry == 0 || (slot.tag == tag(print) && entries_[slot.entry - 1].print == print))
+                return i;
+        }
     }
     void grow() {
         index_.assign(std::max<std::size_t>(64, 2 * index_.size()), {});
-        for (std::size_t entry = 1; entry <= entries_.size(); ++entry)
-            place(entry);
+        for (std::size_t entry = 1; entry <= entries_.size(); ++entry) {
+            const Fingerprint& print = entries_[entry - 1].print;
+            std::size_t i = print.low & mask();
+            while (index_[i].entry != 0)
+                i = (i + 1) & mask();
+            index_[i] = {tag(print), static_cast<std::uint32_t>(entry)};
+        }
     }
 
     std::deque<Entry> entries_;
@@ -99,6 +104,7 @@ class Memory {
             place = *known;
         return place;
     }
+    void prefetch(const Fingerprint& print) const { young_.prefetch(print); }
     /// Null when it is not remembered.
     const Evaluation<Outcome>* find(const Fingerprint& print) {
         for (auto* half : {&young_, &old_})

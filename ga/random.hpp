@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/random/bernoulli_distribution.hpp>
+#include <boost/random/geometric_distribution.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_01.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
@@ -63,6 +64,34 @@ class Stream {
 
   private:
     std::uint64_t state_;
+};
+
+/// A probability with which each of a row of things is picked, by drawing how many are passed over between
+/// two: a draw for each pick, not for each thing. Under 1e-15 nothing is picked.
+class Chance {
+  public:
+    Chance(double probability)
+        : probability_(probability), sure_(probability >= 1), never_(!(probability > 1e-15)),
+          gaps_(sure_ || never_ ? 0.5 : probability) {}
+
+    double probability() const { return probability_; }
+
+    /// Calls pick(i) for the positions that are picked of 0 .. n-1.
+    template <class Pick>
+    void each(std::size_t n, Stream& stream, Pick pick) const {
+        for (std::size_t i = gap(stream); i < n; i += 1 + gap(stream))
+            pick(i);
+    }
+
+  private:
+    std::size_t gap(Stream& stream) const {
+        constexpr std::size_t beyond = std::numeric_limits<std::size_t>::max() / 2;
+        return sure_ ? 0 : never_ ? beyond : static_cast<std::size_t>(gaps_(stream));
+    }
+
+    double probability_;
+    bool sure_, never_;
+    boost::random::geometric_distribution<std::int64_t> gaps_;
 };
 
 } // namespace ga

@@ -104,6 +104,8 @@ struct Generations : Operator {
             const typename Context<P>::Generation generation(context, frame->next, frame->kept[0]);
             frame->population = body(std::move(frame->population), context);
         }
+        if (end.seconds && watch.seconds() - began >= *end.seconds)
+            context.note("ended on seconds; another run may end elsewhere");
         return std::move(frame->population);
     }
 

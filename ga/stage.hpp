@@ -24,6 +24,8 @@ struct Step {
 /// deriving from this tag, which gives it `|`. One that reads the start of its generation says how much of it
 /// by
 ///     std::size_t reads_of_start() const;                        the best so many; everyone for all
+/// One that needs of a problem what no concept can tell has `template <Problem P> void check_problem()
+/// const`.
 struct Operator {};
 
 constexpr std::size_t everyone = static_cast<std::size_t>(-1);
@@ -51,9 +53,16 @@ class Stage {
 
     Stage() = default;
     template <class Op>
-    requires std::derived_from<Op, Operator> Stage(Op op) {
+    requires(std::derived_from<Op, Operator>) Stage(Op op) {
+        if constexpr (requires { op.template check_problem<P>(); })
+            op.template check_problem<P>();
         if constexpr (Block<Op, P>)
             add(op.template step<P>());
+        else if constexpr (!std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>)
+            static_assert(
+                std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>,
+                "this operator needs what the problem or its genome does not have; see the constraints "
+                "of its operator()");
         else
             add({op.text(), [op](Known& known) { op.check(known); },
                  [op](Population<Genome> population, Context<P>& context) {

@@ -41,7 +41,8 @@ class Log {
         };
     }
 
-    /// Ends the table and gives it its name; a run that had ended before it was resumed has its table already.
+    /// Ends the table and gives it its name; a run that had ended before it was resumed has its table
+    /// already.
     void close() {
         if (position == 0)
             append("");

@@ -31,13 +31,18 @@ struct Refine : Operator {
         known.objective(text(), *known.scored);
     }
 
+    template <Problem P>
+    void check_problem() const {
+        if (method.needs_gradient && !Differentiable<P>)
+            throw UsageError(
+                "stage '" + text() +
+                "' needs the problem's gradient; expected a method without, e.g. nlopt LN_COBYLA");
+    }
+
     template <class P>
     requires Refinable<P, M> Population<typename P::Genome>
     operator()(Population<typename P::Genome> population, Context<P>& context) const {
         using G = typename P::Genome;
-        if (method.needs_gradient && !Differentiable<P>)
-            throw UsageError(context.path() + ": '" + method.text +
-                             "' needs a gradient of the fitness; expected a method without");
         std::vector<Job<P>> jobs;
         for (auto& individual : population)
             if (!individual.fitness.has_failed())

@@ -11,9 +11,14 @@
 
 namespace ga {
 
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+constexpr double above_zero = std::numeric_limits<double>::min();
+
 /// One parameter of an operator: its name, kind, default, range and meaning.
 struct Parameter {
     enum class Kind { number, whole, word, words };
+
+    static constexpr double most = 1e9; ///< of a whole number
 
     std::string name;
     Kind kind;
@@ -26,13 +31,13 @@ struct Parameter {
         if (kind == Kind::word || kind == Kind::words)
             return kind == Kind::word ? "a name" : "names";
         const std::string what = kind == Kind::whole ? "a whole number" : "a number";
-        if (lower > -HUGE_VAL && upper < HUGE_VAL)
-            return what + " from " + ga::number(lower) + " to " + ga::number(upper);
-        return lower > -HUGE_VAL ? what + " from " + ga::number(lower) : what;
+        const std::string from = lower == above_zero ? " above 0"
+                                 : lower > -no_limit ? " from " + ga::number(lower)
+                                                     : "";
+        return what + from +
+               (upper < (kind == Kind::whole ? most : no_limit) ? " to " + ga::number(upper) : "");
     }
 };
-
-constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 inline Parameter number(std::string name, std::optional<std::string> standard, double lower, double upper,
                         std::string meaning) {
@@ -40,7 +45,8 @@ inline Parameter number(std::string name, std::optional<std::string> standard, d
 }
 inline Parameter whole(std::string name, std::optional<std::string> standard, double lower,
                        std::string meaning) {
-    return {std::move(name), Parameter::Kind::whole, std::move(standard), lower, 999999999, std::move(meaning)};
+    return {std::move(name), Parameter::Kind::whole, std::move(standard),
+            lower,           Parameter::most,        std::move(meaning)};
 }
 inline Parameter word(std::string name, std::optional<std::string> standard, std::string meaning) {
     Parameter parameter{std::move(name), Parameter::Kind::word, std::move(standard)};

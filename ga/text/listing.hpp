@@ -8,10 +8,11 @@ namespace ga {
 /// then the combinations and choices of genes that operators take by name.
 template <Problem P>
 std::string listing(const Registry<P>& registry) {
+    constexpr std::size_t column = 44; // of the meanings
     std::string text, group;
     const auto line = [&](const std::string& indent, const std::string& left, const std::string& right) {
         const std::string start = indent + left;
-        text += start + std::string(start.size() < 38 ? 38 - start.size() : 1, ' ') + right + "\n";
+        text += start + std::string(start.size() < column ? column - start.size() : 1, ' ') + right + "\n";
     };
     for (const auto& entry : registry.entries()) {
         if (entry.group != group) {
@@ -32,10 +33,12 @@ std::string listing(const Registry<P>& registry) {
         if (!entry.lacks.empty())
             line("      ", "", "not for this genome: it needs " + entry.lacks);
     }
-    text += "\ncombinations, for pair(left, right, NAME): every left with every right individual\n";
+    line("  ", "pair(left, right, name)",
+         "two pipelines on the same population; combines every left with every right individual");
+    text += "\ncombinations, the names that pair takes\n";
     for (const auto& [combine, meaning] : registry.combines())
         line("  ", combine.name, meaning);
-    text += "\nchoices of genes, for refine ... genes=NAME\n";
+    text += "\nchoices of genes, the names that refine takes for genes\n";
     for (const auto& [variables, meaning] : registry.variables())
         line("  ", variables.name, meaning);
     if constexpr (Bounded<P>)

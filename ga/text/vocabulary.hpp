@@ -103,19 +103,19 @@ void add_mutation(Registry<P>& registry) {
         [](const auto& a, const auto&, const auto&) { return Stage<P>(mutate(a.number("rate"))); });
     registry.template add_if<Mutates<Gaussian, P>>(
         entry(" gaussian", "adds a normal step",
-              {number("sigma", "0.1", 1e-300, no_limit, "deviation, in widths between bounds")}),
+              {number("sigma", "0.1", above_zero, no_limit, "deviation, in widths between bounds")}),
         real_genes, [](const auto& a, const auto&, const auto&) {
             return Stage<P>(mutate(a.number("rate"), gaussian(a.number("sigma"))));
         });
     registry.template add_if<Mutates<UniformStep, P>>(
         entry(" uniform", "adds a uniform step",
-              {number("step", "0.1", 1e-300, no_limit, "largest step, in widths between bounds")}),
+              {number("step", "0.1", above_zero, no_limit, "largest step, in widths between bounds")}),
         real_genes, [](const auto& a, const auto&, const auto&) {
             return Stage<P>(mutate(a.number("rate"), uniform_step(a.number("step"))));
         });
     registry.template add_if<Mutates<Polynomial, P>>(
         entry(" polynomial", "adds a step of polynomial density",
-              {number("eta", "20", 1e-300, no_limit, "the greater, the smaller")}),
+              {number("eta", "20", above_zero, no_limit, "the greater, the smaller")}),
         "real genes with bounds", [](const auto& a, const auto&, const auto&) {
             return Stage<P>(mutate(a.number("rate"), polynomial(a.number("eta"))));
         });

@@ -18,15 +18,15 @@ struct Blend {
     void operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
         edit_genes(problem, a, [&](std::span<double> first) {
             edit_genes(problem, b, [&](std::span<double> second) {
-                each_variable(problem, a, [&](const Variable& variable) {
+                for (const Variable& variable : variables_of(problem, a)) {
                     if (variable.gene >= first.size() || variable.gene >= second.size())
-                        return;
+                        continue;
                     double &x = first[variable.gene], &y = second[variable.gene];
                     const double low = std::min(x, y), high = std::max(x, y), reach = alpha * (high - low);
                     for (double* child : {&x, &y})
                         *child = std::clamp(stream.uniform(low - reach, high + reach), variable.lower,
                                             variable.upper);
-                });
+                }
             });
         });
     }

@@ -25,16 +25,16 @@ void edit_genes(const P& problem, typename P::Genome& genome, Edit edit) {
     }
 }
 
-/// The genes that may move with their bounds: the problem's, or all without bounds.
-template <HasGenes P, class Visit>
-void each_variable(const P& problem, const typename P::Genome& genome, Visit visit) {
+/// The genes that may move with their bounds: the problem's own list, or all without bounds.
+template <HasGenes P>
+decltype(auto) variables_of(const P& problem, const typename P::Genome& genome) {
     if constexpr (Bounded<P>) {
-        for (const Variable& variable : problem.bounds(genome))
-            visit(variable);
+        return problem.bounds(genome);
     } else {
-        const std::size_t n = genes_of(problem, genome).size();
-        for (std::size_t i = 0; i < n; ++i)
-            visit(Variable{i, -HUGE_VAL, HUGE_VAL});
+        std::vector<Variable> all(genes_of(problem, genome).size());
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[i] = {i, -HUGE_VAL, HUGE_VAL};
+        return all;
     }
 }
 

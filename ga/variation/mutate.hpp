@@ -5,13 +5,13 @@
 
 namespace ga {
 
-/// A way to mutate a genome in place, each gene with probability `rate`: `std::string text() const` and,
-/// constrained by what it uses of the problem, `bool operator()(const P&, Genome&, double rate, Stream&)
-/// const`, true when a gene changed.
+/// A way to mutate a genome in place, each gene by its chance: `std::string text() const` and,
+/// constrained by what it uses of the problem, `bool operator()(const P&, Genome&, const Chance&,
+/// Stream&) const`, true when a gene changed.
 template <class Way, class P>
-concept Mutates = Problem<P> &&
-    requires(const Way& way, const P& problem, typename P::Genome& genome, double rate, Stream& stream) {
-    { way(problem, genome, rate, stream) } -> std::same_as<bool>;
+concept Mutates = Problem<P> && requires(const Way& way, const P& problem, typename P::Genome& genome,
+                                         const Chance& chance, Stream& stream) {
+    { way(problem, genome, chance, stream) } -> std::same_as<bool>;
 };
 
 /// Mutates every individual. One that changes loses its fitness; if it was scored, it becomes a child of its
@@ -34,10 +34,11 @@ struct Mutate : Operator {
     template <class P>
     requires Mutates<Way, P> Population<typename P::Genome>
     operator()(Population<typename P::Genome> population, Context<P>& context) const {
+        const Chance chance(rate);
         for (std::size_t i = 0; i < population.size(); ++i) {
             auto& individual = population[i];
             Stream stream = context.stream(i);
-            if (!way(context.problem(), individual.genome, rate, stream))
+            if (!way(context.problem(), individual.genome, chance, stream))
                 continue;
             if (individual.fitness.known())
                 context.make_child(individual, Parents(individual.identity));

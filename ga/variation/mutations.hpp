@@ -9,17 +9,18 @@
 
 namespace ga {
 
-/// Calls change(gene, variable) for the real genes that their chance picks; true when one came out different.
+/// Puts change(gene, variable) in the place of the real genes that their chance picks; true when one came out
+/// different.
 template <HasGenes P, class Change>
-bool mutate_genes(const P& problem, typename P::Genome& genome, double rate, Stream& stream, Change change) {
+bool mutate_genes(const P& problem, typename P::Genome& genome, const Chance& chance, Stream& stream,
+                  Change change) {
     bool changed = false;
     edit_genes(problem, genome, [&](std::span<double> genes) {
-        each_variable(problem, genome, [&](const Variable& variable) {
-            if (!stream.chance(rate))
-                return;
-            double& gene = genes[variable.gene];
+        const auto& variables = variables_of(problem, genome);
+        chance.each(variables.size(), stream, [&](std::size_t i) {
+            double& gene = genes[variables[i].gene];
             const double before = gene;
-            gene = change(before, variable);
+            gene = change(before, variables[i]);
             changed |= gene != before;
         });
     });
@@ -47,8 +48,9 @@ struct Gaussian {
     std::string text() const { return "gaussian " + number(sigma); }
 
     template <HasGenes P>
-    bool operator()(const P& problem, typename P::Genome& genome, double rate, Stream& stream) const {
-        return mutate_genes(problem, genome, rate, stream, [&](double gene, const Variable& variable) {
+    bool operator()(const P& problem, typename P::Genome& genome, const Chance& chance,
+                    Stream& stream) const {
+        return mutate_genes(problem, genome, chance, stream, [&](double gene, const Variable& variable) {
             return reflected(gene + sigma * width(variable) * stream.normal(), variable);
         });
     }
@@ -60,8 +62,9 @@ struct UniformStep {
     std::string text() const { return "uniform " + number(step); }
 
     template <HasGenes P>
-    bool operator()(const P& problem, typename P::Genome& genome, double rate, Stream& stream) const {
-        return mutate_genes(problem, genome, rate, stream, [&](double gene, const Variable& variable) {
+    bool operator()(const P& problem, typename P::Genome& genome, const Chance& chance,
+                    Stream& stream) const {
+        return mutate_genes(problem, genome, chance, stream, [&](double gene, const Variable& variable) {
             return reflected(gene + step * width(variable) * stream.uniform(-1, 1), variable);
         });
     }
@@ -75,8 +78,9 @@ struct Polynomial {
 
     template <HasGenes P>
     requires Bounded<P>
-    bool operator()(const P& problem, typename P::Genome& genome, double rate, Stream& stream) const {
-        return mutate_genes(problem, genome, rate, stream, [&](double gene, const Variable& variable) {
+    bool operator()(const P& problem, typename P::Genome& genome, const Chance& chance,
+                    Stream& stream) const {
+        return mutate_genes(problem, genome, chance, stream, [&](double gene, const Variable& variable) {
             const double width = variable.upper - variable.lower;
             const double u = stream.uniform(), power = eta + 1;
             if (!(width > 0))
@@ -97,8 +101,7 @@ concept Discrete = std::ranges::random_access_range<G> && std::integral<std::ran
     genome[0] = genome[0];
 };
 template <class G>
-concept BitString = Discrete<G> && std::same_as < std::ranges::range_value_t<G>,
-bool > ;
+concept BitString = Discrete<G> &&(std::same_as<std::ranges::range_value_t<G>, bool>);
 
 /// Draws the gene anew: a real one uniformly between its bounds, a whole number among its other values, a bit
 /// flipped.
@@ -106,31 +109,34 @@ struct Reset {
     std::string text() const { return "reset"; }
 
     template <Problem P>
-    requires(BitString<typename P::Genome> || (Bounded<P> && (Discrete<typename P::Genome> || HasGenes<P>))) bool
-    operator()(const P& problem, typename P::Genome& genome, double rate, Stream& stream) const {
+    requires(BitString<typename P::Genome> ||
+             (Bounded<P> && (Discrete<typename P::Genome> || HasGenes<P>))) bool
+    operator()(const P& problem, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
         if constexpr (BitString<typename P::Genome>) {
             bool changed = false;
-            for (std::size_t i = 0; i < genome.size(); ++i)
-                if (stream.chance(rate)) {
-                    genome[i] = !genome[i];
-                    changed = true;
-                }
+            chance.each(genome.size(), stream, [&](std::size_t i) {
+                genome[i] = !genome[i];
+                changed = true;
+            });
             return changed;
         } else if constexpr (Discrete<typename P::Genome>) {
             using Gene = std::ranges::range_value_t<typename P::Genome>;
             bool changed = false;
-            for (const Variable& variable : problem.bounds(genome))
-                if (stream.chance(rate) && variable.upper >= variable.lower + 1) {
-                    const auto others = static_cast<std::size_t>(variable.upper - variable.lower);
-                    const auto value = static_cast<Gene>(static_cast<Gene>(variable.lower) +
-                                                         static_cast<Gene>(stream.below(others)));
-                    Gene& gene = genome[variable.gene];
-                    gene = static_cast<Gene>(value + (value >= gene ? 1 : 0));
-                    changed = true;
-                }
+            const auto& variables = problem.bounds(genome);
+            chance.each(variables.size(), stream, [&](std::size_t i) {
+                const Variable& variable = variables[i];
+                if (variable.upper < variable.lower + 1)
+                    return;
+                const auto others = static_cast<std::size_t>(variable.upper - variable.lower);
+                const auto value = static_cast<Gene>(static_cast<Gene>(variable.lower) +
+                                                     static_cast<Gene>(stream.below(others)));
+                Gene& gene = genome[variable.gene];
+                gene = static_cast<Gene>(value + (value >= gene ? 1 : 0));
+                changed = true;
+            });
             return changed;
         } else {
-            return mutate_genes(problem, genome, rate, stream, [&](double, const Variable& variable) {
+            return mutate_genes(problem, genome, chance, stream, [&](double, const Variable& variable) {
                 return stream.uniform(variable.lower, variable.upper);
             });
         }
@@ -154,17 +160,18 @@ struct Swap {
 
     template <Problem P>
     requires Ordered<typename P::Genome>
-    bool operator()(const P&, typename P::Genome& genome, double rate, Stream& stream) const {
+    bool operator()(const P&, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
         auto& genes = places(genome);
         bool changed = false;
-        for (std::size_t i = 0; i < genes.size() && genes.size() > 1; ++i)
-            if (stream.chance(rate)) {
-                const std::size_t j = (i + 1 + stream.below(genes.size() - 1)) % genes.size();
-                const auto kept = genes[i];
-                genes[i] = genes[j];
-                genes[j] = kept;
-                changed = true;
-            }
+        if (genes.size() < 2)
+            return false;
+        chance.each(genes.size(), stream, [&](std::size_t i) {
+            const std::size_t j = (i + 1 + stream.below(genes.size() - 1)) % genes.size();
+            const auto kept = genes[i];
+            genes[i] = genes[j];
+            genes[j] = kept;
+            changed = true;
+        });
         return changed;
     }
 };
@@ -175,16 +182,17 @@ struct Reverse {
 
     template <Problem P>
     requires Ordered<typename P::Genome>
-    bool operator()(const P&, typename P::Genome& genome, double rate, Stream& stream) const {
+    bool operator()(const P&, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
         auto& genes = places(genome);
         bool changed = false;
-        for (std::size_t i = 0; i < genes.size() && genes.size() > 1; ++i)
-            if (stream.chance(rate)) {
-                const std::size_t j = (i + 1 + stream.below(genes.size() - 1)) % genes.size();
-                const auto at = [&](std::size_t k) { return genes.begin() + static_cast<std::ptrdiff_t>(k); };
-                std::reverse(at(std::min(i, j)), at(std::max(i, j) + 1));
-                changed = true;
-            }
+        if (genes.size() < 2)
+            return false;
+        chance.each(genes.size(), stream, [&](std::size_t i) {
+            const std::size_t j = (i + 1 + stream.below(genes.size() - 1)) % genes.size();
+            const auto at = [&](std::size_t k) { return genes.begin() + static_cast<std::ptrdiff_t>(k); };
+            std::reverse(at(std::min(i, j)), at(std::max(i, j) + 1));
+            changed = true;
+        });
         return changed;
     }
 };
@@ -202,15 +210,15 @@ struct Natural {
 
     template <Problem P>
     requires(MutatesItself<P> || Mutates<Reset, P> || HasGenes<P> || Ordered<typename P::Genome>) bool
-    operator()(const P& problem, typename P::Genome& genome, double rate, Stream& stream) const {
+    operator()(const P& problem, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
         if constexpr (MutatesItself<P>)
-            return problem.mutate(genome, rate, stream);
+            return problem.mutate(genome, chance.probability(), stream);
         else if constexpr (std::same_as<typename P::Genome, Permutation>)
-            return Swap()(problem, genome, rate, stream);
+            return Swap()(problem, genome, chance, stream);
         else if constexpr (HasGenes<P>)
-            return Gaussian{0.1}(problem, genome, rate, stream);
+            return Gaussian{0.1}(problem, genome, chance, stream);
         else
-            return Reset()(problem, genome, rate, stream);
+            return Reset()(problem, genome, chance, stream);
     }
 };
 

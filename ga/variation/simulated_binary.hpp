@@ -20,10 +20,10 @@ struct SimulatedBinary {
     void operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
         edit_genes(problem, a, [&](std::span<double> first) {
             edit_genes(problem, b, [&](std::span<double> second) {
-                each_variable(problem, a, [&](const Variable& variable) {
+                for (const Variable& variable : variables_of(problem, a)) {
                     if (variable.gene < first.size() && variable.gene < second.size() && stream.chance(0.5))
                         cross(first[variable.gene], second[variable.gene], variable, stream);
-                });
+                }
             });
         });
     }

@@ -65,6 +65,13 @@ TEST_CASE("failing evaluations inside a refinement are walked around") {
     }
 }
 
+TEST_CASE("a gradient method is refused for a problem without a gradient when the pipeline meets it") {
+    CHECK_THROWS_WITH(
+        Stage<CurveFit>(score() | refine(nlopt_method("LD_LBFGS", 5))),
+        "stage 'refine nlopt LD_LBFGS 5 genes=all' needs the problem's gradient; expected a method without, "
+        "e.g. nlopt LN_COBYLA");
+}
+
 TEST_CASE("an unknown NLopt algorithm is refused by name") {
     CHECK_THROWS_WITH(nlopt_method("LN_NONE", 5),
                       "refine nlopt: unknown algorithm 'LN_NONE'; expected one of NLopt's, e.g. LN_COBYLA");

@@ -84,6 +84,8 @@ TEST_CASE("until ends at the first condition that holds") {
     CHECK(generations({.generations = 7}) == 7);
     CHECK(generations({.generations = 7, .evaluations = 60}) == 3);
     CHECK(generations({.seconds = 0}) == 0);
+    CHECK(run(until({.seconds = 0}, body), Vectors{}, start, {.variant = "v"}).notes ==
+          std::vector<std::string>{"v/until.1: ended on seconds; another run may end elsewhere"});
     CHECK(generations({.generations = 5, .fitness = -100}) == 0);
     const auto reached = run(until({.fitness = -1e-3}, body), Vectors{}, start);
     CHECK(reached.best->value() >= -1e-3);
