@@ -180,6 +180,7 @@ int design(const Words& words) {
             design_settings(),
             {"design --target target.csv", "design --target target.csv --max-pressure 1.6e-4 --seconds 5",
              "design --like scan.txt --unit um --reach-similarity 0.99",
+             "design --target target.csv --database genomes.db --seconds 1",
              "design --target stiffness.csv,area.csv --weights 1,0.3",
              "design --target target.csv --largest-slope 0.05 --smallest-radius 0.01",
              "design --target target.csv --pipeline \"sample 200 | score | best 20 | refine lm 40 | best "
@@ -200,7 +201,8 @@ int design(const Words& words) {
     Progress progress;
     const double limit = run.options.seconds;
     // What follows the search: picking on the finer grid, verifying, the report.
-    run.options.seconds = std::max(0.3 * limit, 0.9 * limit - (pictures ? 1.5 : 0.5)) - since(start);
+    const double afterwards = pictures && limit >= 5 ? 1.5 : std::min(0.5, 0.15 * limit);
+    run.options.seconds = std::max(0.3 * limit, 0.9 * limit - afterwards) - since(start);
     run.options.stop = &interrupt.flag();
     if (!run.out_of_reach.empty())
         run.options.evaluations = 3000; // the nearest curve is enough

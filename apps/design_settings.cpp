@@ -3,6 +3,7 @@
 #include "apps/model_settings.hpp"
 #include "apps/scan_settings.hpp"
 #include "apps/units.hpp"
+#include "domain/database/starts.hpp"
 #include "domain/errors.hpp"
 
 #include <sstream>
@@ -110,7 +111,9 @@ std::vector<Setting> design_settings() {
         {"resistivity", "", "rho1 + rho2 of a conductance target, C = 2 K/(E* (rho1 + rho2))"},
         {"max-pressure", "",
          "rescale every genome to this mean pressure at full approach (Eq. 11), MPa [amplitude is a gene]"},
-        {"variant", "default", "how to search: a named pipeline (rugosa operators)"},
+        {"database", "", "genome database whose stored curves nearest to the target the search begins from"},
+        {"variant", "",
+         "how to search: a named pipeline (rugosa operators) [default; with --database: in-line]"},
         {"pipeline", "", "how to search: a pipeline as text, in place of a variant"},
         {"seconds", "", "wall time of the whole program [until the pipeline ends]"},
         {"reach-similarity", "",
@@ -203,7 +206,9 @@ DesignRun design_from(const Settings& settings) {
     if (settings.given("variant") && settings.given("pipeline"))
         throw rough::InputError("design: expected either --variant or --pipeline");
     rough::SearchOptions& options = run.options;
-    options.variant = settings.text("variant");
+    options.variant = settings.has("variant")    ? settings.text("variant")
+                      : settings.has("database") ? "in-line"
+                                                 : "default";
     options.pipeline = settings.text("pipeline");
     if (!options.pipeline.empty())
         options.variant = "pipeline";
@@ -222,6 +227,18 @@ DesignRun design_from(const Settings& settings) {
         run.trust_options.hardness = settings.positive("hardness");
     run.trust_options.seed = options.seed;
     run.trust_options.threads = options.threads;
+
+    if (settings.has("database")) {
+        const auto store = rough::GenomeStore::open(settings.text("database"));
+        const std::size_t count = options.variant == "in-line" ? 8 : 100;
+        options.starts = rough::stored_starts(store, setup, count, options.threads);
+        if (options.starts.empty())
+            throw rough::InputError(settings.text("database") +
+                                    ": no stored curve reaches as far as the target");
+        run.accounts.push_back(settings.text("database") + ": " + std::to_string(store.stored()) +
+                               " stored curves screened, the search begins from the nearest " +
+                               std::to_string(options.starts.size()));
+    }
 
     run.out_of_reach = rough::out_of_reach(setup);
     for (const auto& reason : run.out_of_reach)

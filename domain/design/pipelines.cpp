@@ -36,6 +36,10 @@ const ga::Variants& design_variants() {
          "tournament 2 size=6 | cross uniform rate=0.7 | mutate 0.05 gaussian 0.02 | score | "
          "refine lm 25 sharpen=10 | plus 5 }" +
              polish},
+        // Stored genomes that are near already, brought nearer at once: the paper's in-line control.
+        {"in-line",
+         "score | refine lm 12 | best 4 | refine lm 30 sharpen=8 | best 2 | refine lm 200 sharpen=5" +
+             polish},
         // The same effort without a target's shape in the starts and without cross-over: what chance brings.
         {"multistart",
          "sample 400 | score | best 60 | refine lm 12 | best 15 | refine lm 60 sharpen=1 | best 3" + polish},

@@ -125,13 +125,17 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     run.threads = options.threads;
     run.budget = {options.evaluations, options.seconds, options.stop};
     const std::string text = stage.text();
+    if (!options.starts.empty() && makes_its_own_starts(text))
+        throw InputError("design: the pipeline '" + text +
+                         "' makes its own starts, expected one that begins with those given (score | ...)");
     SearchResult result;
     ga::Population<Genome> population;
     result.pipeline = text;
     try {
         const std::vector<Genome> starts =
-            makes_its_own_starts(text) ? std::vector<Genome>{shaped_start(setup, ga::Stream(options.seed))}
-                                       : database_for(setup, options.threads);
+            !options.starts.empty()      ? options.starts
+            : makes_its_own_starts(text) ? std::vector<Genome>{shaped_start(setup, ga::Stream(options.seed))}
+                                         : database_for(setup, options.threads);
         auto found = ga::run(stage, problem, ga::population(starts), run, observers);
         for (const auto& individual : found.population)
             archive.offer(individual);

@@ -7,6 +7,8 @@ namespace rough {
 struct SearchOptions {
     std::string variant = "default"; ///< first word of every path
     std::string pipeline;            ///< text; empty: the named variant's
+    std::vector<Genome> starts =
+        {}; ///< the population to begin with; empty: the pipeline's own, or the Sobol database
     std::uint64_t seed = 1;
     int threads = 0;
     double seconds = std::numeric_limits<double>::infinity();

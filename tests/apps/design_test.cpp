@@ -196,3 +196,30 @@ TEST_CASE("what a design cannot be asked is refused in one line that names it") 
         CHECK(ended.err.find(name) != std::string::npos);
     }
 }
+
+TEST_CASE("a design begins from a database's nearest curves and is better than they are") {
+    const Folder folder;
+    const std::string target =
+        " --target '" RUGOSA_TEST_DATA "/target_heldout.csv' --nodes 128 --pictures off";
+    REQUIRE(rugosa("database build g.db --genomes 2000 --nodes 128", folder.path()).code == 0);
+    const Ended nearest = rugosa(
+        "database query g.db --best 1 --target '" RUGOSA_TEST_DATA "/target_heldout.csv'", folder.path());
+    const auto row = nearest.out.find("\n   1 ");
+    REQUIRE(row != std::string::npos);
+    double stored = 0;
+    REQUIRE(std::sscanf(nearest.out.c_str() + row, " 1 %*d %lf", &stored) == 1);
+    const Ended ended = rugosa("design --database g.db --out r" + target, folder.path());
+    INFO(ended.out << ended.err);
+    REQUIRE(ended.code == 0);
+    CHECK_THAT(ended.out, Catch::Contains("2000 stored curves screened"));
+    const json result = json::parse(rough::read_whole(folder / "r" / "result.json"));
+    CHECK(result["variants"]["in-line"]["similarity"].get<double>() > stored);
+    for (const std::string words :
+         {"--database none.db", "--database g.db --steps 10", "--database g.db --variant default"}) {
+        const Ended refused = rugosa("design " + words + " --out other" + target, folder.path());
+        INFO(words << ": " << refused.err);
+        CHECK(refused.code == 2);
+        CHECK(refused.error_lines() == 1);
+    }
+    CHECK_FALSE(std::filesystem::exists(folder / "other"));
+}
