@@ -6,6 +6,7 @@
 #include "apps/report/paper_page.hpp"
 #include "apps/result.hpp"
 #include "apps/units.hpp"
+#include "apps/variants_experiment.hpp"
 #include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
@@ -55,6 +56,37 @@ nlohmann::json result_json(const PaperRun& run, const TargetRun& target) {
     return result;
 }
 
+/// What the experiment is of, before its keys are known.
+std::string kind_of(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+    std::vector<Setting> any = paper_settings();
+    for (const Setting& setting : variants_settings())
+        any.push_back(setting);
+    for (const char* section : {"experiment.*", "targets.*", "variants.*"})
+        any.push_back({section, "", ""});
+    return read_ini(file, any, overrides).text("experiment.kind");
+}
+
+int run_variants(const Words& given, const Settings& flags, const std::vector<std::string>& overrides) {
+    if (flags.is_on("resume"))
+        throw rough::InputError(
+            "--resume: given with an experiment of kind variants, which keeps no checkpoints");
+    const std::filesystem::path file = flags.text("experiment");
+    const Settings settings = read_ini(file, variants_settings(), overrides);
+    const OutputFolder output(flags.text("out"), file.stem().string(), flags.is_on("force"));
+    const Interrupt interrupt;
+    Progress progress;
+    Race race = run_race(settings, progress, interrupt.flag());
+    race.version = RUGOSA_VERSION;
+    race.command = "rugosa run";
+    for (const auto& word : given)
+        race.command += " " + word;
+    write_race(race, output.path());
+    if (flags.one_of("pictures", {"on", "off"}) == 0)
+        rough::write_atomically(output.path() / "report.html", race_page(race));
+    say(output.path().string() + ": " + readable(race.seconds) + " s");
+    return interrupt.asked() ? exit_interrupted : 0;
+}
+
 } // namespace
 
 int run(const Words& given) {
@@ -75,6 +107,8 @@ int run(const Words& given) {
             overrides.push_back(std::string("experiment.") + key + "=" + flags.text(key));
 
     const std::filesystem::path file = flags.text("experiment");
+    if (kind_of(file, overrides) == "variants")
+        return run_variants(given, flags, overrides);
     const Settings settings = read_ini(file, paper_settings(), overrides);
     const bool resume = flags.is_on("resume");
     if (resume && !flags.has("out"))

@@ -97,8 +97,7 @@ void validate(const Goal& goal) {
 Goal read_goal(const std::filesystem::path& file, double conductance_to_stiffness) {
     std::ifstream in(file);
     if (!in || std::filesystem::is_directory(file))
-        throw InputError(file.string() + ": cannot be read, expected a target (CSV), with " +
-                         expected_columns);
+        throw InputError(file.string() + ": cannot be read, expected a target (CSV)");
     Goal goal;
     goal.name = file.string();
     std::vector<std::string> header;

@@ -41,8 +41,11 @@ const ga::Variants& design_variants() {
          "score | refine lm 12 | best 4 | refine lm 30 sharpen=8 | best 2 | refine lm 200 sharpen=5" +
              polish},
         // The same effort without a target's shape in the starts and without cross-over: what chance brings.
-        {"multistart",
-         "sample 400 | score | best 60 | refine lm 12 | best 15 | refine lm 60 sharpen=1 | best 3" + polish},
+        {"multistart", "sample 60 | score | best 12 | refine lm 12 | best 4 | refine lm 60 sharpen=1 | until "
+                       "fitness 0.9995 "
+                       "generations 8 { sample 60 | score | best 12 | refine lm 12 | best 4 | refine lm 60 "
+                       "sharpen=1 | plus 4 }" +
+                           polish},
         // Selection, cross-over of length scales and mutation, no derivative.
         {"plain",
          "score | best 50 | repeat 100 { tournament 2 | cross uniform rate=0.8 | mutate 0.1 gaussian 0.05 | "

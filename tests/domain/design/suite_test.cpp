@@ -1,0 +1,42 @@
+#include "domain/design/out_of_reach.hpp"
+#include "domain/design/search.hpp"
+#include "tests/domain/design/suite.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+TEST_CASE(
+    "of twenty targets those that a profile can meet are met on both grids, the others called out of reach",
+    "[long]") {
+    int attainable = 0, met = 0;
+    for (const suite::Asked& asked : suite::targets()) {
+        DesignSetup setup;
+        setup.goals = {asked.goal};
+        setup.limits.shortest_wave = 8 * setup.model.grid.spacing();
+        INFO(asked.goal.name);
+        CHECK(out_of_reach(setup).empty() == asked.attainable);
+        if (!asked.attainable)
+            continue;
+        ++attainable;
+        SearchOptions options;
+        options.reach = 0.99;
+        const Answer best = search(setup, options).best;
+        WARN(asked.goal.name << ": " << best.similarity << ", refined " << best.similarity_refined);
+        met += best.judged() >= 0.99;
+    }
+    CHECK(attainable == 17);
+    CHECK(met >= 16);
+}
+
+TEST_CASE("the drawn target is met to 0.999 on both grids from any seed", "[long]") {
+    DesignSetup setup;
+    setup.goals = {read_goal(RUGOSA_TEST_DATA "/target_paper.csv")};
+    setup.max_pressure = 1.6e-4;
+    setup.limits.shortest_wave = 8 * setup.model.grid.spacing();
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        SearchOptions options;
+        options.seed = seed;
+        CHECK(search(setup, options).best.judged() >= 0.999);
+    }
+}
