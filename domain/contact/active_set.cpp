@@ -70,6 +70,15 @@ class ActiveSet {
         for (Index i = 0; i < problem_.nodes(); ++i)
             load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
         set_.collect();
+        // The guess errs in its pressures more than in its set: those first.
+        improve(approach, loosening * b);
+    }
+
+    void improve(double approach, double target) {
+        solver_.improve(
+            set_, [&](Index i) { return approach - problem_.gap[i]; }, load_,
+            [&](double largest, double) { return largest <= target * approach; }, most_iterations);
+        stale_ = true;
     }
 
     double residual(const Loaded& x, double approach) const {
@@ -83,7 +92,6 @@ class ActiveSet {
 
     void settle(double approach, double tolerance) {
         double target = 1;
-        auto goal = [&](Index i) { return approach - problem_.gap[i]; };
         for (int round = 0; round < most_rounds; ++round) {
             check_stop(options_);
             const double least = 0.3 * std::min(target, tolerance) * approach;
@@ -102,9 +110,7 @@ class ActiveSet {
                     return;
                 target = std::max(finest, std::min(0.5 * target, trusted));
             }
-            solver_.improve(
-                set_, goal, load_, [&](double largest, double) { return largest <= target * approach; },
-                most_iterations);
+            improve(approach, target);
         }
     }
 
@@ -121,7 +127,7 @@ class ActiveSet {
         }
         if (stale_ || !dropped.empty())
             solver_.load(load_);
-        stale_ = true;
+        stale_ = false;
         depth_ = approach - (problem_.gap + load_.displacement).array();
         const std::vector<int> added =
             dropped.empty() ? advancing_nodes(depth_, set_.touching(), least) : std::vector<int>();
