@@ -17,6 +17,7 @@ const std::vector<Command>& commands() {
         {"stability", "try every contact solver where methods fail, and tabulate who fails", stability},
         {"design", "find a rough profile that answers as a target asks", design},
         {"operators", "list what text pipelines are made of", operators},
+        {"target", "make target files for a design, or check one", target},
     };
     return all;
 }

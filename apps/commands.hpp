@@ -20,6 +20,7 @@ int design(const Words& words);
 int database(const Words& words);
 int profile(const Words& words);
 int run(const Words& words);
+int target(const Words& words);
 int stability(const Words& words);
 int operators(const Words& words);
 

@@ -31,23 +31,6 @@ double conductance_to_stiffness(const Settings& settings, const rough::Model& mo
                                        : 0;
 }
 
-void expect_same_model(const rough::Goal& goal, const rough::Model& model) {
-    const auto own = recorded_model(model);
-    for (const auto& [key, value] : goal.recorded) {
-        const auto found = own.find(key);
-        if (found == own.end())
-            continue;
-        const bool number = key != "kernel";
-        const bool same =
-            number ? std::abs(number_from(value, goal.name + ": " + key) - number_from(found->second, key)) <=
-                         1e-9 * std::abs(number_from(found->second, key))
-                   : value == found->second;
-        if (!same)
-            throw rough::InputError(goal.name + ": recorded with " + key + " " + value + ", the model has " +
-                                    found->second + ", expected the same: the target depends on it");
-    }
-}
-
 std::vector<rough::Goal> goals_from(const Settings& settings, const rough::Model& model) {
     std::vector<rough::Goal> goals;
     for (const std::string& file : listed(settings.text("target"))) {
@@ -158,6 +141,23 @@ std::map<std::string, std::string> recorded_model(const rough::Model& model) {
     if (model.body.kernel == rough::Kernel::strip)
         recorded["strip_width_mm"] = exact(model.body.strip_width);
     return recorded;
+}
+
+void expect_same_model(const rough::Goal& goal, const rough::Model& model) {
+    const auto own = recorded_model(model);
+    for (const auto& [key, value] : goal.recorded) {
+        const auto found = own.find(key);
+        if (found == own.end())
+            continue;
+        const bool number = key != "kernel";
+        const bool same =
+            number ? std::abs(number_from(value, goal.name + ": " + key) - number_from(found->second, key)) <=
+                         1e-9 * std::abs(number_from(found->second, key))
+                   : value == found->second;
+        if (!same)
+            throw rough::InputError(goal.name + ": recorded with " + key + " " + value + ", the model has " +
+                                    found->second + ", expected the same: the target depends on it");
+    }
 }
 
 rough::Goal goal_like(const rough::Profile& profile, const rough::Model& model, const std::string& name,

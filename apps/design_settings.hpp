@@ -16,6 +16,9 @@ DesignRun design_from(const Settings& settings);
 rough::Goal goal_like(const rough::Profile& profile, const rough::Model& model, const std::string& name,
                       rough::Index points, double highest);
 
+/// Throws rough::InputError where what the goal's file records of its model is not so.
+void expect_same_model(const rough::Goal& goal, const rough::Model& model);
+
 /// What a target file records of its model.
 std::map<std::string, std::string> recorded_model(const rough::Model& model);
 
