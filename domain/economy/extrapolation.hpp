@@ -19,7 +19,7 @@ struct Extrapolation {
 /// a random sign, and falls as N^-1.5 to N^-2. Two grids would extrapolate the noise; over several, unequal
 /// ones it averages out, and what is left of it tells how far to trust the line. The doubt of a row is the
 /// larger of the extrapolated distance and the line's standard error, times 2.3 (3 with three grids): factors
-/// set on random scenes and checked on others (README.md).
+/// tuned on random scenes (README.md).
 ///
 /// `grids` in elements, at least 3; `pressures` one column a grid, all at the same displacements.
 Extrapolation extrapolate(const std::vector<Index>& grids, const Eigen::MatrixXd& pressures, Index resolved);

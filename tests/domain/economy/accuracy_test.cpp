@@ -170,7 +170,8 @@ TEST_CASE("an accuracy that is no accuracy is refused") {
     CHECK_THROWS_AS(respond_within(genome, model_on(Kernel::free, genome), 2), InputError);
 }
 
-// On other scenes than those the estimate's factors were set on (README.md).
+// These scenes were in view when the estimate's factors were tuned (README.md): this guards the coverage, and is no
+// held-out check of it.
 TEST_CASE("the estimated error covers the true one on at least 95 % of random scenes", "[long]") {
     for (const double accuracy : {1e-2, 1e-3, 1e-4}) {
         int covered = 0, scenes = 0;
