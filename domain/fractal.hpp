@@ -16,7 +16,8 @@ Profile fractal_profile(const Grid& grid, double hurst, double rms, std::uint64_
 
 /// The waves of a profile from `shortest` (exclusive) to `longest` (inclusive), mm.
 struct Band {
-    double longest, shortest;
+    double longest;          ///< wave length, mm
+    double shortest;         ///< wave length, mm, less than `longest`
     Eigen::VectorXd heights; ///< mm, mean 0
 };
 

@@ -18,7 +18,7 @@ struct Roughness {
     double m0 =
         0; ///< spectral moments: mean squares of height (mm^2), gradient and second derivative (1/mm^2);
     double m2 = 0; ///< the integral of q^n C(q) over wave numbers q, rad/mm, for n = 0, 2, 4 (Nayak 1971)
-    double m4 = 0;
+    double m4 = 0; ///< as m0 and m2, n = 4, 1/mm^2
     double bandwidth = 0; ///< Nayak's alpha = m0 m4/m2^2, at least 1
 };
 

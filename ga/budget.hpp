@@ -28,13 +28,15 @@ struct Counters {
 /// Tells when to stop because of the time or of a request.
 class Watch {
   public:
+    /// Starts the clock. `budget` must outlive it.
     explicit Watch(const Budget& budget) : budget_(budget) {}
 
-    double seconds() const {
+    double seconds() const { ///< since it was made
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
     /// Safe to call from any thread.
     bool expired() const { return requested() || late(); }
+    /// Why it expired, in words.
     std::string reason() const { return requested() ? "stop requested" : "time budget spent"; }
 
   private:

@@ -16,10 +16,12 @@ struct Known {
     std::optional<std::string> scored;   ///< the objective under which every individual is scored
     bool in_generation = false;          ///< inside a repeat or until
 
+    /// Throws UsageError, naming the stage, where individuals may be unscored.
     void need_score(const std::string& stage) const {
         if (!scored)
             throw UsageError("stage '" + stage + "' needs a scored population; expected score before it");
     }
+    /// Throws UsageError, naming the stage, outside a generation.
     void need_generation(const std::string& stage) const {
         if (!in_generation)
             throw UsageError("stage '" + stage +

@@ -12,6 +12,9 @@ namespace ga {
 
 using nlohmann::json;
 
+///@{
+/// What checkpoints hold, and back without loss: a failure keeps its reason. Reading throws
+/// nlohmann's exceptions on anything else.
 inline void to_json(json& j, const Permutation& permutation) { j = permutation.order; }
 inline void from_json(const json& j, Permutation& permutation) { j.get_to(permutation.order); }
 
@@ -79,6 +82,7 @@ void from_json(const json& j, Snapshot<G>& snapshot) {
     j.at(4).get_to(snapshot.notes);
     j.at(5).get_to(snapshot.seconds);
 }
+///@}
 
 /// Outcomes that a checkpoint can hold; others are evaluated again where they are asked for after it, which
 /// changes the count of evaluations and no result.
@@ -95,8 +99,8 @@ concept Storable = requires(const json& j, const Outcome& outcome) {
 template <Problem P>
 class Checkpoints : public Keeper<P> {
   public:
-    using Genome = typename P::Genome;
-    using Outcome = typename P::Outcome;
+    using Genome = typename P::Genome;   ///< kept as json
+    using Outcome = typename P::Outcome; ///< kept where it converts to json
 
     /// @param file         where the run is kept
     /// @param description  whatever else decides the result (the problem's settings); a file with another is

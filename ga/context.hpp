@@ -12,8 +12,8 @@ struct Event {
     const std::string& path;             ///< where the stage stands, e.g. "sog/refine.2"
     std::vector<std::size_t> generation; ///< of each enclosing repeat, outermost first, from 0
     const Population<G>& population;     ///< as the stage left it
-    const Counters& counters;
-    double seconds; ///< since the run began
+    const Counters& counters;            ///< what the run has paid for so far
+    double seconds;                      ///< since the run began
 };
 
 /// Called after every stage, on the thread that runs the pipeline.
@@ -33,13 +33,13 @@ struct Frame {
 /// A run between two stages: all it needs to go on.
 template <class G>
 struct Snapshot {
-    std::deque<Frame<G>> frames; ///< of the open blocks, outermost first; empty when the run is done
-    Counters counters;
-    Identity next_identity = 0;
-    std::optional<Individual<G>> best;
-    std::vector<std::string> notes;
-    double seconds = 0;         ///< spent so far, in all the processes that carried the run
-    std::size_t remembered = 0; ///< how many evaluations of the memory's young half were known then
+    std::deque<Frame<G>> frames;       ///< of the open blocks, outermost first; empty when the run is done
+    Counters counters;                 ///< paid for so far
+    Identity next_identity = 0;        ///< the next child's
+    std::optional<Individual<G>> best; ///< under the problem's first objective
+    std::vector<std::string> notes;    ///< remarks so far
+    double seconds = 0;                ///< spent so far, in all the processes that carried the run
+    std::size_t remembered = 0;        ///< how many evaluations of the memory's young half were known then
 };
 
 template <Problem P>
@@ -49,7 +49,7 @@ class Context;
 template <Problem P>
 class Keeper {
   public:
-    using Genome = typename P::Genome;
+    using Genome = typename P::Genome; ///< of the problem
 
     virtual ~Keeper() = default;
     /// Called before the pipeline starts: lets the context go on from what was kept of the run with this
@@ -68,9 +68,12 @@ class Keeper {
 template <Problem P>
 class Context {
   public:
-    using Genome = typename P::Genome;
-    using Outcome = typename P::Outcome;
+    using Genome = typename P::Genome;   ///< of the problem
+    using Outcome = typename P::Outcome; ///< of the problem's evaluations
 
+    /// @param variant        first word of every path
+    /// @param seed           of every random stream
+    /// @param next_identity  greater than any in the population
     Context(Evaluator<P>& evaluator, std::string variant, std::uint64_t seed, Identity next_identity,
             std::vector<Observer<Genome>> observers)
         : evaluator_(evaluator), next_identity_(next_identity), observers_(std::move(observers)) {
@@ -81,11 +84,11 @@ class Context {
     }
     Context(const Context&) = delete;
 
-    const P& problem() const { return evaluator_.problem(); }
-    Evaluator<P>& evaluator() { return evaluator_; }
-    const Evaluator<P>& evaluator() const { return evaluator_; }
-    Counters& counters() { return evaluator_.counters; }
-    int threads() const { return evaluator_.threads(); }
+    const P& problem() const { return evaluator_.problem(); }    ///< what is solved
+    Evaluator<P>& evaluator() { return evaluator_; }             ///< which makes the paid calls
+    const Evaluator<P>& evaluator() const { return evaluator_; } ///< the same, to read
+    Counters& counters() { return evaluator_.counters; }         ///< paid for so far
+    int threads() const { return evaluator_.threads(); }         ///< to work with; decides no result
 
     /// Random numbers for the index-th piece of work of the stage that runs, in this generation.
     Stream stream(std::size_t index) const { return Stream(fold(places_.back().key, index)); }
@@ -147,10 +150,12 @@ class Context {
             (!best_ || individual.value() > best_->value()))
             best_ = individual;
     }
+    /// None until something was scored.
     const std::optional<Individual<Genome>>& best() const { return best_; }
 
     /// A remark for the run's result, under the path of the stage that runs.
     void note(const std::string& text) { notes_.push_back(path() + ": " + text); }
+    /// In the order they were made, each under its path.
     const std::vector<std::string>& notes() const { return notes_; }
 
     /// The place of the stage that runs: the enclosing blocks, then its name with its ordinal among equal
@@ -168,6 +173,7 @@ class Context {
     /// Stands on a place of the pipeline while it lives. Ordinal 0 is not shown.
     class Scope {
       public:
+        /// Enters the place of that name.
         Scope(Context& context, Name name, std::size_t ordinal) : context_(context) {
             const std::uint64_t key = fold(fold(context.places_.back().inner, name.text()), ordinal);
             context.places_.push_back({name, ordinal, key, key, {}});
@@ -182,6 +188,7 @@ class Context {
     /// each.
     class Round {
       public:
+        /// Begins pass `number`, from 0.
         Round(Context& context, std::size_t number) : context_(context) {
             Place& place = context.places_.back();
             place.generation = number;
@@ -199,6 +206,7 @@ class Context {
     /// A round whose stages may read what is kept of its start.
     class Generation : Round {
       public:
+        /// `start`, which must outlive it, is what stages may read.
         Generation(Context& context, std::size_t number, const Population<Genome>& start)
             : Round(context, number), context_(context) {
             context.starts_.push_back(&start);
@@ -212,6 +220,7 @@ class Context {
     /// Holds a block's frame while it lives: a new one, or the saved one when a run is resumed.
     class OpenFrame {
       public:
+        /// Opens it with the population to begin with; a resumed frame brings its own.
         OpenFrame(Context& context, Population<Genome> population) : context_(context) {
             const std::size_t depth = context.frames_.size();
             resumed_ = depth < context.saved_.size();
@@ -227,7 +236,9 @@ class Context {
         }
         OpenFrame(const OpenFrame&) = delete;
         ~OpenFrame() { context_.frames_.pop_back(); }
+        /// The frame.
         Frame<Genome>* operator->() { return frame_; }
+        /// The frame.
         Frame<Genome>& operator*() { return *frame_; }
         /// Whether the block goes on from a checkpoint.
         bool resumed() const { return resumed_; }
@@ -267,7 +278,7 @@ class Context {
 
     /// Lets a keeper follow the run; before the pipeline is started.
     void keep(Keeper<P>& keeper) { keeper_ = &keeper; }
-    bool kept() const { return keeper_ != nullptr; }
+    bool kept() const { return keeper_ != nullptr; } ///< whether somebody keeps it
     /// The run as it is now, between two stages, with or without the frames' populations.
     Snapshot<Genome> snapshot(bool with_frames = true) const {
         return {with_frames ? frames_ : std::deque<Frame<Genome>>(),
@@ -296,6 +307,7 @@ class Context {
         before.frames = frames_;
         keeper_->stop(before, evaluator_);
     }
+    /// Since the run began, in all the processes that carried it.
     double seconds() const { return earlier_seconds_ + evaluator_.watch().seconds(); }
 
   private:

@@ -17,7 +17,7 @@ struct NothingLeft : std::runtime_error {
 
 /// Thrown through the stages when a budget is spent or a stop was asked for; `run` turns it into a result.
 struct Stopped {
-    std::string reason;
+    std::string reason; ///< "time budget spent", "stop requested", ...
 };
 
 } // namespace ga

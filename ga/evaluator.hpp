@@ -24,9 +24,10 @@ enum class Patience { none, finish };
 template <Problem P>
 class Evaluator {
   public:
-    using Genome = typename P::Genome;
-    using Outcome = typename P::Outcome;
+    using Genome = typename P::Genome;   ///< of the problem
+    using Outcome = typename P::Outcome; ///< of its evaluations
 
+    /// The problem and the budget must outlive it. `memory_bytes` bounds what is remembered, not the result.
     Evaluator(const P& problem, int threads, std::size_t memory_bytes, const Budget& budget)
         : problem_(problem), threads_(threads), budget_(budget), watch_(budget), memory_(memory_bytes) {}
 
@@ -106,18 +107,18 @@ class Evaluator {
     /// Whether the budget has no room for more evaluations than these.
     bool spent(long evaluations) const { return budget_.evaluations - counters.asked <= evaluations; }
 
-    const P& problem() const { return problem_; }
-    int threads() const { return threads_; }
-    const Budget& budget() const { return budget_; }
-    const Watch& watch() const { return watch_; }
+    const P& problem() const { return problem_; }    ///< what is evaluated
+    int threads() const { return threads_; }         ///< that calls are spread over
+    const Budget& budget() const { return budget_; } ///< what may be paid
+    const Watch& watch() const { return watch_; }    ///< since the evaluator was made
 
-    Counters counters;
+    Counters counters; ///< what was paid
 
     /// Tells an evaluator that goes on with a run whether an evaluation of it has succeeded.
     void resume(bool succeeded) { succeeded_ = succeeded; }
 
-    const Memory<Outcome>& memory() const { return memory_; }
-    Memory<Outcome>& memory() { return memory_; }
+    const Memory<Outcome>& memory() const { return memory_; } ///< outcomes that are known
+    Memory<Outcome>& memory() { return memory_; }             ///< the same, to be restored from a checkpoint
     /// Hands in an evaluation that was paid for in a stage whose counts were lost: it counts as paid when it
     /// is asked for.
     void prepay(const Fingerprint& print, Evaluation<Outcome> evaluation) {

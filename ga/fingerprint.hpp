@@ -13,7 +13,9 @@ namespace ga {
 /// 128 bits that stand for a genome in the memory of known outcomes: two genomes with equal fingerprints are
 /// taken for the same. Among 10^9 distinct genomes any two coincide with probability 1.5e-21.
 struct Fingerprint {
-    std::uint64_t high = 0, low = 0;
+    std::uint64_t high = 0; ///< first lane
+    std::uint64_t low = 0;  ///< second lane
+    /// Equal in all bits.
     bool operator==(const Fingerprint&) const = default;
 };
 
@@ -52,8 +54,10 @@ template <class G>
 concept RangeOfNumbers =
     std::ranges::input_range<const G> && PlainNumber<std::ranges::range_value_t<const G>>;
 
+/// Of bytes, their length included.
 inline Fingerprint fingerprint(std::string_view bytes) { return fingerprint(bytes.data(), bytes.size()); }
 
+/// Of a genome by the bytes of its numbers, where it is a range of them or a Permutation.
 template <RangeOfNumbers G>
 requires(!std::convertible_to<G, std::string_view>) Fingerprint fingerprint(const G& genome) {
     using T = std::ranges::range_value_t<const G>;

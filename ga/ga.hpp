@@ -1,6 +1,7 @@
 #pragma once
 
-// The whole engine.
+/// @file
+/// The whole engine.
 #include "ga/islands.hpp"
 #include "ga/pair.hpp"
 #include "ga/pareto/pareto.hpp"
@@ -24,3 +25,7 @@
 #include "ga/variation/sample.hpp"
 #include "ga/variation/simulated_binary.hpp"
 #include "ga/variation/uniform.hpp"
+
+/// The engine of genetic algorithms: a population flows through stages, whatever the domain. Includes nothing
+/// of any domain.
+namespace ga {}

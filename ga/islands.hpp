@@ -7,18 +7,19 @@ namespace ga {
 /// How islands meet: for `rounds` rounds every island runs the body, a generation of its own; after each but
 /// the last, copies of its `migrants` best replace as many of the worst on the next island of the ring.
 struct Migration {
-    std::size_t rounds = 10;
-    std::size_t migrants = 1;
+    std::size_t rounds = 10;  ///< >= 1
+    std::size_t migrants = 1; ///< to each neighbour, each round
 };
 
 /// Deals the population to n islands (individual i to island i modulo n), lets each evolve by itself under
 /// the body, with migration between rounds (Cohoon, Hegde, Martin and Richards 1987), and joins them again.
 template <class Body>
 struct Islands : Operator {
-    std::size_t n;
-    Migration migration;
-    Body body;
+    std::size_t n;       ///< islands, >= 2
+    Migration migration; ///< how they meet
+    Body body;           ///< what each runs
 
+    /// Throws UsageError on less than 2 islands or no round.
     Islands(std::size_t count, Migration m, Body b) : n(count), migration(m), body(std::move(b)) {
         if (n < 2 || migration.rounds == 0)
             throw UsageError("islands: " + std::to_string(n) + " islands in " +
@@ -26,6 +27,7 @@ struct Islands : Operator {
                              " rounds; expected 2 islands and 1 round at least");
     }
 
+    /// The block as one step (Block).
     template <Problem P>
     Step<P> step() const {
         using G = typename P::Genome;

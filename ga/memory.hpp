@@ -10,7 +10,7 @@ namespace ga {
 
 /// An evaluation that was asked for and has not been made.
 struct Pending {
-    bool queued = false;
+    bool queued = false; ///< whether it is among the calls to be made
 };
 
 /// What is known of an evaluation: nothing yet, its outcome, or why it failed.
@@ -43,12 +43,14 @@ class Table {
         if (!index_.empty())
             __builtin_prefetch(&index_[print.low & mask()]);
     }
-    std::size_t size() const { return entries_.size(); }
+    std::size_t size() const { return entries_.size(); } ///< entries
+    /// Forgets all.
     void clear() { *this = {}; }
 
+    /// A fingerprint and what is kept under it.
     struct Entry {
-        Fingerprint print;
-        Value value;
+        Fingerprint print; ///< of the genome
+        Value value;       ///< what is known
     };
     /// In the order they came.
     const std::deque<Entry>& entries() const { return entries_; }
@@ -104,6 +106,7 @@ class Memory {
             place = *known;
         return place;
     }
+    /// Lets the processor fetch where a fingerprint will be looked up soon.
     void prefetch(const Fingerprint& print) const { young_.prefetch(print); }
     /// Null when it is not remembered.
     const Evaluation<Outcome>* find(const Fingerprint& print) {
@@ -119,12 +122,17 @@ class Memory {
         old_ = std::move(young_);
         young_.clear();
     }
-    std::size_t size() const { return young_.size() + old_.size(); }
+    std::size_t size() const { return young_.size() + old_.size(); } ///< evaluations remembered
 
+    /// One of the two halves.
     using Half = Table<Evaluation<Outcome>>;
+    /// The half that grows, to read.
     const Half& young() const { return young_; }
+    /// The half that is forgotten next, to read.
     const Half& old() const { return old_; }
+    /// The half that grows.
     Half& young() { return young_; }
+    /// The half that is forgotten next.
     Half& old() { return old_; }
 
   private:

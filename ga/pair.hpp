@@ -7,8 +7,9 @@ namespace ga {
 /// Makes a child of two individuals, or none.
 template <class G>
 struct Combine {
-    std::string name;
-    std::function<std::optional<G>(const Individual<G>&, const Individual<G>&)> of;
+    std::string name; ///< as text pipelines call it
+    std::function<std::optional<G>(const Individual<G>&, const Individual<G>&)>
+        of; ///< nothing: no child of these two
 };
 
 /// Sends the same population down two pipelines and combines every individual of the left answer with every
@@ -16,12 +17,14 @@ struct Combine {
 /// know both parents.
 template <class Left, class Right, class G>
 struct Pair : Operator {
-    Left left;
-    Right right;
-    Combine<G> combine;
+    Left left;          ///< on whose answer the first parents stand
+    Right right;        ///< on whose answer the second parents stand
+    Combine<G> combine; ///< what joins them
 
+    /// `pair(l, r, c)`.
     Pair(Left l, Right r, Combine<G> c) : left(std::move(l)), right(std::move(r)), combine(std::move(c)) {}
 
+    /// The block as one step (Block).
     template <Problem P>
     Step<P> step() const {
         const Stage<P> on_left(left), on_right(right);
@@ -77,6 +80,7 @@ struct Pair : Operator {
     }
 };
 
+/// The stage `pair(left, right, combine)`.
 template <class Left, class Right, class G>
 Pair<Left, Right, G> pair(Left left, Right right, Combine<G> combine) {
     return {std::move(left), std::move(right), std::move(combine)};

@@ -15,8 +15,8 @@ namespace ga {
 /// marks the individual as failed.
 template <class Outcome>
 struct Objective {
-    std::string name;
-    std::function<double(const Outcome&)> fitness;
+    std::string name;                              ///< as pipelines call it
+    std::function<double(const Outcome&)> fitness; ///< of an outcome; greater is better
 };
 
 /// All that ga knows of a domain: a genome, the one paid call `evaluate` (pure: called from several threads
@@ -57,6 +57,7 @@ concept ConvertsGenes = requires(const P& problem, const typename P::Genome& gen
 template <class P>
 concept HasGenes = ConvertsGenes<P> || std::same_as<typename P::Genome, std::vector<double>>;
 
+/// The genome's genes by the problem's `genes`, or the genome itself where it is a vector of numbers.
 template <HasGenes P>
 std::vector<double> genes_of(const P& problem, const typename P::Genome& genome) {
     if constexpr (ConvertsGenes<P>)
@@ -64,6 +65,7 @@ std::vector<double> genes_of(const P& problem, const typename P::Genome& genome)
     else
         return genome;
 }
+/// The genome with its genes replaced: undoes genes_of.
 template <HasGenes P>
 typename P::Genome with_genes(const P& problem, const typename P::Genome& genome, std::vector<double> genes) {
     if constexpr (ConvertsGenes<P>)
@@ -74,8 +76,8 @@ typename P::Genome with_genes(const P& problem, const typename P::Genome& genome
 
 /// Residuals r_k of an objective (a perfect genome has none) and their derivatives: rows k, columns genes.
 struct Sensitivity {
-    Eigen::VectorXd residuals;
-    Eigen::MatrixXd jacobian;
+    Eigen::VectorXd residuals; ///< r, one a point of the objective
+    Eigen::MatrixXd jacobian;  ///< dr/dgenes, rows as in r, one column a gene
 };
 
 /// Optional: the one derivative from which `refine` builds every form (squares, minimax, the paper's s|s|).
@@ -87,15 +89,16 @@ concept Sensitive = HasGenes<P> &&
 
 /// A gene that may move, between its bounds.
 struct Variable {
-    std::size_t gene;
-    double lower, upper;
+    std::size_t gene; ///< index into the problem's genes
+    double lower;     ///< in the gene's unit
+    double upper;     ///< no less than `lower`
 };
 
 /// Which genes of a genome may move, and how far: a named choice that refinement takes.
 template <class G>
 struct Variables {
-    std::string name;
-    std::function<std::vector<Variable>(const G&)> of;
+    std::string name;                                  ///< as pipelines call it: "genes=NAME"
+    std::function<std::vector<Variable>(const G&)> of; ///< of a genome
 };
 
 /// Optional: genes that operators may move with their bounds, in order; refinement's choice called `all`. It

@@ -21,6 +21,7 @@ constexpr std::uint64_t mix(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
+/// 2^64 over the golden ratio, made odd: splitmix64's step (Steele, Lea and Flood 2014).
 constexpr std::uint64_t golden_step = 0x9e3779b97f4a7c15u;
 
 /// A key made of a key and one more word; the order of words matters.
@@ -40,12 +41,16 @@ constexpr std::uint64_t fold(std::uint64_t key, std::string_view text) {
 /// costs nothing, so every individual of every stage has its own. The distributions are Boost.Random's.
 class Stream {
   public:
+    ///@{
+    /// What the standard asks of a generator of random bits: 64 of them a call.
     using result_type = std::uint64_t;
     static constexpr result_type min() { return 0; }
     static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
 
+    /// Starts at the key.
     explicit constexpr Stream(std::uint64_t key) : state_(key) {}
     constexpr result_type operator()() { return mix(state_ += golden_step); }
+    ///@}
 
     /// Uniform in [0, 1).
     double uniform() { return boost::random::uniform_01<double>()(*this); }
@@ -70,11 +75,12 @@ class Stream {
 /// two: a draw for each pick, not for each thing. Under 1e-15 nothing is picked.
 class Chance {
   public:
+    /// `probability` in [0, 1]; less counts as 0, more as 1.
     Chance(double probability)
         : probability_(probability), sure_(probability >= 1), never_(!(probability > 1e-15)),
           gaps_(sure_ || never_ ? 0.5 : probability) {}
 
-    double probability() const { return probability_; }
+    double probability() const { return probability_; } ///< as it was given
 
     /// Calls pick(i) for the positions that are picked of 0 .. n-1.
     template <class Pick>

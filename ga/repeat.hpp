@@ -16,6 +16,7 @@ struct Until {
     std::optional<std::size_t> stagnation =
         std::nullopt; ///< this many generations since the best last improved
 
+    /// "generations 20 fitness 0.99"; empty without any condition.
     std::string text() const {
         std::string text;
         const auto add = [&](const char* word, const auto& limit) {
@@ -36,10 +37,11 @@ struct Until {
 /// own, and the best at its start are kept where `elite` and `plus` read them.
 template <class Body>
 struct Generations : Operator {
-    Body body;
-    Until end;
+    Body body;    ///< what each generation runs
+    Until end;    ///< when to end
     bool counted; ///< written as `repeat n`
 
+    /// Throws UsageError on an end that never comes, or comes before the first generation.
     Generations(Body body_, Until end_, bool counted_)
         : body(std::move(body_)), end(end_), counted(counted_) {
         if (end.text().empty() || (counted && *end.generations == 0))
@@ -48,6 +50,7 @@ struct Generations : Operator {
                 "generations, evaluations, seconds, fitness, stagnation");
     }
 
+    /// The block as one step (Block).
     template <Problem P>
     Step<P> step() const {
         using G = typename P::Genome;
@@ -127,6 +130,7 @@ template <class Body>
 Generations<Body> repeat(std::size_t n, Body body) {
     return {std::move(body), Until{.generations = n}, true};
 }
+/// The stage `until ... { body }`.
 template <class Body>
 Generations<Body> until(Until end, Body body) {
     return {std::move(body), end, false};

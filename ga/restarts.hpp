@@ -8,14 +8,16 @@ namespace ga {
 /// answers. With `sample` first in the body each time starts afresh.
 template <class Body>
 struct Restarts : Operator {
-    std::size_t n;
-    Body body;
+    std::size_t n; ///< times, >= 1
+    Body body;     ///< what is run each time
 
+    /// Throws UsageError on 0.
     Restarts(std::size_t count, Body b) : n(count), body(std::move(b)) {
         if (n == 0)
             throw UsageError("restarts 0 does nothing; expected at least 1");
     }
 
+    /// The block as one step (Block).
     template <Problem P>
     Step<P> step() const {
         using G = typename P::Genome;
@@ -37,6 +39,7 @@ struct Restarts : Operator {
     }
 };
 
+/// The stage `restarts n { body }`.
 template <class Body>
 Restarts<Body> restarts(std::size_t n, Body body) {
     return {n, std::move(body)};

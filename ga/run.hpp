@@ -6,11 +6,11 @@ namespace ga {
 
 /// How a pipeline is run.
 struct RunOptions {
-    std::string variant = "pipeline"; ///< first word of every path; decides no random number
-    std::uint64_t seed = 1;
+    std::string variant = "pipeline";                ///< first word of every path; decides no random number
+    std::uint64_t seed = 1;                          ///< of every random stream
     int threads = 0;                                 ///< 0: as many as OpenMP has; decides no result
     std::size_t memory_bytes = std::size_t{1} << 30; ///< for known outcomes; decides no result
-    Budget budget = {};
+    Budget budget = {};                              ///< when to stop before the pipeline ends
 };
 
 /// What a run gives back.
@@ -18,10 +18,10 @@ template <class G>
 struct Result {
     Population<G> population;          ///< the pipeline's answer; when stopped, the best so far alone
     std::optional<Individual<G>> best; ///< the best ever scored under the problem's first objective
-    Counters counters;
-    std::vector<std::string> notes; ///< remarks of stages, each under its path
-    std::string stopped;            ///< why the run ended before its pipeline; empty when it did not
-    double seconds = 0;
+    Counters counters;                 ///< what was paid for
+    std::vector<std::string> notes;    ///< remarks of stages, each under its path
+    std::string stopped;               ///< why the run ended before its pipeline; empty when it did not
+    double seconds = 0;                ///< in all the processes that carried the run
 };
 
 /// Throws UsageError when the pipeline cannot work on this problem and population.

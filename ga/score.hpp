@@ -9,6 +9,8 @@ namespace ga {
 struct Score : Operator {
     std::string objective; ///< empty: the problem's first
 
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const { return objective.empty() ? "score" : "score " + objective; }
     void check(Known& known) const { known.scored = known.objective(text(), objective); }
 
@@ -18,13 +20,16 @@ struct Score : Operator {
         context.score(population, objective);
         return population;
     }
+    ///@}
 };
 
+/// The stage `score objective`; without a name the problem's first.
 inline Score score(std::string objective = {}) {
     Score stage;
     stage.objective = std::move(objective);
     return stage;
 }
+/// The stage `score objective`.
 template <class Outcome>
 Score score(const Objective<Outcome>& objective) {
     return score(objective.name);

@@ -9,10 +9,10 @@ namespace ga {
 /// it does.
 template <Problem P>
 struct Step {
-    using Genome = typename P::Genome;
-    std::string text;
-    std::function<void(Known&)> check;
-    std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply;
+    using Genome = typename P::Genome; ///< of the problem
+    std::string text;                  ///< as pipelines write it
+    std::function<void(Known&)> check; ///< what it needs and makes known
+    std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply; ///< what it does
     std::size_t reads_of_start = 0; ///< how many of the best at the start of its generation it reads
 };
 
@@ -28,6 +28,7 @@ struct Step {
 /// const`.
 struct Operator {};
 
+/// What reads_of_start() gives for the whole population.
 constexpr std::size_t everyone = static_cast<std::size_t>(-1);
 
 /// An operator that holds pipelines gives, in place of the call, `template <Problem P> Step<P> step() const`.
@@ -39,8 +40,9 @@ concept Block = requires(const Op& op) {
 /// a | b before the problem is known.
 template <class A, class B>
 struct Then : Operator {
-    A first;
-    B second;
+    A first;  ///< goes first
+    B second; ///< takes its answer
+    /// a | b.
     Then(A a, B b) : first(std::move(a)), second(std::move(b)) {}
 };
 
@@ -49,9 +51,11 @@ struct Then : Operator {
 template <Problem P>
 class Stage {
   public:
-    using Genome = typename P::Genome;
+    using Genome = typename P::Genome; ///< of the problem
 
     Stage() = default;
+    /// An operator as a pipeline of one stage. Throws UsageError where the problem lacks what it needs; what
+    /// concepts can tell is refused when it is compiled.
     template <class Op>
     requires(std::derived_from<Op, Operator>) Stage(Op op) {
         if constexpr (requires { op.template check_problem<P>(); })
@@ -70,12 +74,15 @@ class Stage {
                  },
                  start_of(op)});
     }
+    /// Operators joined by `|` before the problem was known.
     template <class A, class B>
     Stage(Then<A, B> pair) : Stage(std::move(pair.first)) {
         append(Stage(std::move(pair.second)));
     }
+    /// A step made by hand.
     Stage(Step<P> step) { add(std::move(step)); }
 
+    /// Joins another pipeline's stages to its end.
     void append(const Stage& other) {
         for (const auto& place : other.places_)
             add(place.step);
@@ -96,6 +103,8 @@ class Stage {
         return wrapped;
     }
 
+    /// Sends a population through every stage, each at its own place of the context. Throws Stopped when the
+    /// budget is spent, NothingLeft when a selection leaves nobody.
     Population<Genome> operator()(Population<Genome> population, Context<P>& context) const {
         typename Context<P>::OpenFrame frame(context, std::move(population));
         while (frame->next < places_.size()) {
@@ -113,7 +122,7 @@ class Stage {
             text += (text.empty() ? "" : " | ") + place.step.text;
         return text;
     }
-    bool empty() const { return places_.empty(); }
+    bool empty() const { return places_.empty(); } ///< without any stage
     /// How many of the best at the start of a generation its stages read.
     std::size_t reads_of_start() const {
         std::size_t most = 0;
@@ -165,10 +174,12 @@ class Stage {
     std::vector<Place> places_;
 };
 
+/// a | b of operators, before the problem is known.
 template <class A, class B>
 requires std::derived_from<A, Operator> && std::derived_from<B, Operator> Then<A, B>
 operator|(A a, B b) { return {std::move(a), std::move(b)}; }
 
+/// a | b where the problem is known.
 template <Problem P, class B>
 requires std::convertible_to<B, Stage<P>> Stage<P>
 operator|(Stage<P> a, const B& b) {
@@ -176,6 +187,7 @@ operator|(Stage<P> a, const B& b) {
     return a;
 }
 
+/// a | b where the problem is known.
 template <class A, Problem P>
 requires std::derived_from<A, Operator> Stage<P>
 operator|(A a, const Stage<P>& b) {

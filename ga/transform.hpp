@@ -8,11 +8,14 @@ namespace ga {
 /// where the function throws, the individual keeps its genome and is marked as failed.
 template <class Function>
 struct Transform : Operator {
-    std::string name;
-    Function function;
+    std::string name;  ///< of the stage
+    Function function; ///< genome -> genome; called from several threads
 
+    /// A stage of that name.
     Transform(std::string name_, Function function_)
         : name(std::move(name_)), function(std::move(function_)) {}
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const { return name; }
     void check(Known& known) const { known.scored.reset(); }
 
@@ -34,6 +37,7 @@ struct Transform : Operator {
         });
         return population;
     }
+    ///@}
 };
 
 /// @param name  as in a text pipeline; more words may follow the first ("reduce dominant")

@@ -12,9 +12,13 @@ namespace rough {
 template <typename T>
 class AlignedBuffer {
   public:
+    /// Memory for `size` elements, uninitialised.
     explicit AlignedBuffer(Index size) : data_(allocate(size)) {}
+    /// The first element; the same for reading.
     T* data() { return data_.get(); }
+    /// The first element, to read.
     const T* data() const { return data_.get(); }
+    /// Element i, 0 <= i < size; unchecked.
     T& operator[](Index i) { return data_.get()[i]; }
 
   private:

@@ -7,10 +7,10 @@ namespace rough {
 /// The scale-free residual of the contact conditions at one load step: the largest of |gap| on the contact
 /// set and penetration off it (over the approach), and tension (over the mean pressure).
 struct Certificate {
-    double gap = 0;         ///< largest |u - (Delta - g0)|/Delta on the contact set
-    double penetration = 0; ///< largest (Delta - g0 - u)/Delta off it
-    double tension = 0;     ///< largest -p/P
-    double residual() const;
+    double gap = 0;          ///< largest |u - (Delta - g0)|/Delta on the contact set
+    double penetration = 0;  ///< largest (Delta - g0 - u)/Delta off it
+    double tension = 0;      ///< largest -p/P
+    double residual() const; ///< the largest of the three
 };
 
 /// `displacement` is u = H p at every node, by another path than the one that found p.

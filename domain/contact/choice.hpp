@@ -8,8 +8,8 @@ namespace rough {
 
 /// What `automatic` takes, and why in words.
 struct SolverChoice {
-    Solver solver;
-    std::string reason;
+    Solver solver;      ///< the nested factor or the active set
+    std::string reason; ///< with the figures that decided
 };
 
 /// Between the nested factor and the active set, by predicted memory and cost. The model is fixed and knows
@@ -23,6 +23,7 @@ void expect_factor_to_fit(const ContactProblem& problem, const ContactOptions& o
 /// What a curve of so many steps costs by the nested factor, or by the active set, on `nodes` nodes of which
 /// `contact` touch at the last step; by the same model, to be compared with one another.
 double nested_cost(double nodes, double contact, double steps);
+/// As nested_cost, by the active set.
 double active_set_cost(double nodes, double steps);
 
 } // namespace rough

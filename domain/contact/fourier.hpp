@@ -9,8 +9,10 @@ namespace rough {
 /// Real transforms of one length, planned once (FFTW_ESTIMATE, under a lock) and safe to execute from any
 /// thread.
 struct FourierPlan {
-    fftw_plan forward, backward;
+    fftw_plan forward;  ///< real to half-complex, unnormalised
+    fftw_plan backward; ///< its inverse, times the length
 };
+/// The plan for real transforms of `length` numbers.
 FourierPlan fourier_plan(Index length);
 /// the same for complex transforms in place
 FourierPlan complex_fourier_plan(Index length);
@@ -22,11 +24,12 @@ Index fast_fourier_length(Index length);
 /// padded with zeros), by FFT. One object serves one thread at a time.
 class FourierOperator {
   public:
+    /// N x N symmetric Toeplitz from its first column of N entries.
     static FourierOperator toeplitz(const Eigen::VectorXd& first_column);
     /// eigenvalues S_k, k = 0..N/2, of an N x N symmetric circulant
     static FourierOperator circulant(Index nodes, const Eigen::VectorXd& eigenvalues);
 
-    Index nodes() const { return nodes_; }
+    Index nodes() const { return nodes_; } ///< N
     /// Write p (N entries) here, then call apply().
     double* input() { return real_.data(); }
     /// Returns u (N entries), valid until the next write to input().
@@ -45,7 +48,9 @@ class FourierOperator {
 /// and a skew-circulant, c_j - c_(N-j). Shares no transform and no spectrum with FourierOperator.
 class SplitOperator {
   public:
+    /// From the first column of N entries.
     explicit SplitOperator(const Eigen::VectorXd& first_column);
+    /// u = T p; p and u have N entries.
     Eigen::VectorXd apply(const Eigen::VectorXd& p);
 
   private:

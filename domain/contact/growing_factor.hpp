@@ -12,10 +12,12 @@ namespace rough {
 /// together.
 class GrowingFactor {
   public:
+    /// An empty contact set. `influence_column` is the first column of H, `gap` g0 at every node (N entries
+    /// each, in a ContactProblem's units); `gap` must outlive the factor.
     GrowingFactor(const Eigen::VectorXd& influence_column, const Eigen::VectorXd& gap);
 
-    const std::vector<int>& nodes() const { return nodes_; }
-    Index size() const { return static_cast<Index>(nodes_.size()); }
+    const std::vector<int>& nodes() const { return nodes_; }         ///< A in the order of its rows
+    Index size() const { return static_cast<Index>(nodes_.size()); } ///< rows of the factor
 
     /// Appends nodes; stops before the first whose pivot is not positive. Returns how many were appended.
     Index append(const std::vector<int>& nodes);

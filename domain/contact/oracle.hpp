@@ -9,8 +9,9 @@ namespace rough {
 /// anew each time, nodes released from full contact downwards. For judging the solvers; N up to some
 /// hundreds. Pressures and stiffness in MPa, MPa/mm; one entry a displacement (mm, > 0).
 struct Oracle {
-    std::vector<double> pressure, tangent_stiffness;
-    std::vector<Index> contact_nodes;
+    std::vector<double> pressure;          ///< P, MPa
+    std::vector<double> tangent_stiffness; ///< dP/dDelta on the contact set, MPa/mm
+    std::vector<Index> contact_nodes;      ///< how many nodes touch
 };
 
 /// Throws NotConverged where rounding keeps the contact set from settling.

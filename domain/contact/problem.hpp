@@ -9,8 +9,9 @@ namespace rough {
 /// lengths along the profile in units of delta, pressures in units of E* times the largest displacement over
 /// delta.
 struct ContactProblem {
-    Kernel kernel;
-    double datum, strip_width;    ///< in units of delta
+    Kernel kernel;                ///< which body H stands for
+    double datum;                 ///< d (free), in units of delta
+    double strip_width;           ///< W (strip), in units of delta
     Eigen::VectorXd column;       ///< first column of H
     Eigen::VectorXd gap;          ///< g0_i = max Z - Z_i >= 0
     std::vector<double> approach; ///< displacements, increasing, the last one 1 (or all zero)
@@ -20,7 +21,7 @@ struct ContactProblem {
     double elements;          ///< L/delta: P = sum p / elements
     double stiffness_unit;    ///< MPa/mm, E*/L: K = stiffness_unit * sum w
 
-    Index nodes() const { return gap.size(); }
+    Index nodes() const { return gap.size(); } ///< N
     /// Only overlapping nodes can touch (strip, and free with d >= L).
     bool touches_only_overlapping;
 };
@@ -46,8 +47,8 @@ struct StepSolution {
 
 /// What a solver returns.
 struct Solution {
-    std::vector<StepSolution> steps;
-    long iterations = 0;
+    std::vector<StepSolution> steps; ///< one an approach
+    long iterations = 0;             ///< the solver's own unit, over all steps
 };
 
 /// Throws NotConverged where the options' `stop` says so.

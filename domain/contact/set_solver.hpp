@@ -9,11 +9,16 @@ namespace rough {
 /// A contact set during an iterative solution: sorted nodes, and the same as a mask over all nodes.
 class ContactSet {
   public:
+    /// Nothing touches.
     explicit ContactSet(Index nodes) : touching_(static_cast<std::size_t>(nodes), 0) {}
-    const std::vector<int>& nodes() const { return nodes_; }
+    const std::vector<int>& nodes() const { return nodes_; } ///< increasing; as of the last collect()
+    /// N entries, 1 where the node touches; up to date at any time.
     const std::vector<char>& touching() const { return touching_; }
+    /// Whether the node touches.
     bool holds(Index node) const { return touching_[static_cast<std::size_t>(node)] != 0; }
+    /// Lets the node touch.
     void insert(Index node) { touching_[static_cast<std::size_t>(node)] = 1; }
+    /// Lets the node part.
     void erase(Index node) { touching_[static_cast<std::size_t>(node)] = 0; }
     /// To be called after the last insert or erase.
     void collect();
@@ -25,7 +30,9 @@ class ContactSet {
 
 /// A vector that is zero off the contact set, and H times it at every node.
 struct Loaded {
-    Eigen::VectorXd pressure, displacement;
+    Eigen::VectorXd pressure;     ///< p, N entries, in the problem's units
+    Eigen::VectorXd displacement; ///< u = H p where the solver last brought it up to date, N entries
+    /// No load.
     explicit Loaded(Index nodes) : pressure(Eigen::VectorXd::Zero(nodes)), displacement(pressure) {}
 };
 
@@ -33,6 +40,7 @@ struct Loaded {
 /// inverse of the circulant nearest to H (T. Chan 1988), restricted to A.
 class SetSolver {
   public:
+    /// Transforms the problem's first column and its preconditioner's once.
     explicit SetSolver(const ContactProblem& problem);
 
     /// u = H p afresh
@@ -46,7 +54,7 @@ class SetSolver {
     /// entries.
     void tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
 
-    long applies() const { return applies_; }
+    long applies() const { return applies_; } ///< products with H so far
 
   private:
     void precondition(const ContactSet& set, const Eigen::VectorXd& residual, Eigen::VectorXd& z);

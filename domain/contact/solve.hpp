@@ -9,12 +9,13 @@
 
 namespace rough {
 
+/// How contact is solved; `automatic` decides by a fixed cost model (choose_solver), never by a clock.
 enum class Solver { automatic, nested, nnls, polonsky_keer, active_set };
 
 /// How contact is to be solved.
 struct ContactOptions {
-    Solver solver = Solver::automatic;
-    double tolerance = 1e-6;   ///< relative, iterative solvers only
+    Solver solver = Solver::automatic; ///< which method
+    double tolerance = 1e-6;           ///< relative, iterative solvers only
     bool states = false;       ///< keep each step's contact set, pressures and tangent vector for the adjoint
     double memory_limit = 2e9; ///< bytes; a factor predicted to need more is refused
     std::function<bool()> stop; ///< asked now and then where set; true ends the solution with NotConverged
@@ -27,8 +28,8 @@ struct LoadStep {
     double pressure = 0;          ///< P = sum p_i delta / L, MPa
     double tangent_stiffness = 0; ///< dP/dDelta at the step's contact set, MPa/mm
     double kkt_residual = 0;      ///< certificate, scale-free, H applied by another path than the solver's
-    Index contact_nodes = 0;
-    double contact_fraction = 0; ///< contact_nodes / N
+    Index contact_nodes = 0;      ///< how many nodes touch
+    double contact_fraction = 0;  ///< contact_nodes / N
 };
 
 /// The contact set of one load step with what the adjoint needs.

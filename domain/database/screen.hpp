@@ -7,9 +7,9 @@ namespace rough {
 
 /// A stored genome and how well its curves meet the goals.
 struct Match {
-    std::uint64_t index = 0;
-    double similarity = 0; ///< 1 - the largest misfit of all goals (Eq. 12)
-    double scale = 1;      ///< of the genome's amplitude
+    std::uint64_t index = 0; ///< of the genome in its database, from 0
+    double similarity = 0;   ///< 1 - the largest misfit of all goals (Eq. 12)
+    double scale = 1;        ///< of the genome's amplitude
 };
 
 /// What screening is to look for.

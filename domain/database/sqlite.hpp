@@ -15,12 +15,14 @@ namespace rough {
 /// with the file.
 class Sqlite {
   public:
-    enum class Access { existing, create }; ///< a file that is there, or one made where there is none
+    /// a file that is there, or one made where there is none
+    enum class Access { existing, create };
+    /// Throws InputError where `file` cannot be opened so.
     Sqlite(std::filesystem::path file, Access access);
 
     void run(const std::string& sql);            ///< statements whose rows do not matter
     std::int64_t number(const std::string& sql); ///< the first column of the first row; 0 without a row
-    const std::filesystem::path& file() const { return file_; }
+    const std::filesystem::path& file() const { return file_; } ///< as it was given
 
   private:
     friend class Statement;
@@ -35,12 +37,16 @@ class Sqlite {
 /// A prepared statement: bind in order, then step through the rows.
 class Statement {
   public:
+    /// Throws InputError, naming the file, on SQL that SQLite refuses. `sqlite` must outlive the statement.
     Statement(Sqlite& sqlite, const std::string& sql);
+    /// Binds the next parameter to a whole number.
     Statement& bind(std::int64_t value);
+    /// Binds the next parameter to UTF-8 text, which is copied.
     Statement& bind_text(std::string_view value);
+    /// Binds the next parameter to bytes, which are copied.
     Statement& bind_blob(std::string_view bytes);
-    bool step(); ///< false when done
-    std::int64_t number(int column) const;
+    bool step();                              ///< false when done
+    std::int64_t number(int column) const;    ///< of the row, columns from 0
     std::string_view bytes(int column) const; ///< text or blob, valid until the next step
     void reset();                             ///< to be bound and stepped again
 
@@ -56,8 +62,10 @@ class Statement {
 /// A write transaction: taken at once, rolled back unless committed.
 class Transaction {
   public:
+    /// Waits for other writers, then holds the file.
     explicit Transaction(Sqlite& sqlite) : sqlite_(sqlite) { sqlite_.run("BEGIN IMMEDIATE"); }
     ~Transaction();
+    /// Makes what was written since the start last.
     void commit();
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;

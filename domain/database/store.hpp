@@ -10,7 +10,8 @@ namespace rough {
 
 /// Genomes first .. first + count - 1 of a law.
 struct Span {
-    std::uint64_t first = 0, count = 0;
+    std::uint64_t first = 0; ///< index, from 0
+    std::uint64_t count = 0; ///< how many
 };
 
 /// The responses' numbers that scoring needs, one genome after another.
@@ -36,10 +37,10 @@ class GenomeStore {
     /// Whether there is such a file with anything in it: a program killed while it makes one leaves it empty.
     static bool begun(const std::filesystem::path& file);
 
-    const DatabaseSetup& setup() const { return setup_; }
+    const DatabaseSetup& setup() const { return setup_; }   ///< as the file says it
     const std::string& version() const { return version_; } ///< of the program that made the file
     std::uint64_t stored() const;                           ///< genomes
-    const std::filesystem::path& file() const { return sqlite_.file(); }
+    const std::filesystem::path& file() const { return sqlite_.file(); } ///< where it lies
 
     /// The next genomes below `end` to compute, at most `batch`: first such that no other builder has taken,
     /// then those taken and never delivered. Nothing when all are stored.
@@ -47,6 +48,7 @@ class GenomeStore {
     /// Stores a batch; where another builder was faster, its copy stays.
     void add(const Span& span, const std::vector<Genome>& genomes, const std::vector<Response>& responses);
 
+    /// Every stored genome's curve, read in one pass; contact fractions where asked for.
     StoredCurves curves(bool with_fractions = false) const;
     Genome genome(std::uint64_t index) const;     ///< throws InputError when it is not stored
     Response response(std::uint64_t index) const; ///< displacement, pressure, contact fraction and tangents

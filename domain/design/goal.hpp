@@ -18,26 +18,31 @@ enum class Quantity {
 
 /// One curve that is asked for, with how much it counts and, where given, the band that satisfies it.
 struct Goal {
-    Quantity quantity = Quantity::stiffness;
-    std::string name;             ///< where it came from
-    Eigen::VectorXd x, y;         ///< points, x > 0 and increasing, y > 0
-    Eigen::VectorXd lower, upper; ///< band about y, or empty
-    double weight = 1;            ///< (0, 1]: a misfit counts so much
+    Quantity quantity = Quantity::stiffness; ///< what the curve is of
+    std::string name;                        ///< where it came from
+    Eigen::VectorXd x;                       ///< points in the quantity's units, > 0 and increasing
+    Eigen::VectorXd y;                       ///< the same many, > 0
+    Eigen::VectorXd lower;                   ///< band about y, or empty
+    Eigen::VectorXd upper;                   ///< band about y, or empty
+    double weight = 1;                       ///< (0, 1]: a misfit counts so much
     std::map<std::string, std::string>
         recorded; ///< "kernel", "datum_mm", ...: what the file says of its model
 
-    Index points() const { return x.size(); }
-    double last() const { return x[points() - 1]; }
+    Index points() const { return x.size(); }       ///< how many
+    double last() const { return x[points() - 1]; } ///< the largest x
+    /// Whether x is a mean pressure (MPa), not a displacement (mm).
     bool against_pressure() const {
         return quantity == Quantity::stiffness || quantity == Quantity::area_at_pressure;
     }
-    bool has_band() const { return lower.size() > 0; }
+    bool has_band() const { return lower.size() > 0; } ///< whether a band is given
 };
 
 /// The columns of a quantity's file, e.g. "pressure_MPa" and "stiffness_MPa_per_mm".
 struct Columns {
-    const char *x, *y;
+    const char* x; ///< what it is given against
+    const char* y; ///< what is asked for
 };
+/// As target files head them.
 Columns columns_of(Quantity quantity);
 
 /// Throws InputError that names the row (1-based) and value: no points; x not increasing from above 0; y not

@@ -9,9 +9,12 @@ namespace rough {
 
 /// Between which bounds a design may move its genes. Lengths in mm.
 struct GeneBounds {
-    double H_from = 0.05, H_to = 2.5;
-    double gamma_from = 1.05, gamma_to = 4;    ///< > 1
-    double lambda_from = 0.2, lambda_to = 3.4; ///< longest wave of a series
+    double H_from = 0.05;     ///< least Hurst exponent
+    double H_to = 2.5;        ///< greatest Hurst exponent
+    double gamma_from = 1.05; ///< least ratio of neighbouring wave numbers, > 1
+    double gamma_to = 4;      ///< greatest ratio of neighbouring wave numbers
+    double lambda_from = 0.2; ///< least length of a series' longest wave, mm
+    double lambda_to = 3.4;   ///< greatest length of a series' longest wave, mm
 };
 
 /// What can be made. 0: no limit.
@@ -21,6 +24,7 @@ struct MakingLimits {
     double largest_height = 0;  ///< max Z - min Z, mm
     double smallest_radius = 0; ///< of curvature, 1/|d2Z/dx2|, mm: no larger than the circle's own
 
+    /// Whether the sampled shape is limited, not the waves alone.
     bool any_shape() const { return largest_slope > 0 || largest_height > 0 || smallest_radius > 0; }
 };
 
@@ -30,6 +34,7 @@ struct Margin {
     double limit;     ///< 0: none was set
     double value;     ///< the genome's, on the safe side
     bool is_least;    ///< the limit is a lower one
+    /// Whether the value keeps the limit.
     bool holds() const { return limit == 0 || (is_least ? value >= limit : value <= limit); }
     /// How far inside the limit, over it: negative outside; 1 where there is none.
     double margin() const { return limit == 0 ? 1 : (is_least ? 1 - limit / value : 1 - value / limit); }
@@ -48,9 +53,10 @@ double excess(const Genome& genome, const Grid& grid, const MakingLimits& limits
 /// differences of the profile at the place of the extreme). Where the genome's scale moves with its genes,
 /// `d_scale` has its derivatives; empty where it does not.
 struct LimitRows {
-    Eigen::VectorXd residuals;
-    Eigen::MatrixXd jacobian; ///< rows x genes
+    Eigen::VectorXd residuals; ///< one a limit on shape; 0 where it is kept
+    Eigen::MatrixXd jacobian;  ///< rows x genes
 };
+/// The rows of a genome on a grid, each limit tightened by `guard` (a part of it).
 LimitRows limit_rows(const Genome& genome, const Grid& grid, const MakingLimits& limits, double guard,
                      const Eigen::RowVectorXd& d_scale = {});
 

@@ -13,13 +13,13 @@ namespace rough {
 
 /// What a design is asked for.
 struct DesignSetup {
-    Model model;
+    Model model;             ///< grid, body, load steps, contact options
     std::vector<Goal> goals; ///< at least one; the first shapes the starts
     /// MPa: every genome is rescaled to it at its last load step (Eq. 11). Without it amplitude is a gene
     /// like another, and load steps end where the goals do.
     std::optional<double> max_pressure;
-    GeneBounds bounds;
-    MakingLimits limits;
+    GeneBounds bounds;   ///< of the genes
+    MakingLimits limits; ///< of what can be made
 };
 
 /// A genome's answer to all goals.
@@ -37,28 +37,35 @@ struct DesignOutcome {
 /// the middle of its range. A genome over the limits is ranked below every one within them.
 class DesignProblem {
   public:
-    using Genome = rough::Genome;
-    using Outcome = DesignOutcome;
+    using Genome = rough::Genome;  ///< what is designed
+    using Outcome = DesignOutcome; ///< what an evaluation yields
 
     /// Where the solver is left open and the grid is small, the direct one is taken. Throws InputError on no
     /// goals, a goal beyond max_pressure, goals that the set-up cannot load together,
     /// or limits without sense.
     explicit DesignProblem(DesignSetup setup);
 
+    /// The genome's misfit to every goal. Throws InputError or NotConverged where it has no answer.
     Outcome evaluate(const Genome& genome) const;
+    /// Those named above.
     const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
 
+    /// The genome's bits as far as they decide its outcome: all, or under Eq. 11 all but the scale.
     std::string key(const Genome& genome) const;
     /// Under Eq. 11 the genome with its scale set.
     Genome settled(Genome genome, const Outcome& outcome) const;
 
+    /// Its genes in the order of gene_places(): mm, rad, dimensionless.
     std::vector<double> genes(const Genome& genome) const { return rough::genes(genome); }
+    /// The genome with those genes replaced.
     Genome with_genes(const Genome& genome, const std::vector<double>& values) const {
         return rough::with_genes(genome, values);
     }
     /// A genome drawn blindly (drawn_start), its amplitude fitted where it is free.
     Genome sample(ga::Stream& random) const;
+    /// Exchanges chromosomes at `cuts` places along their wave lengths.
     void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const;
+    /// Exchanges each chromosome with probability 1/2.
     void cross_uniform(Genome& a, Genome& b, ga::Stream& stream) const;
 
     /// Every gene that may move: phases by half a turn; A by a factor of 10; H, gamma and lambda within the
@@ -68,7 +75,7 @@ class DesignProblem {
     /// contact fractions, whose count of nodes has none; those move with the pressures they stand at.
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 
-    const DesignSetup& setup() const { return *setup_; }
+    const DesignSetup& setup() const { return *setup_; } ///< what is asked for
 
   private:
     explicit DesignProblem(std::shared_ptr<DesignSetup> setup);
@@ -80,12 +87,13 @@ class DesignProblem {
 /// A genome's responses under a set-up, in final amplitude, one for each way the goals are loaded, and which
 /// of them serves each goal.
 struct DesignResponse {
-    double scale = 1; ///< that Eq. 11 found
-    std::vector<Response> responses;
-    std::vector<std::size_t> of_goal;
+    double scale = 1;                 ///< that Eq. 11 found
+    std::vector<Response> responses;  ///< one a way of loading
+    std::vector<std::size_t> of_goal; ///< index into `responses` for each goal
 };
 /// `model` may differ from the set-up's own: a finer grid, more load steps, another kernel.
 DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Model& model);
+/// The same for a profile, e.g. a measured one; Eq. 11 as for a genome.
 DesignResponse respond(const DesignSetup& setup, const Profile& profile, const Model& model);
 
 /// The smallest similarity of all goals.

@@ -4,23 +4,24 @@
 
 namespace rough {
 
+/// How long, from where and by which pipeline to search.
 struct SearchOptions {
     std::string variant = "default"; ///< first word of every path
     std::string pipeline;            ///< text; empty: the named variant's
     std::vector<Genome> starts =
         {}; ///< the population to begin with; empty: the pipeline's own, or the Sobol database
-    std::uint64_t seed = 1;
-    int threads = 0;
-    double seconds = std::numeric_limits<double>::infinity();
-    long evaluations = std::numeric_limits<long>::max(); ///< curves and gradients
-    const std::atomic<bool>* stop = nullptr;             ///< somebody asks the search to end
+    std::uint64_t seed = 1; ///< same seed, same answer, unless `seconds` or `stop` ends the search
+    int threads = 0;        ///< 0: as many as OpenMP has
+    double seconds = std::numeric_limits<double>::infinity(); ///< of wall time, from the call
+    long evaluations = std::numeric_limits<long>::max();      ///< curves and gradients
+    const std::atomic<bool>* stop = nullptr;                  ///< somebody asks the search to end
     std::optional<double> reach;  ///< ends when an answer has this similarity on both grids
     std::size_t alternatives = 3; ///< different answers to return, the best among them
 };
 
 /// A genome in final amplitude and how well it answers.
 struct Answer {
-    Genome genome;
+    Genome genome;                 ///< amplitude final
     double similarity = 0;         ///< on the set-up's grid
     double similarity_refined = 0; ///< on a grid four times finer, Eq. 11 anew where it applies
     double difference = 1;         ///< from the answers before it, the least
@@ -29,20 +30,21 @@ struct Answer {
     double judged() const { return std::min(similarity, similarity_refined); }
 };
 
+/// What a search found, and what it took.
 struct SearchResult {
-    Answer best;
+    Answer best;                      ///< by its judged similarity
     std::vector<Answer> alternatives; ///< the best first, then the next best that differ from those before
-    ga::Counters counters;
-    std::vector<std::string> notes;
-    std::string stopped;       ///< why the search ended before its pipeline; empty when it did not
-    std::string pipeline;      ///< as it was run
-    bool within_limits = true; ///< the best answer holds every limit of the set-up
+    ga::Counters counters;            ///< curves and gradients paid for
+    std::vector<std::string> notes;   ///< remarks of stages, each under its path
+    std::string stopped;              ///< why the search ended before its pipeline; empty when it did not
+    std::string pipeline;             ///< as it was run
+    bool within_limits = true;        ///< the best answer holds every limit of the set-up
 };
 
 /// How much two profiles differ: 1 less the correlation coefficient of their heights, the better one of as
 /// they are and one of them mirrored end to end. 0 to 2; answers differ from `different` on.
 double difference(const Profile& left, const Profile& right);
-constexpr double different = 0.05;
+constexpr double different = 0.05; ///< see above
 
 /// Runs a pipeline on a design and picks what to believe: of the best individuals of all stages those that
 /// are best on both grids. There is always an answer: the best so far, or a first start. Throws

@@ -5,32 +5,35 @@
 
 namespace rough {
 
+/// How an answer is put to the test.
 struct TrustOptions {
-    double noise = 0;     ///< deviation of random height errors at the nodes, mm; 0: none
-    int noise_draws = 20; ///< how many noisy profiles
-    int phase_draws = 30; ///< how many genomes with phases drawn anew
-    double hardness = 0;  ///< MPa, against the highest node pressure; 0: not given
-    std::uint64_t seed = 1;
-    int threads = 0; ///< 0: all
+    double noise = 0;       ///< deviation of random height errors at the nodes, mm; 0: none
+    int noise_draws = 20;   ///< how many noisy profiles
+    int phase_draws = 30;   ///< how many genomes with phases drawn anew
+    double hardness = 0;    ///< MPa, against the highest node pressure; 0: not given
+    std::uint64_t seed = 1; ///< of noise and redrawn phases
+    int threads = 0;        ///< 0: all
 };
 
 /// One way to ask the same again, and the similarity it gives; NaN where it has no answer.
 struct Check {
-    std::string name;
-    double similarity;
+    std::string name;  ///< what was asked, in words
+    double similarity; ///< NaN: no answer
 };
 
 /// How far an answer is to be believed.
 struct Trust {
-    std::vector<Check> checks; ///< as designed, finer grids, more load steps, farther datum, each noisy draw
-    double median = 0, tenth = 0; ///< of the checks; tenth percentile
+    std::vector<Check> checks;  ///< as designed, finer grids, more load steps, farther datum, each noisy draw
+    double median = 0;          ///< of the checks' similarities
+    double tenth = 0;           ///< tenth percentile of the checks' similarities
     std::vector<Check> kernels; ///< the same profile on other bodies, for comparison: no check of the answer
     /// Similarity of genomes of the same spectrum with phases drawn anew (amplitude by Eq. 11, or fitted):
     /// where the best of them is near the answer the spectrum does it, where it is not the phases do.
-    double redrawn_best = 0, redrawn_median = 0;
-    double rms_slope = 0;
-    double peak_pressure = 0; ///< highest node pressure at the last load step, MPa
-    double shortest_wave_nodes = 0;
+    double redrawn_best = 0;
+    double redrawn_median = 0;      ///< as redrawn_best, the median
+    double rms_slope = 0;           ///< of the profile, dimensionless
+    double peak_pressure = 0;       ///< highest node pressure at the last load step, MPa
+    double shortest_wave_nodes = 0; ///< in units of the grid's spacing
     bool contact_at_ends = false;   ///< of a free or strip profile, at the last load step
     std::vector<std::string> flags; ///< where the model strains, a line each
 };

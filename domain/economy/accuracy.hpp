@@ -11,8 +11,10 @@ constexpr double light_load = 0.01;
 /// before (the secant stiffness times the row's step); where the pressure is under 1 % of the last, no less
 /// than that 1 %. MPa.
 struct ErrorScale {
-    Eigen::VectorXd pressure, difference;
+    Eigen::VectorXd pressure;   ///< MPa, one a row
+    Eigen::VectorXd difference; ///< MPa, one a row
 };
+/// Of a curve's pressures (MPa, increasing).
 ErrorScale error_scale(const Eigen::VectorXd& pressure);
 
 /// P_j - P_{j-1}, P_0 = 0.
@@ -20,11 +22,13 @@ Eigen::VectorXd differences(const Eigen::VectorXd& pressure);
 
 /// How far off pressures and their differences from row to row may be, MPa.
 struct Doubt {
-    Eigen::VectorXd pressure, difference;
+    Eigen::VectorXd pressure;   ///< MPa, one a row
+    Eigen::VectorXd difference; ///< MPa, one a row
 
     /// Without any in the first rows, which are known; the others moved by `offset` (MPa) to join them.
     Doubt known_up_to(Eigen::Index rows, double offset) const;
 };
+/// Doubts of independent sources add up.
 Doubt operator+(const Doubt& a, const Doubt& b);
 
 /// The doubt of pressures whose exact values lie within bounds.

@@ -21,11 +21,13 @@ double shortest_wave(const Genome& genome);
 
 /// Which chromosomes to model, and the window that those left out may open.
 struct Selection {
-    Genome genome;
-    std::vector<ChromosomePlace> used, dropped;
-    Window window;
+    Genome genome;                        ///< with the chromosomes kept
+    std::vector<ChromosomePlace> used;    ///< kept, by their places in the whole genome
+    std::vector<ChromosomePlace> dropped; ///< left out, by their places in the whole genome
+    Window window;                        ///< mm; 0 wide where all are kept
 };
 
+/// The whole genome, nothing left out.
 Selection everything(const Genome& genome);
 
 /// Leaves out the shortest waves, as many as the window's width allows (`widest`, mm) on the grid on which

@@ -5,9 +5,10 @@
 
 namespace rough {
 
+/// A response, and what it took and how far to trust it.
 struct EconomicResponse {
-    Response response;
-    Account account;
+    Response response; ///< at every displacement asked for
+    Account account;   ///< its errors, grids and rows
 };
 
 /// The grid that counts as resolved for a genome: 64 elements to its shortest wave, at least 4096 and at most
@@ -19,10 +20,12 @@ Grid resolved_grid(const Genome& genome, double length, bool wraps);
 /// the solver's tolerance (never above the one given); where nothing cheaper is good enough it solves the
 /// resolved model itself. Throws InputError on another accuracy, and what `respond` throws.
 EconomicResponse respond_within(const Genome& genome, const Model& resolved, double accuracy);
+/// The same for a measured profile.
 EconomicResponse respond_within(const Profile& scan, const Model& resolved, double accuracy);
 
 /// The response of the exact model as given, with its account.
 EconomicResponse respond_exactly(const Genome& genome, const Model& model);
+/// The same for a measured profile.
 EconomicResponse respond_exactly(const Profile& scan, const Model& model);
 
 } // namespace rough

@@ -6,10 +6,10 @@ namespace rough {
 
 /// A curve at every displacement asked for, solved there or between solved ones.
 struct LoadRows {
-    std::vector<LoadStep> steps; ///< one a displacement; zeros where the profile does not touch yet
-    double error = 0;            ///< bound of what reading between solved rows costs (`relative_error`)
-    int solved = 0;              ///< rows that were solved
-    Solver solver = Solver::automatic;
+    std::vector<LoadStep> steps;       ///< one a displacement; zeros where the profile does not touch yet
+    double error = 0;                  ///< bound of what reading between solved rows costs (`relative_error`)
+    int solved = 0;                    ///< rows that were solved
+    Solver solver = Solver::automatic; ///< the one that was used
 };
 
 /// Solves the contact at as few of the displacements (mm, increasing; <= 0 is no contact) as `accuracy`

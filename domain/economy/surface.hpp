@@ -8,10 +8,11 @@ namespace rough {
 
 /// Something with a height everywhere, to be sampled on any grid.
 struct Surface {
-    std::function<Profile(const Grid&)> sampled;
+    std::function<Profile(const Grid&)> sampled; ///< heights on a grid, mm
     double finest_feature = 0; ///< mm: on grids much coarser the surface is not to be recognised
 };
 
+/// The genome's own sum of waves.
 Surface surface_of(const Genome& genome);
 
 /// A measured profile, its points joined by straight lines. Its finest feature is taken to be 32 points long:

@@ -8,8 +8,9 @@ namespace rough {
 /// How far the gaps of a reduced profile Z' are off those of the whole profile Z, mm: the least and the
 /// greatest of f_i = (Z'_i - max Z') - (Z_i - max Z) = g0_i - g0'_i over the nodes; lowest <= 0 <= highest.
 struct Window {
-    double lowest = 0, highest = 0;
-    double width() const { return highest - lowest; }
+    double lowest = 0;                                ///< mm, <= 0
+    double highest = 0;                               ///< mm, >= 0
+    double width() const { return highest - lowest; } ///< mm, >= 0
 };
 
 /// Both profiles on the same nodes. Throws InputError if they are not.
@@ -17,7 +18,8 @@ Window window_between(const Profile& whole, const Profile& reduced);
 
 /// Values that are certainly not below `lower` nor above `upper`, one a load step. `upper` may be infinite.
 struct Bounds {
-    Eigen::VectorXd lower, upper;
+    Eigen::VectorXd lower; ///< one a load step
+    Eigen::VectorXd upper; ///< one a load step, no less than `lower`
 };
 
 /// Bounds of the whole profile's pressures P(Delta_j), MPa, at the displacements given (mm, increasing), from

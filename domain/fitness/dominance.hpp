@@ -15,6 +15,7 @@ struct Dominance {
     std::vector<std::vector<char>> dominant; ///< same shape; at least one is set
     bool only_best = false;                  ///< none passed the threshold: the best correlated was kept
 
+    /// Whether that chromosome, by its index in its series' list, is dominant.
     bool at(std::size_t series, std::size_t chromosome) const { return dominant[series][chromosome] != 0; }
 };
 
@@ -28,6 +29,7 @@ enum class DominanceReading {
 /// threads.
 class DominanceRule {
   public:
+    /// `threshold` is the correlation above which a chromosome is dominant (the paper: 0.95).
     explicit DominanceRule(Model model, DominanceReading reading = DominanceReading::same_pressure,
                            double threshold = 0.95)
         : model_(std::move(model)), reading_(reading), threshold_(threshold) {}

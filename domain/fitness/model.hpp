@@ -7,10 +7,10 @@ namespace rough {
 
 /// A model set-up: what turns a genome into a response. Target and kernel, datum and grid belong together.
 struct Model {
-    Grid grid;
-    Body body;
-    Loading loading;
-    ContactOptions contact;
+    Grid grid;              ///< where profiles are sampled
+    Body body;              ///< what they are pressed on
+    Loading loading;        ///< how far and in how many steps
+    ContactOptions contact; ///< by which solver
 };
 
 /// The same set-up on a grid of `refine` elements for each of this one.

@@ -13,8 +13,10 @@ struct PhaseReach {
 
 /// A variable for each phase of the genome, or of its dominant chromosomes alone, or of the others.
 std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach);
+/// Those of dominant chromosomes alone.
 std::vector<ga::Variable> dominant_phase_variables(const Genome& genome, const Dominance& dominance,
                                                    PhaseReach reach);
+/// Those of the other chromosomes.
 std::vector<ga::Variable> other_phase_variables(const Genome& genome, const Dominance& dominance,
                                                 PhaseReach reach);
 

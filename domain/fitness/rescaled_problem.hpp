@@ -21,8 +21,8 @@ struct RescaledResponse {
 /// p_max, is similar to the target. Amplitude is no gene here: `settled` sets it.
 class RescaledProblem {
   public:
-    using Genome = rough::Genome;
-    using Outcome = RescaledResponse;
+    using Genome = rough::Genome;     ///< what is evolved
+    using Outcome = RescaledResponse; ///< what an evaluation yields
 
     /// `threshold` is p_bar (MPa), which parts the objectives `low` on [0, p_bar] and `high` on [p_bar,
     /// p_max]. Throws InputError if the target reaches beyond max_pressure or one of its two parts has no
@@ -30,30 +30,36 @@ class RescaledProblem {
     RescaledProblem(Model model, Target target, double max_pressure, double threshold,
                     std::shared_ptr<ResponseMemory> memory = nullptr, PhaseReach reach = {});
 
+    /// The genome's response at scale 1 and the scale that Eq. 11 gives it. Throws NotConverged.
     Outcome evaluate(const Genome& genome) const;
     /// similarity (Eq. 12 over all points), low, high
     const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
 
-    std::string key(const Genome& genome) const { return shape_key(genome); }
+    std::string key(const Genome& genome) const { return shape_key(genome); } ///< all bits but the scale's
+    /// The genome at the scale of Eq. 11.
     Genome settled(Genome genome, const Outcome& outcome) const;
 
+    /// In the order of gene_places(); refinement moves phases alone (rad).
     std::vector<double> genes(const Genome& genome) const { return rough::genes(genome); }
+    /// The genome with those genes replaced.
     Genome with_genes(const Genome& genome, const std::vector<double>& values) const {
         return rough::with_genes(genome, values);
     }
     /// The choice `all`: every phase within the reach.
     std::vector<ga::Variable> bounds(const Genome& genome) const { return phase_variables(genome, reach_); }
+    /// Exchanges chromosomes at `cuts` places along their wave lengths.
     void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const {
         rough::cross_points(a, b, cuts, stream);
     }
+    /// Exchanges each chromosome with probability 1/2.
     void cross_uniform(Genome& a, Genome& b, ga::Stream& stream) const { rough::cross_uniform(a, b, stream); }
 
     /// Relative misfits at the objective's points and their derivatives by the adjoint.
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 
-    const Model& model() const { return model_; }
-    const Target& target() const { return target_; }
-    double max_pressure() const { return max_pressure_; }
+    const Model& model() const { return model_; }         ///< grid, body, load steps
+    const Target& target() const { return target_; }      ///< what similarity is to
+    double max_pressure() const { return max_pressure_; } ///< p_max, MPa
 
   private:
     const std::vector<Index>& points_of(const std::string& objective) const;

@@ -4,10 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+/// @file
 /// Genomes and responses as checkpoints hold them: without loss, the scale apart. (A genome file for people
 /// is mwm/genome_json.hpp's.)
 namespace rough {
 
+///@{
+/// Undone by its counterpart; from_json throws nlohmann's exceptions on anything else.
 inline void to_json(nlohmann::json& j, const Chromosome& chromosome) {
     j = {chromosome.n, chromosome.phases};
 }
@@ -56,5 +59,6 @@ inline void from_json(const nlohmann::json& j, RescaledResponse& outcome) {
     outcome.response.kkt_residual = vector_from(r.at(5));
     outcome.response.solver = static_cast<Solver>(r.at(6).get<int>());
 }
+///@}
 
 } // namespace rough

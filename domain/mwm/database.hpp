@@ -6,11 +6,13 @@ namespace rough {
 
 /// How the paper's database is laid out (section 4.1): Sobol pairs (H, gamma) times Sobol phase columns.
 struct DatabaseLayout {
-    int pairs = 20;
-    int phase_columns = 5;
-    double H_from = 0.5, H_to = 1.5;
-    double gamma_from = 1.4, gamma_to = 2.0;
-    double A = 1;
+    int pairs = 20;          ///< Sobol points (H, gamma)
+    int phase_columns = 5;   ///< Sobol phase vectors, combined with each pair
+    double H_from = 0.5;     ///< least Hurst exponent
+    double H_to = 1.5;       ///< greatest Hurst exponent
+    double gamma_from = 1.4; ///< least ratio of neighbouring wave numbers, > 1
+    double gamma_to = 2.0;   ///< greatest ratio of neighbouring wave numbers
+    double A = 1;            ///< amplitude of every series; with lambda in mm, the unit that makes heights mm
     double lambda = 0.84942; ///< mm
     double shortest = 0;     ///< shortest wave length admitted, mm (the paper: the grid's spacing)
 };

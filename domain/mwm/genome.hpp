@@ -17,7 +17,7 @@ struct Series {
     double H = 0.5;     ///< Hurst exponent, dimensionless
     double gamma = 1.5; ///< ratio of neighbouring wave numbers, > 1
     double lambda = 1;  ///< longest wave length, mm
-    std::vector<Chromosome> chromosomes;
+    std::vector<Chromosome> chromosomes; ///< at least one, each n once
 };
 
 /// A rough profile: scale * sum of series. A cross-over adds the parents' series.
@@ -25,8 +25,8 @@ struct Series {
 /// `scale` is the amplitude of the whole. It costs nothing to change: scaling a profile scales pressures and
 /// displacements and leaves stiffness and contact sets as they are, so Eq. 11 is a change of `scale` alone.
 struct Genome {
-    double scale = 1;
-    std::vector<Series> series;
+    double scale = 1;           ///< != 0
+    std::vector<Series> series; ///< at least one
 };
 
 /// Checks every number. Throws InputError: nothing in it, A = 0, gamma <= 1, lambda <= 0, n < 1, n twice in a
@@ -45,14 +45,17 @@ std::string shape_key(const Genome& genome);
 
 /// What a gene is and where it stands.
 struct GenePlace {
-    enum class Kind { A, H, gamma, lambda, phase } kind;
-    std::size_t series = 0;
+    /// Amplitude, Hurst exponent, frequency ratio, longest wave (mm), ridge phase (rad).
+    enum class Kind { A, H, gamma, lambda, phase };
+    Kind kind;                  ///< which gene
+    std::size_t series = 0;     ///< index into the genome's list
     std::size_t chromosome = 0; ///< index into the series' list (phases only)
     std::size_t ridge = 0;      ///< index into the chromosome's phases (phases only)
 };
 
 /// All genes in order: for each series A, H, gamma, lambda, then the phases chromosome by chromosome.
 std::vector<GenePlace> gene_places(const Genome& genome);
+/// Their values in that order: A as it is given, lengths in mm, phases in rad.
 std::vector<double> genes(const Genome& genome);
 
 /// The genome with its genes replaced; `values` has as many as genes(genome).

@@ -15,8 +15,11 @@ struct Wave {
 /// M ridges of one wave number as one cosine: sum_m [cos phi_m - cos(k x + phi_m)] = g1 - R cos(k x + theta).
 /// Paper, Eq. 5-10; theta by atan2, as Eq. 8's arccos loses the sign of g2.
 struct Ridge {
-    double g1, R, theta;
+    double g1;    ///< sum of cos phi
+    double R;     ///< hypot(g1, g2), g2 = sum of sin phi
+    double theta; ///< atan2(g2, g1), rad
 };
+/// Of one chromosome's phases (rad).
 Ridge collapsed(const std::vector<double>& phases);
 
 double wave_length(const Series& series, int n); ///< lambda_n = lambda gamma^(1-n), mm

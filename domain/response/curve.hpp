@@ -7,8 +7,10 @@ namespace rough {
 /// A piecewise linear curve y(x): linear between its points, continued with the end segments' slopes over
 /// [from, to]. At least two points, x increasing.
 struct Curve {
-    Eigen::VectorXd x, y;
-    double from = 0, to = 0; ///< where the curve may be read
+    Eigen::VectorXd x; ///< increasing
+    Eigen::VectorXd y; ///< one at each x
+    double from = 0;   ///< the curve may be read from here
+    double to = 0;     ///< to here
 
     /// y at x. Throws InputError outside [from, to] (with a guard of 1e-9 of its length).
     double at(double position) const;
@@ -22,6 +24,7 @@ struct Segment {
     Index left;    ///< points left and left + 1
     double weight; ///< of the right point; outside [0, 1] on a continued segment
 };
+/// The segment about `position`, or the end segment nearest to it.
 Segment segment_at(const Curve& curve, double position);
 
 /// K(p) as it is scored: secants K_j = (P_j - P_{j-1})/(Delta_j - Delta_{j-1}) at pi_j = (P_j + P_{j-1})/2,

@@ -22,9 +22,9 @@ struct Response {
     Eigen::VectorXd contact_fraction;  ///< contact nodes / N
     Eigen::VectorXd tangent_stiffness; ///< MPa/mm
     Eigen::VectorXd kkt_residual;      ///< certificate of each step, scale-free
-    Solver solver = Solver::automatic;
+    Solver solver = Solver::automatic; ///< the one that was used
 
-    Index steps() const { return displacement.size(); }
+    Index steps() const { return displacement.size(); } ///< how many load steps
 };
 
 /// How a response changes with the heights, by the adjoint (no further solve).
@@ -47,19 +47,22 @@ std::vector<double> step_displacements(const Profile& profile, const Body& body,
                                        const ContactOptions& options = {});
 
 /// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm: Newton's method on the convex
-/// P(Delta), to 12 digits of pressure by a direct solver and up to 3 tolerances above it by another. Throws InputError where the periodic profile is in full contact
-/// below it.
+/// P(Delta), to 12 digits of pressure by a direct solver and up to 3 tolerances above it by another. Throws
+/// InputError where the periodic profile is in full contact below it.
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 const ContactOptions& options = {});
 
+/// Presses the profile to the displacements of step_displacements(). Throws InputError on a profile, body or
+/// loading without a solution, NotConverged where a step's certificate is above tolerance.
 Response respond(const Profile& profile, const Body& body, const Loading& loading,
                  const ContactOptions& options = {});
 
 /// A response and how it changes with the heights.
 struct ResponseWithGradient {
-    Response response;
-    ResponseGradient gradient;
+    Response response;         ///< as respond() gives it
+    ResponseGradient gradient; ///< with respect to every height
 };
+/// respond() with its adjoint, at the cost of the tangents alone.
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
                                            ContactOptions options = {});
 

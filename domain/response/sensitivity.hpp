@@ -21,6 +21,7 @@ ResponseJacobian in_genes(const ResponseGradient& gradient, Pull pull) {
 
 /// A curve with the derivatives of both its coordinates.
 struct CurveJacobian {
+    /// points x genes: derivatives of the abscissas and of the values
     Eigen::MatrixXd x, y; ///< points x genes
 };
 

@@ -7,7 +7,8 @@ namespace rough {
 
 /// An interval of pressure, MPa, ends included.
 struct Interval {
-    double from, to;
+    double from; ///< MPa
+    double to;   ///< MPa, no less than `from`
 };
 
 /// Which of the target's points lie in the interval.
@@ -19,6 +20,7 @@ Eigen::VectorXd relative_misfit(const Target& target, const Curve& curve, const 
 /// Similarity, Eq. 12: s = 1 - max_k |y_k - y(xi_k)|/|y_k| over the points given. 1 is equal; may be
 /// negative. Throws InputError on no points, or a point outside the curve's range.
 double similarity(const Target& target, const Curve& curve, const std::vector<Index>& points);
+/// Over all of the target's points.
 double similarity(const Target& target, const Curve& curve);
 
 /// How far one response meets another (the second taken as target at its own secant abscissas, both stretched

@@ -13,8 +13,8 @@ struct Target {
     Eigen::VectorXd pressure;  ///< xi_k, MPa, > 0, increasing
     Eigen::VectorXd stiffness; ///< y_k, MPa/mm, > 0
 
-    Eigen::Index points() const { return pressure.size(); }
-    double highest_pressure() const { return pressure[points() - 1]; }
+    Eigen::Index points() const { return pressure.size(); }            ///< how many
+    double highest_pressure() const { return pressure[points() - 1]; } ///< MPa
 };
 
 /// Throws InputError that names the row (1-based) and value: no points, or zero, negative, non-finite,

@@ -7,6 +7,7 @@
 
 namespace rough {
 
+/// Without blanks and tabs at either end.
 std::string_view trim(std::string_view text);
 
 /// Lower case of ASCII letters; other bytes as they are.
@@ -14,9 +15,10 @@ std::string lower(std::string_view text);
 
 /// How a file writes its columns and numbers.
 struct Dialect {
+    /// What parts the columns; `comma_and_blank` is a comma with a blank behind it, where commas are decimal.
     enum class Separator { semicolon, tab, comma, comma_and_blank, blanks };
-    Separator separator = Separator::blanks;
-    bool decimal_comma = false;
+    Separator separator = Separator::blanks; ///< between columns
+    bool decimal_comma = false;              ///< "0,5" is a half
 };
 
 /// The cells of a line, trimmed and without quotes; empty ones are kept, but those at the line's end are not.
@@ -25,8 +27,8 @@ std::vector<std::string_view> split(std::string_view line, Dialect::Separator se
 /// A cell's number, NaN where the cell says that the value is missing ("", NaN, BAD, --, …), and the value of
 /// one unit in its last written digit.
 struct Number {
-    double value = 0;
-    double last_digit = 0;
+    double value = 0;      ///< NaN: missing
+    double last_digit = 0; ///< 0.001 of "1.234"
 };
 
 /// Nothing where the cell is neither a number nor a word for a missing one.

@@ -11,8 +11,8 @@ namespace rough {
 
 /// A length as a header gives it; the unit may be missing.
 struct HeaderLength {
-    double value = 0;
-    std::optional<LengthUnit> unit;
+    double value = 0;               ///< in `unit`
+    std::optional<LengthUnit> unit; ///< none: not said
 };
 
 /// What a file's header says about its table.

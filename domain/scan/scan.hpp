@@ -19,7 +19,7 @@ struct ScanOptions {
     /// unit of the columns whose header names none, e.g. "um"; empty: none given, mm is assumed
     std::string unit = {};
     double spacing = 0; ///< distance of a one-column file's points, in `unit` (mm without); 0: none given
-    Detrend detrend = Detrend::line;
+    Detrend detrend = Detrend::line; ///< what is taken off the heights
     bool fill = false; ///< replace missing heights by linear interpolation instead of refusing them
     Index nodes = 0;   ///< resample to that many even nodes, >= 2; 0: as many as the file has points
 };

@@ -9,20 +9,20 @@ namespace rough {
 
 /// A line of a file.
 struct TextLine {
-    int number = 0; ///< from 1, as an editor counts
-    std::string text;
+    int number = 0;   ///< from 1, as an editor counts
+    std::string text; ///< without its end
 };
 
 /// The numbers of a text file and the words before them.
 struct Table {
-    Dialect dialect;
+    Dialect dialect;              ///< of the rows
     std::vector<TextLine> header; ///< what stands before the numbers, comments included, their mark removed
     std::size_t columns = 0;      ///< the same for every row
     std::vector<std::vector<Number>> column; ///< columns x rows; a missing value is NaN
     std::vector<int> line;                   ///< each row's line
     long announced = -1;                     ///< a lone count of points before the rows; -1: none
 
-    std::size_t rows() const { return line.size(); }
+    std::size_t rows() const { return line.size(); } ///< lines with numbers
 };
 
 /// Finds the table in a file's lines: separators ; tab , and blanks, decimal points or commas, whichever read

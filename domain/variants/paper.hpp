@@ -11,6 +11,7 @@ enum class Form {
     minimax, ///< minimise t with +-(y(xi_k)/y_k - 1) <= t: all points at once
 };
 
+/// A pipeline on the paper's problem.
 using PaperPipeline = ga::Stage<RescaledProblem>;
 
 /// The paper's three algorithms (Algorithms 3-5); scoring with Eq. 11 is the problem's. Stages as the paper's

@@ -15,16 +15,19 @@ struct Vocabulary {
     std::shared_ptr<const DominanceRule> rule; ///< Algorithm 1
     PhaseReach reach = {};                     ///< of every refined phase
 
+    /// The choice `dominant`: phases of dominant chromosomes.
     ga::Variables<Genome> dominant() const {
         return {"dominant", [*this](const Genome& genome) {
                     return dominant_phase_variables(genome, (*rule)(genome), reach);
                 }};
     }
+    /// The choice `others`: phases of all the other chromosomes.
     ga::Variables<Genome> others() const {
         return {"others", [*this](const Genome& genome) {
                     return other_phase_variables(genome, (*rule)(genome), reach);
                 }};
     }
+    /// The choice `phases`: every phase.
     ga::Variables<Genome> phases() const {
         return {"phases", [*this](const Genome& genome) { return phase_variables(genome, reach); }};
     }

@@ -10,7 +10,7 @@ namespace ga {
 template <Problem P>
 class HallOfFame {
   public:
-    using Genome = typename P::Genome;
+    using Genome = typename P::Genome; ///< of the problem
 
     /// @param objective  name of one of the problem's; empty for its first
     HallOfFame(const P& problem, std::size_t n, std::string objective = {})
@@ -18,8 +18,9 @@ class HallOfFame {
           objective_(objective.empty() ? problem.objectives().front().name : objective) {}
     HallOfFame(const HallOfFame&) = delete;
 
-    Population<Genome> members;
+    Population<Genome> members; ///< best first
 
+    /// To be handed to `run`; refers to this hall, which must outlive the run.
     Observer<Genome> observer() {
         return [this](const Event<Genome>& event) {
             for (const auto& individual : event.population)

@@ -14,11 +14,13 @@ namespace ga {
 /// the row after the checkpoint.
 class Log {
   public:
+    /// `file` appears when the log is closed.
     explicit Log(std::filesystem::path file) : file_(std::move(file)), part_(file_.string() + ".part") {}
     Log(const Log&) = delete;
 
     std::uint64_t position = 0; ///< bytes of the table so far
 
+    /// To be handed to `run`; refers to the problem and to this log, which must outlive the run.
     template <Problem P>
     Observer<typename P::Genome> observer(const P& problem) {
         return [this, &problem](const Event<typename P::Genome>& event) {

@@ -14,13 +14,16 @@ namespace ga {
 ///     parents()
 ///                                        | pareto({"f1", "f2"}) | best(100)) | front()
 struct Pareto : Operator {
-    std::vector<std::string> objectives;
+    std::vector<std::string> objectives; ///< names, two at least
 
+    /// Throws UsageError on less than two.
     explicit Pareto(std::vector<std::string> names) : objectives(std::move(names)) {
         if (objectives.size() < 2)
             throw UsageError("pareto compares " + std::to_string(objectives.size()) +
                              " objectives; expected the names of 2 at least");
     }
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const {
         std::string text = "pareto";
         for (const auto& objective : objectives)
@@ -66,12 +69,16 @@ struct Pareto : Operator {
         }
         return population;
     }
+    ///@}
 };
 
+/// The stage `pareto objective objective ...`.
 inline Pareto pareto(std::vector<std::string> objectives) { return Pareto(std::move(objectives)); }
 
 /// Keeps the individuals that no other dominates.
 struct Front : Operator {
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const { return "front"; }
     void check(Known& known) const {
         if (known.scored != "pareto")
@@ -83,8 +90,10 @@ struct Front : Operator {
         std::erase_if(population, [](const auto& individual) { return individual.value() < 0; });
         return population;
     }
+    ///@}
 };
 
+/// The stage `front`.
 inline Front front() { return {}; }
 
 } // namespace ga

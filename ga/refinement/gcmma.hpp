@@ -4,6 +4,7 @@
 
 namespace ga {
 
+/// Throws UsageError, naming the method, on less than 1.
 inline void check_evaluations(const std::string& method, int evaluations) {
     if (evaluations < 1)
         throw UsageError("refine " + method + ": evaluations are " + std::to_string(evaluations) +
@@ -12,7 +13,7 @@ inline void check_evaluations(const std::string& method, int evaluations) {
 
 /// A method's number of evaluations after the start, kept so that `minimax` can wrap it.
 struct Gcmma : ResidualMethod {
-    int evaluations = 0;
+    int evaluations = 0; ///< after the start, >= 1
 };
 
 /// Maximises s|s| with s = 1 - max_k |r_k| by the globally convergent method of moving asymptotes (Svanberg

@@ -14,6 +14,7 @@ namespace ga {
 /// search quietly. The optimiser is never copied, since its callbacks point at it.
 class NloptSearch {
   public:
+    /// A search in the box with at most so many evaluations.
     NloptSearch(nlopt::algorithm algorithm, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                 int evaluations)
         : search_(algorithm, static_cast<unsigned>(lower.size())) {
@@ -26,7 +27,9 @@ class NloptSearch {
     }
     NloptSearch(const NloptSearch&) = delete;
 
+    /// NLopt's own object, for settings of the method.
     nlopt::opt& operator*() { return search_; }
+    /// NLopt's own object, for settings of the method.
     nlopt::opt* operator->() { return &search_; }
 
     /// Minimises value(x, gradient), where gradient is null or to be filled.
@@ -92,9 +95,10 @@ class NloptSearch {
 
 /// The best point a search has seen, by a merit that is greater for the better.
 struct BestPoint {
-    Eigen::VectorXd x;
-    double merit = -HUGE_VAL;
+    Eigen::VectorXd x;        ///< none before the first offer
+    double merit = -HUGE_VAL; ///< of x; -HUGE_VAL before the first offer
 
+    /// Takes the point where its merit is greater; of equal ones the first.
     void offer(const Eigen::VectorXd& point, double value) {
         if (value > merit) {
             x = point;

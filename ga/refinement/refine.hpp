@@ -21,10 +21,13 @@ concept Refinable = Problem<P> && HasGenes<P> &&(Sensitive<P> || !std::derived_f
 /// of the genome as it was when the individual was first refined. Failed individuals are left alone.
 template <class M, class Choice>
 struct Refine : Operator {
-    M method;
+    M method;         ///< what moves them
     Choice variables; ///< Variables<G>, or EveryGene
 
+    /// `refine method genes=variables`.
     Refine(M m, Choice v) : method(std::move(m)), variables(std::move(v)) {}
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const { return "refine " + method.text + " genes=" + variables.name; }
     void check(Known& known) const {
         known.need_score(text());
@@ -80,6 +83,7 @@ struct Refine : Operator {
             throw Stopped{watch.reason()};
         return population;
     }
+    ///@}
 
   private:
     template <class P>
@@ -168,8 +172,9 @@ struct Refine : Operator {
 /// A named choice of variables as refinement uses it.
 template <class G>
 struct ChosenGenes {
-    std::string name;
-    std::function<std::vector<Variable>(const G&)> of;
+    std::string name;                                  ///< as text writes it
+    std::function<std::vector<Variable>(const G&)> of; ///< of a genome
+    /// The choice for that genome.
     template <class P>
     std::vector<Variable> on(const P&, const G& genome) const {
         return of(genome);
@@ -178,18 +183,21 @@ struct ChosenGenes {
 
 /// Every gene within the problem's own bounds.
 struct EveryGene {
-    std::string name = "all";
+    std::string name = "all"; ///< as text writes it
+    /// The problem's bounds for that genome.
     template <Bounded P>
     std::vector<Variable> on(const P& problem, const typename P::Genome& genome) const {
         return problem.bounds(genome);
     }
 };
 
+/// The stage `refine method genes=NAME`.
 template <class M, class G>
 requires std::derived_from<M, Method> Refine<M, ChosenGenes<G>> refine(M method,
                                                                        const Variables<G>& variables) {
     return {std::move(method), {variables.name, variables.of}};
 }
+/// The stage `refine method`: every gene within the problem's bounds.
 template <class M>
 requires std::derived_from<M, Method> Refine<M, EveryGene> refine(M method) {
     return {std::move(method), {}};

@@ -7,12 +7,15 @@ namespace ga {
 /// Brings back the k best of the generation's start; as many of the worst go, so that the size stays. An
 /// individual that is there still is not doubled, and none that is better is lost for one that is worse.
 struct Elite : Operator {
-    std::size_t k;
+    std::size_t k; ///< how many come back, >= 1
 
+    /// Throws UsageError on 0.
     explicit Elite(std::size_t count) : k(count) {
         if (k == 0)
             throw UsageError("elite 0 keeps nobody; expected at least 1");
     }
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const { return "elite " + std::to_string(k); }
     std::size_t reads_of_start() const { return k; }
     void check(Known& known) const {
@@ -37,8 +40,10 @@ struct Elite : Operator {
         }
         return population;
     }
+    ///@}
 };
 
+/// The stage `elite k`.
 inline Elite elite(std::size_t k) { return Elite(k); }
 
 } // namespace ga

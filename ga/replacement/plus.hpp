@@ -22,7 +22,10 @@ Population<G> joined_with(const Population<G>& start, Population<G> population) 
 struct Plus : Operator {
     std::size_t mu; ///< 0 for as many as there were at the start
 
+    /// `plus size`; 0 for as many as there were at the start.
     explicit Plus(std::size_t size) : mu(size) {}
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const { return mu > 0 ? "plus " + std::to_string(mu) : "plus"; }
     std::size_t reads_of_start() const { return everyone; }
     void check(Known& known) const {
@@ -36,12 +39,16 @@ struct Plus : Operator {
         const auto& start = context.generation_start();
         return best_of(joined_with(start, std::move(population)), mu > 0 ? mu : start.size());
     }
+    ///@}
 };
 
+/// The stage `plus mu`.
 inline Plus plus(std::size_t mu = 0) { return Plus(mu); }
 
 /// Adds the generation's start to the population without choosing, for a ranking of all together.
 struct JoinParents : Operator {
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const { return "parents"; }
     std::size_t reads_of_start() const { return everyone; }
     void check(Known& known) const { known.need_generation(text()); }
@@ -51,14 +58,18 @@ struct JoinParents : Operator {
                                               Context<P>& context) const {
         return joined_with(context.generation_start(), std::move(population));
     }
+    ///@}
 };
 
+/// The stage `parents`.
 inline JoinParents parents() { return {}; }
 
 /// Steady-state replacement (Whitley 1989): the population is that of the generation's start with its worst
 /// individuals replaced by the children, whatever these are worth. `tournament 2 size=2` before makes two
 /// children a generation.
 struct Steady : Operator {
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const { return "steady"; }
     std::size_t reads_of_start() const { return everyone; }
     void check(Known& known) const {
@@ -76,8 +87,10 @@ struct Steady : Operator {
             population[order[order.size() - 1 - i]] = std::move(children[i]);
         return population;
     }
+    ///@}
 };
 
+/// The stage `steady`.
 inline Steady steady() { return {}; }
 
 } // namespace ga

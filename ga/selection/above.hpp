@@ -7,19 +7,23 @@ namespace ga {
 
 /// How many a threshold keeps in any case.
 struct AtLeast {
-    std::size_t count = 0;
+    std::size_t count = 0; ///< 0: nobody in particular
 };
+/// The argument `at_least=count`.
 inline AtLeast at_least(std::size_t count) { return {count}; }
 
 /// Keeps those whose fitness is above (or, for `below`, under) a threshold, in the population's order; failed
 /// ones go. When fewer than at_least pass, the at_least nearest to passing are taken and the run's notes say
 /// so; without it, an empty answer ends the run.
 struct Threshold : Operator {
-    double threshold;
-    bool upwards;
-    AtLeast least;
+    double threshold; ///< of fitness, not included
+    bool upwards;     ///< `above`, not `below`
+    AtLeast least;    ///< who stay in any case
 
+    /// `above value` where `up`, `below value` where not.
     Threshold(double value, bool up, AtLeast at) : threshold(value), upwards(up), least(at) {}
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const {
         return std::string(upwards ? "above " : "below ") + number(threshold) +
                (least.count > 0 ? " at_least=" + std::to_string(least.count) : "");
@@ -47,6 +51,7 @@ struct Threshold : Operator {
                      (upwards ? " best" : " lowest"));
         return nearest;
     }
+    ///@}
 
   private:
     template <class G>
@@ -64,7 +69,9 @@ struct Threshold : Operator {
     }
 };
 
+/// The stage `above threshold at_least=...`.
 inline Threshold above(double threshold, AtLeast least = {}) { return {threshold, true, least}; }
+/// The stage `below threshold at_least=...`.
 inline Threshold below(double threshold, AtLeast least = {}) { return {threshold, false, least}; }
 
 } // namespace ga

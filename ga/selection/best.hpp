@@ -38,12 +38,15 @@ Population<G> start_of_generation(const Population<G>& population, std::size_t r
 
 /// Keeps the n best, best first. n >= 1.
 struct Best : Operator {
-    std::size_t n;
+    std::size_t n; ///< how many stay, >= 1
 
+    /// Throws UsageError on 0.
     explicit Best(std::size_t count) : n(count) {
         if (n == 0)
             throw UsageError("best 0 keeps nobody; expected at least 1");
     }
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const { return "best " + std::to_string(n); }
     void check(Known& known) const { known.need_score(text()); }
 
@@ -51,8 +54,10 @@ struct Best : Operator {
     Population<typename P::Genome> operator()(Population<typename P::Genome> population, Context<P>&) const {
         return best_of(population, n);
     }
+    ///@}
 };
 
+/// The stage `best n`.
 inline Best best(std::size_t n) { return Best(n); }
 
 } // namespace ga

@@ -9,6 +9,7 @@ namespace ga {
 /// fitness will do and the worst is never chosen); all the same where all are equal. Failed individuals count
 /// nothing.
 struct ByFitness {
+    /// In [0, 1], one an individual.
     template <class G>
     std::vector<double> operator()(const Population<G>& population) const {
         double worst = HUGE_VAL, best = -HUGE_VAL;
@@ -30,8 +31,9 @@ struct ByFitness {
 /// Linear ranking (Baker 1985): the best counts `pressure`, the worst 2 - pressure, on a straight line
 /// between.
 struct ByRank {
-    double pressure;
+    double pressure; ///< of the best, in [1, 2]
 
+    /// In [0, pressure], one an individual.
     template <class G>
     std::vector<double> operator()(const Population<G>& population) const {
         const std::vector<std::size_t> order = ranking(population);
@@ -48,12 +50,15 @@ struct ByRank {
 /// place from its due.
 template <class Weights>
 struct Proportional : Operator {
-    std::string words;
-    Weights weights;
-    bool one_spin;
+    std::string words; ///< the stage as text
+    Weights weights;   ///< how much each individual counts: ByFitness or ByRank
+    bool one_spin;     ///< universal sampling, not roulette
 
+    /// `text_` is the stage as pipelines write it.
     Proportional(std::string text_, Weights weights_, bool once)
         : words(std::move(text_)), weights(weights_), one_spin(once) {}
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const { return words; }
     void check(Known& known) const { known.need_score(text()); }
 
@@ -77,9 +82,12 @@ struct Proportional : Operator {
             std::swap(places[i - 1], places[spin.below(i)]);
         return context.gather(std::move(population), places);
     }
+    ///@}
 };
 
+/// The stage `roulette`.
 inline Proportional<ByFitness> roulette() { return {"roulette", {}, false}; }
+/// The stage `sus`.
 inline Proportional<ByFitness> sus() { return {"sus", {}, true}; }
 /// @param pressure  expected places of the best, in (1, 2]
 inline Proportional<ByRank> rank(double pressure = 1.5) {

@@ -9,7 +9,10 @@ namespace ga {
 struct Random : Operator {
     std::size_t n; ///< 0 for all
 
+    /// `random count`; 0 for all.
     explicit Random(std::size_t count) : n(count) {}
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const { return n > 0 ? "random " + std::to_string(n) : "random"; }
     void check(Known&) const {}
 
@@ -23,8 +26,10 @@ struct Random : Operator {
             population.resize(n);
         return population;
     }
+    ///@}
 };
 
+/// The stage `random n`; 0 for all of them, shuffled.
 inline Random at_random(std::size_t n = 0) { return Random(n); }
 
 } // namespace ga

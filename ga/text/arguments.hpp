@@ -11,20 +11,24 @@
 
 namespace ga {
 
+/// A parameter's limit where it has none.
 constexpr double no_limit = std::numeric_limits<double>::infinity();
+/// The lower limit of a parameter that must be greater than 0.
 constexpr double above_zero = std::numeric_limits<double>::min();
 
 /// One parameter of an operator: its name, kind, default, range and meaning.
 struct Parameter {
+    /// A real number, a whole one, a word, or all the words that are left.
     enum class Kind { number, whole, word, words };
 
     static constexpr double most = 1e9; ///< of a whole number
 
-    std::string name;
-    Kind kind;
+    std::string name;                    ///< as in KEY=VALUE
+    Kind kind;                           ///< what may be given
     std::optional<std::string> standard; ///< the default; none where it must be given, empty for "not at all"
-    double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
-    std::string meaning = {};
+    double lower = -std::numeric_limits<double>::infinity(); ///< least number, included
+    double upper = std::numeric_limits<double>::infinity();  ///< greatest number, included
+    std::string meaning = {};                                ///< one line for the listing
 
     /// What may be given, in words.
     std::string expected() const {
@@ -39,15 +43,18 @@ struct Parameter {
     }
 };
 
+/// A parameter that takes a real number in [lower, upper].
 inline Parameter number(std::string name, std::optional<std::string> standard, double lower, double upper,
                         std::string meaning) {
     return {std::move(name), Parameter::Kind::number, std::move(standard), lower, upper, std::move(meaning)};
 }
+/// A parameter that takes a whole number from `lower` on.
 inline Parameter whole(std::string name, std::optional<std::string> standard, double lower,
                        std::string meaning) {
     return {std::move(name), Parameter::Kind::whole, std::move(standard),
             lower,           Parameter::most,        std::move(meaning)};
 }
+/// A parameter that takes a word.
 inline Parameter word(std::string name, std::optional<std::string> standard, std::string meaning) {
     Parameter parameter{std::move(name), Parameter::Kind::word, std::move(standard)};
     parameter.meaning = std::move(meaning);
@@ -90,11 +97,17 @@ class Arguments {
         }
     }
 
+    /// Whether it was given, or has a default.
     bool has(const std::string& name) const { return values_.count(name) > 0; }
+    /// A number's value, in the parameter's range.
     double number(const std::string& name) const { return *parsed(word(name)); }
+    /// The value of a whole number that is no less than 0.
     std::size_t count(const std::string& name) const { return static_cast<std::size_t>(number(name)); }
+    /// The value of a whole number.
     int integer(const std::string& name) const { return static_cast<int>(number(name)); }
+    /// A word.
     const std::string& word(const std::string& name) const { return values_.at(name).front().value; }
+    /// All the words of a parameter that takes several.
     std::vector<std::string> words(const std::string& name) const {
         std::vector<std::string> words;
         for (const auto& argument : values_.at(name))
@@ -106,6 +119,7 @@ class Arguments {
         throw TextError(where_, values_.at(name).front().column, message);
     }
 
+    /// The number that is the whole of the text; nothing where it is none.
     static std::optional<double> parsed(const std::string& text) {
         double value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -12,6 +12,7 @@ using Variants = std::map<std::string, std::string>;
 template <Problem P>
 class Parser {
   public:
+    /// Throws UsageError on a variant called like an operator.
     explicit Parser(Registry<P> registry, Variants variants = {})
         : registry_(std::move(registry)), variants_(std::move(variants)) {
         const auto names = registry_.names();

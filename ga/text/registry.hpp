@@ -10,21 +10,23 @@ namespace ga {
 template <Problem P>
 class Registry {
   public:
-    using Genome = typename P::Genome;
+    using Genome = typename P::Genome; ///< of the problem
+    /// The pipelines in braces behind a stage.
     using Bodies = std::vector<Stage<P>>;
+    /// Makes the stage of its arguments.
     using Make = std::function<Stage<P>(const Arguments&, const Bodies&, const Registry&)>;
 
     /// An operator as text knows it. A name of two words ("cross sbx") is a member of the family "cross"; a
     /// member called like the family is what the family's name alone stands for.
     struct Entry {
-        std::string name;
-        std::string group;   ///< heading in the listing
-        std::string meaning; ///< one line
-        std::vector<Parameter> parameters;
+        std::string name;                  ///< one word, or two
+        std::string group;                 ///< heading in the listing
+        std::string meaning;               ///< one line
+        std::vector<Parameter> parameters; ///< in the order they may be given without their names
         std::string lacks = {};      ///< what the genome or problem would need for it; empty when it works
         std::size_t bodies = 0;      ///< pipelines in braces it takes, 0 or 1
         bool pairs_of_words = false; ///< arguments read "fitness 0.99" for fitness=0.99
-        Make make = {};
+        Make make = {};              ///< empty where it lacks something
     };
 
     /// Adds an operator whose stage make(arguments, bodies, registry) gives. Throws UsageError when the name
@@ -53,17 +55,22 @@ class Registry {
         add({std::move(name), std::move(group), std::move(meaning), {}},
             [stage = Stage<P>(std::move(op))](const auto&...) { return stage; });
     }
+    /// Adds a way to combine two individuals, which `pair` takes by its name.
     void add(Combine<Genome> combine, std::string meaning) {
         combines_.push_back({std::move(combine), std::move(meaning)});
     }
+    /// Adds a choice of genes, which `refine` takes as `genes=NAME`.
     void add(Variables<Genome> variables, std::string meaning) {
         variables_.push_back({std::move(variables), std::move(meaning)});
     }
 
-    const std::vector<Entry>& entries() const { return entries_; }
+    const std::vector<Entry>& entries() const { return entries_; } ///< in the order they were added
+    /// With their meanings.
     const std::vector<std::pair<Combine<Genome>, std::string>>& combines() const { return combines_; }
+    /// With their meanings.
     const std::vector<std::pair<Variables<Genome>, std::string>>& variables() const { return variables_; }
 
+    /// Null where there is none of that name.
     const Entry* find(const std::string& name) const {
         for (const auto& entry : entries_)
             if (entry.name == name)

@@ -10,26 +10,28 @@ namespace ga {
 
 /// Where a text goes wrong: what it is called ("pipeline", "variant 'sog'"), and the column, from 1.
 struct TextError : UsageError {
+    /// "where, column N: message".
     TextError(const std::string& where, std::size_t column, const std::string& message)
         : UsageError(where + ", column " + std::to_string(column) + ": " + message) {}
 };
 
 /// One argument of a stage: VALUE, or KEY=VALUE.
 struct ArgumentText {
-    std::string key;
-    std::string value;
-    std::size_t column = 0;
+    std::string key;        ///< empty where only a value was given
+    std::string value;      ///< as it was written
+    std::size_t column = 0; ///< from 1
 };
 
 struct StageText;
+/// Stages from left to right.
 using PipelineText = std::vector<StageText>;
 
 /// One stage as it is written, its words not yet understood.
 struct StageText {
-    std::string name;
-    std::size_t column = 0;
-    std::vector<ArgumentText> arguments;
-    std::vector<PipelineText> bodies; ///< one in braces, two for pair
+    std::string name;                    ///< its first word
+    std::size_t column = 0;              ///< from 1
+    std::vector<ArgumentText> arguments; ///< as they were written
+    std::vector<PipelineText> bodies;    ///< one in braces, two for pair
 };
 
 /// Reads  pipeline := stage {"|" stage};
@@ -38,8 +40,10 @@ struct StageText {
 /// Throws TextError at the column where something else was expected.
 class Syntax {
   public:
+    /// `where` is what the text is called in errors.
     Syntax(std::string_view text, std::string where) : text_(text), where_(std::move(where)) { next(); }
 
+    /// All of the text. Throws TextError.
     PipelineText read() {
         PipelineText pipeline = read_pipeline();
         if (!token_.empty())

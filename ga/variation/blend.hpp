@@ -10,8 +10,10 @@ namespace ga {
 /// BLX-alpha (Eshelman and Schaffer 1993): each gene of both children is uniform between the parents' genes,
 /// on an interval longer by alpha times their distance at either end, cut at the bounds.
 struct Blend {
-    double alpha;
+    double alpha; ///< part of the parents' distance, >= 0
 
+    ///@{
+    /// What every way of crossing has (Crosses).
     std::string text() const { return "blend " + number(alpha); }
 
     template <HasGenes P>
@@ -30,6 +32,7 @@ struct Blend {
             });
         });
     }
+    ///@}
 };
 
 /// @param alpha  >= 0; 0.5 neither widens nor narrows a population's spread too soon

@@ -18,13 +18,16 @@ concept Crosses = Problem<P> &&
 /// meets whom.
 template <class Way>
 struct Cross : Operator {
-    Way way;
-    double rate;
+    Way way;     ///< how two genomes are crossed (Crosses)
+    double rate; ///< probability of each pair, [0, 1]
 
+    /// Throws UsageError on a rate outside [0, 1].
     Cross(Way w, double r) : way(std::move(w)), rate(r) {
         if (!(rate >= 0 && rate <= 1))
             throw UsageError("cross: rate is " + number(rate) + "; expected 0 to 1");
     }
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const { return "cross " + way.text() + (rate < 1 ? " rate=" + number(rate) : ""); }
     void check(Known& known) const { known.scored.reset(); }
 
@@ -43,6 +46,7 @@ struct Cross : Operator {
         }
         return population;
     }
+    ///@}
 };
 
 /// @param rate  probability that a pair is crossed, 0 to 1

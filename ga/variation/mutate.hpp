@@ -18,13 +18,16 @@ concept Mutates = Problem<P> && requires(const Way& way, const P& problem, typen
 /// old self.
 template <class Way>
 struct Mutate : Operator {
-    Way way;
-    double rate;
+    Way way;     ///< how a genome is changed (Mutates)
+    double rate; ///< probability of each gene, [0, 1]
 
+    /// Throws UsageError on a rate outside [0, 1].
     Mutate(double r, Way w) : way(std::move(w)), rate(r) {
         if (!(rate >= 0 && rate <= 1))
             throw UsageError("mutate: rate is " + number(rate) + "; expected 0 to 1");
     }
+    ///@{
+    /// What every operator has (Operator).
     std::string text() const {
         const std::string words = way.text();
         return "mutate " + number(rate) + (words.empty() ? "" : " ") + words;
@@ -45,6 +48,7 @@ struct Mutate : Operator {
         }
         return population;
     }
+    ///@}
 };
 
 } // namespace ga

@@ -44,7 +44,9 @@ inline double width(const Variable& variable) {
 
 /// Adds a normal step of deviation sigma times the width between the bounds.
 struct Gaussian {
-    double sigma;
+    double sigma; ///< part of the width between the bounds, > 0
+    ///@{
+    /// What every way of mutating has (Mutates).
     std::string text() const { return "gaussian " + number(sigma); }
 
     template <HasGenes P>
@@ -54,11 +56,14 @@ struct Gaussian {
             return reflected(gene + sigma * width(variable) * stream.normal(), variable);
         });
     }
+    ///@}
 };
 
 /// Adds a step uniform within plus or minus `step` times the width between the bounds.
 struct UniformStep {
-    double step;
+    double step; ///< part of the width between the bounds, > 0
+    ///@{
+    /// What every way of mutating has (Mutates).
     std::string text() const { return "uniform " + number(step); }
 
     template <HasGenes P>
@@ -68,12 +73,15 @@ struct UniformStep {
             return reflected(gene + step * width(variable) * stream.uniform(-1, 1), variable);
         });
     }
+    ///@}
 };
 
 /// Polynomial mutation (Deb and Goyal 1996, as in NSGA-II's code): a step within the bounds whose density
 /// falls as (1 - |step| / width)^eta.
 struct Polynomial {
-    double eta;
+    double eta; ///< greater: smaller steps
+    ///@{
+    /// What every way of mutating has (Mutates).
     std::string text() const { return "polynomial " + number(eta); }
 
     template <HasGenes P>
@@ -92,6 +100,7 @@ struct Polynomial {
             return std::clamp(gene + step * width, variable.lower, variable.upper);
         });
     }
+    ///@}
 };
 
 /// Genes that are whole numbers or bits.
@@ -106,6 +115,8 @@ concept BitString = Discrete<G> &&(std::same_as<std::ranges::range_value_t<G>, b
 /// Draws the gene anew: a real one uniformly between its bounds, a whole number among its other values, a bit
 /// flipped.
 struct Reset {
+    ///@{
+    /// What every way of mutating has (Mutates).
     std::string text() const { return "reset"; }
 
     template <Problem P>
@@ -141,6 +152,7 @@ struct Reset {
             });
         }
     }
+    ///@}
 };
 
 /// Genes that may change places within a genome: positions, or a permutation's.
@@ -156,6 +168,8 @@ concept Ordered = std::same_as<G, Permutation> || Discrete<G> || std::same_as<G,
 
 /// Exchanges the gene with another one.
 struct Swap {
+    ///@{
+    /// What every way of mutating has (Mutates).
     std::string text() const { return "swap"; }
 
     template <Problem P>
@@ -174,10 +188,13 @@ struct Swap {
         });
         return changed;
     }
+    ///@}
 };
 
 /// Turns round the piece between the gene and another one: for a tour, the exchange of two edges.
 struct Reverse {
+    ///@{
+    /// What every way of mutating has (Mutates).
     std::string text() const { return "reverse"; }
 
     template <Problem P>
@@ -195,6 +212,7 @@ struct Reverse {
         });
         return changed;
     }
+    ///@}
 };
 
 /// Optional: a problem's own mutation of each gene with probability `rate`; true when one changed.
@@ -206,6 +224,8 @@ concept MutatesItself = requires(const P& problem, typename P::Genome& genome, d
 /// What a genome's kind makes of `mutate RATE`: the problem's own mutation; else the swap of a permutation,
 /// the reset of bits and whole numbers, a gaussian step of a tenth of the width of real genes.
 struct Natural {
+    ///@{
+    /// What every way of mutating has (Mutates).
     std::string text() const { return {}; }
 
     template <Problem P>
@@ -220,20 +240,27 @@ struct Natural {
         else
             return Reset()(problem, genome, chance, stream);
     }
+    ///@}
 };
 
+/// `value`; throws UsageError where it is not above 0.
 inline double checked_step(const char* name, double value) {
     if (!(value > 0 && std::isfinite(value)))
         throw UsageError(std::string("mutate ") + name + " is " + number(value) + "; expected above 0");
     return value;
 }
 
+/// `gaussian sigma` of mutate.
 inline Gaussian gaussian(double sigma = 0.1) { return {checked_step("gaussian: sigma", sigma)}; }
+/// `uniform step` of mutate.
 inline UniformStep uniform_step(double step = 0.1) { return {checked_step("uniform: step", step)}; }
 /// @param eta  distribution index: the greater, the smaller the steps
 inline Polynomial polynomial(double eta = 20) { return {checked_step("polynomial: eta", eta)}; }
+/// `reset` of mutate.
 inline Reset reset() { return {}; }
+/// `swap` of mutate.
 inline Swap swap() { return {}; }
+/// `reverse` of mutate.
 inline Reverse reverse() { return {}; }
 
 /// @param rate  a gene's chance to mutate, 0 to 1

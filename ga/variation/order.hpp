@@ -8,6 +8,8 @@ namespace ga {
 /// Order cross-over (Davis 1985): each child keeps a piece of one parent in place and takes the rest in the
 /// order of the other, from the end of the piece on. Permutations of unequal length stay as they are.
 struct Order {
+    ///@{
+    /// What every way of crossing has (Crosses).
     std::string text() const { return "order"; }
 
     template <Problem P>
@@ -23,6 +25,7 @@ struct Order {
         b = child(b, a, from, to + 1);
         a = first;
     }
+    ///@}
 
   private:
     static Permutation child(const Permutation& keeper, const Permutation& other, std::size_t from,
@@ -44,6 +47,7 @@ struct Order {
     }
 };
 
+/// `order` of cross.
 inline Order order() { return {}; }
 
 } // namespace ga

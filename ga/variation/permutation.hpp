@@ -9,11 +9,12 @@ namespace ga {
 
 /// A genome that is an order of 0 .. n-1, each once. Only operators that keep it one apply.
 struct Permutation {
-    std::vector<std::uint32_t> order;
+    std::vector<std::uint32_t> order; ///< of 0 .. n-1
 
-    auto begin() const { return order.begin(); }
-    auto end() const { return order.end(); }
-    std::size_t size() const { return order.size(); }
+    auto begin() const { return order.begin(); }      ///< reads as a range of the order
+    auto end() const { return order.end(); }          ///< behind its last
+    std::size_t size() const { return order.size(); } ///< n
+    /// The same order.
     bool operator==(const Permutation&) const = default;
 
     /// Any order with equal probability.

@@ -44,9 +44,11 @@ void exchange_at_points(Sequence& a, Sequence& b, std::size_t n, Stream& stream)
 /// n-point cross-over of genomes (Holland 1975; De Jong 1975): exchange_at_points between their genes, or the
 /// problem's own.
 struct Points {
-    std::string words;
-    std::size_t n;
+    std::string words; ///< the way as text
+    std::size_t n;     ///< cuts, >= 1
 
+    ///@{
+    /// What every way of crossing has (Crosses).
     std::string text() const { return words; }
 
     template <Problem P>
@@ -57,9 +59,12 @@ struct Points {
         else
             exchange_at_points(a, b, n, stream);
     }
+    ///@}
 };
 
+/// `one_point` of cross.
 inline Points one_point() { return {"one_point", 1}; }
+/// `n_points n` of cross. Throws UsageError on 0.
 inline Points n_points(std::size_t n) {
     if (n == 0)
         throw UsageError("cross n_points 0 cuts nothing; expected at least 1");

@@ -12,8 +12,10 @@ namespace ga {
 /// probability 1/2; the children lie symmetrically about the parents' mean, spread as one-point cross-over
 /// spreads binary strings.
 struct SimulatedBinary {
-    double eta;
+    double eta; ///< greater: children nearer to their parents
 
+    ///@{
+    /// What every way of crossing has (Crosses).
     std::string text() const { return "sbx " + number(eta); }
 
     template <HasGenes P>
@@ -27,6 +29,7 @@ struct SimulatedBinary {
             });
         });
     }
+    ///@}
 
   private:
     void cross(double& x, double& y, const Variable& variable, Stream& stream) const {

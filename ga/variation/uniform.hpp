@@ -14,6 +14,8 @@ concept CrossesUniformly = requires(const P& problem, typename P::Genome& genome
 /// Exchanges the genes of each position with probability 1/2 (Syswerda 1989), up to the shorter genome's
 /// length.
 struct Uniform {
+    ///@{
+    /// What every way of crossing has (Crosses).
     std::string text() const { return "uniform"; }
 
     template <Problem P>
@@ -35,8 +37,10 @@ struct Uniform {
             }
         }
     }
+    ///@}
 };
 
+/// `uniform` of cross.
 inline Uniform uniform() { return {}; }
 
 } // namespace ga
