@@ -115,28 +115,6 @@ double positive(const Entry& entry, const std::string& where) {
     return value->value;
 }
 
-/// The keys of ISO 25178-71's ASCII surface data files, whose lengths are in metres.
-void take_sdf(Header& header, const Entry& entry, const std::string& where) {
-    const LengthUnit metre{"m", 1e3};
-    if (entry.key == "xscale") {
-        header.spacing = HeaderLength{positive(entry, where), metre};
-    } else if (entry.key == "zscale") {
-        header.height_factor = positive(entry, where);
-        header.height_unit = metre;
-    } else if (entry.key == "numpoints") {
-        header.points = std::lround(positive(entry, where));
-    } else if (entry.key == "numprofiles" && positive(entry, where) != 1) {
-        throw InputError(where + ": " + std::string(entry.value) + " profiles, expected a line scan of 1");
-    } else if (entry.key == "datatype") {
-        // 16 and 32 bit integers keep one value for "not measured".
-        constexpr std::array<std::pair<std::string_view, double>, 4> marks{
-            {{"1", 65535}, {"2", 4294967295}, {"5", -32768}, {"6", -2147483648.}}};
-        for (const auto& [type, mark] : marks)
-            if (entry.value == type)
-                header.missing_mark = mark;
-    }
-}
-
 void take(Header& header, const Entry& entry, const std::string& where) {
     if (const UnitOf of = unit_key(entry.key); of != UnitOf::nothing) {
         const auto units = length_units_in(entry.value, where);
@@ -227,21 +205,12 @@ Header read_header(const std::vector<TextLine>& lines, const Dialect& dialect, s
                    const std::string& file) {
     Header header;
     header.units.resize(columns);
-    const bool sdf = !lines.empty() && lines.front().text.starts_with('a') &&
-                     std::any_of(lines.begin(), lines.end(), [](const TextLine& line) {
-                         const auto read = entry(line.text);
-                         return read && read->key == "xscale";
-                     });
     for (const TextLine& line : lines)
-        if (const auto read = entry(line.text)) {
-            if (sdf)
-                take_sdf(header, *read, at(file, line.number));
-            else
-                take(header, *read, at(file, line.number));
-        }
+        if (const auto read = entry(line.text))
+            take(header, *read, at(file, line.number));
     // The names stand right above the table, their units with them or in a line of their own.
     std::size_t looked = 0;
-    for (auto line = lines.rbegin(); line != lines.rend() && looked < 3 && !sdf; ++line, ++looked) {
+    for (auto line = lines.rbegin(); line != lines.rend() && looked < 3; ++line, ++looked) {
         const auto read = entry(line->text);
         if (holds_number(line->text) || (read && unit_key(read->key) != UnitOf::nothing))
             break;

@@ -20,12 +20,10 @@ struct Header {
     std::vector<std::optional<LengthUnit>> units; ///< one a column, where named above it
     std::optional<LengthUnit> x_unit;             ///< by key: "x-unit: um"
     std::optional<LengthUnit> height_unit;        ///< by key: "Value units: nm", "z-unit = nm", "Units: um"
-    std::optional<HeaderLength> spacing;          ///< by key: "pixel size = 0.5 um", "dx: 0.5", SDF's Xscale
-    std::optional<HeaderLength> width;  ///< by key: "Width: 10 um", of all points, so spacing x points
-    double height_factor = 1;           ///< by key: "height conversion factor (-> m) = 1e-9", SDF's Zscale
-    std::optional<double> missing_mark; ///< the integer that stands for no value in SDF's integer types
-    std::optional<long> points;         ///< announced by key: SDF's NumPoints
-    bool validity_column = false;       ///< a column named "valid" of 0 and 1 follows the heights
+    std::optional<HeaderLength> spacing;          ///< by key: "pixel size = 0.5 um", "dx: 0.5"
+    std::optional<HeaderLength> width; ///< by key: "Width: 10 um", of all points, so spacing x points
+    double height_factor = 1;          ///< by key: "height conversion factor (-> m) = 1e-9"
+    bool validity_column = false;      ///< a column named "valid" of 0 and 1 follows the heights
 };
 
 /// Reads the lines before a table of `columns` columns. Throws InputError naming file and line on what it

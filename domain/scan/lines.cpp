@@ -2,7 +2,10 @@
 
 #include "domain/errors.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 namespace rough {
 namespace {
@@ -79,12 +82,34 @@ std::string to_utf8(const std::string& bytes) {
     return text;
 }
 
+/// What a binary file says it is, in brackets.
+std::string kind_of(const std::string& bytes) {
+    using namespace std::string_view_literals;
+    constexpr std::array<std::pair<std::string_view, const char*>, 9> kinds{
+        {{"PK\x03\x04"sv, "a zip archive, as Excel workbooks and X3P are"},
+         {"\xD0\xCF\x11\xE0"sv, "an old Office document"},
+         {"DSCOMPRESSED"sv, "a Digital Surf file"},
+         {"DIGITAL SURF"sv, "a Digital Surf file"},
+         {"GWYP"sv, "a Gwyddion file"},
+         {"\x89HDF"sv, "an HDF5 file"},
+         {"CDF"sv, "a NetCDF file"},
+         {"bISO"sv, "a binary surface data file"},
+         {"bBCR"sv, "a binary surface data file"}}};
+    for (const auto& [start, kind] : kinds)
+        if (bytes.starts_with(start))
+            return std::string(" (") + kind + ")";
+    return "";
+}
+
 } // namespace
 
 std::vector<std::string> text_lines(const std::string& bytes, const std::string& file) {
-    const std::string text = to_utf8(bytes);
+    std::string text = to_utf8(bytes);
+    if (text.starts_with("ISO 5436")) // softgauges end their fields with it
+        std::replace(text.begin(), text.end(), '\0', ' ');
     if (text.find('\0') != std::string::npos)
-        throw InputError(file + ": holds binary data, expected a text file of x and height");
+        throw InputError(file + ": holds binary data" + kind_of(bytes) +
+                         ", expected a text file of x and height (export as text or CSV)");
     std::vector<std::string> lines;
     for (std::size_t start = 0; start < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());

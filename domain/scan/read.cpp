@@ -2,6 +2,7 @@
 #include "domain/errors.hpp"
 #include "domain/scan/detrend.hpp"
 #include "domain/scan/even.hpp"
+#include "domain/scan/exports.hpp"
 #include "domain/scan/header.hpp"
 #include "domain/scan/lines.hpp"
 #include "domain/scan/points.hpp"
@@ -72,19 +73,15 @@ Layout layout_of(const Table& table, const Header& header, bool spacing_given, c
                           : ""));
 }
 
-/// A single row of many heights, and an SDF profile over several rows, as one column.
-void stand_up(Table& table, bool one_profile) {
-    if (!(table.columns > 3 && (table.rows() == 1 || one_profile)))
+/// A single row of many heights as one column.
+void stand_up(Table& table) {
+    if (!(table.columns > 3 && table.rows() == 1))
         return;
     std::vector<Number> heights;
-    std::vector<int> lines;
-    for (std::size_t r = 0; r < table.rows(); ++r)
-        for (std::size_t c = 0; c < table.columns; ++c) {
-            heights.push_back(table.column[c][r]);
-            lines.push_back(table.line[r]);
-        }
+    for (const auto& column : table.column)
+        heights.push_back(column[0]);
+    table.line.assign(table.columns, table.line[0]);
     table.column = {std::move(heights)};
-    table.line = std::move(lines);
     table.columns = 1;
 }
 
@@ -92,6 +89,12 @@ void stand_up(Table& table, bool one_profile) {
 struct Units {
     LengthUnit x, height;
 };
+
+void agree(const LengthUnit& named, const LengthUnit& given, const char* what, const std::string& file) {
+    if (named.in_mm != given.in_mm)
+        throw InputError(file + ": its header gives " + what + " in " + named.name +
+                         ", but the unit given is " + given.name);
+}
 
 Units units_of(const Header& header, const Layout& layout, const ScanOptions& options,
                const std::string& file, Account& account) {
@@ -105,11 +108,10 @@ Units units_of(const Header& header, const Layout& layout, const ScanOptions& op
     std::optional<LengthUnit> given;
     if (!options.unit.empty())
         given = length_unit_named(options.unit, "unit");
-    if (given && height && (!has_x || x))
-        for (const auto& [what, unit] : {std::pair("x", has_x ? x : height), std::pair("heights", height)})
-            if (unit->in_mm != given->in_mm)
-                throw InputError(file + ": its header gives " + what + " in " + unit->name +
-                                 ", but the unit given is " + given->name);
+    if (given && height && (!has_x || x)) {
+        agree(has_x ? *x : *height, *given, "x", file);
+        agree(*height, *given, "heights", file);
+    }
     const LengthUnit rest = given.value_or(LengthUnit{"mm", 1});
     const std::string source = given ? " (given)" : " (assumed)";
     const Units units{x.value_or(rest), height.value_or(rest)};
@@ -117,6 +119,17 @@ Units units_of(const Header& header, const Layout& layout, const ScanOptions& op
     said += "heights in " + units.height.name + (height ? "" : source);
     account.say(said);
     return units;
+}
+
+/// mm; 0: none
+double spacing_given(const ScanOptions& options) {
+    return options.spacing * (options.unit.empty() ? 1 : length_unit_named(options.unit, "unit").in_mm);
+}
+
+void agree(double from_header, double given, const std::string& file) {
+    if (given > 0 && from_header > 0 && std::abs(given - from_header) > 1e-3 * from_header)
+        throw InputError(file + ": its header gives a spacing of " + short_number(from_header) +
+                         " mm, but the spacing given is " + short_number(given) + " mm");
 }
 
 /// The spacing of a one-column file in mm, from the caller or the header.
@@ -130,11 +143,8 @@ double spacing_of(const Header& header, const ScanOptions& options, std::size_t 
         from_header = in_mm(*header.spacing);
     else if (header.width)
         from_header = in_mm(*header.width) / static_cast<double>(rows);
-    const double given =
-        options.spacing * (options.unit.empty() ? 1 : length_unit_named(options.unit, "unit").in_mm);
-    if (given > 0 && from_header > 0 && std::abs(given - from_header) > 1e-3 * from_header)
-        throw InputError(file + ": its header gives a spacing of " + short_number(from_header) +
-                         " mm, but the spacing given is " + short_number(given) + " mm");
+    const double given = spacing_given(options);
+    agree(from_header, given, file);
     if (!(given > 0) && !(from_header > 0))
         throw InputError(file + ": one column of heights, expected a spacing with it (--spacing)");
     return from_header > 0 ? from_header : given;
@@ -151,10 +161,48 @@ Points points_in_mm(const Table& table, const Header& header, const Layout& layo
         points.x.push_back(x.value * scale);
         points.last_digit.push_back(x.last_digit * scale);
         const double height = table.column[layout.height][i].value;
-        const bool valid = (layout.validity == no_column || table.column[layout.validity][i].value == 1) &&
-                           !(header.missing_mark && height == *header.missing_mark);
+        const bool valid = layout.validity == no_column || table.column[layout.validity][i].value == 1;
         points.heights.push_back(valid ? height * header.height_factor * units.height.in_mm : std::nan(""));
     }
+    return points;
+}
+
+void say_announced(long announced, std::size_t found, Account& account) {
+    if (announced >= 0 && announced != static_cast<long>(found))
+        account.say("the file announces " + std::to_string(announced) + " points");
+}
+
+Points points_of(const NamedProfile& profile, const ScanOptions& options, const std::string& file,
+                 Account& account) {
+    if (!options.unit.empty())
+        agree(profile.height_unit, length_unit_named(options.unit, "unit"), "heights", file);
+    agree(profile.spacing, spacing_given(options), file);
+    account.say(profile.format + ", heights in " + profile.height_unit.name);
+    Points points;
+    points.line = profile.line;
+    points.last_digit.assign(profile.heights.size(), 0);
+    for (std::size_t i = 0; i < profile.heights.size(); ++i) {
+        points.x.push_back(static_cast<double>(i) * profile.spacing);
+        points.heights.push_back(profile.heights[i] * profile.height_factor * profile.height_unit.in_mm);
+    }
+    say_announced(profile.announced, points.size(), account);
+    return points;
+}
+
+Points points_of(const std::vector<std::string>& lines, const ScanOptions& options, const std::string& file,
+                 Account& account) {
+    const bool spacing_named = std::any_of(lines.begin(), lines.end(), names_spacing);
+    Table table = read_table(lines, file, options.spacing > 0 || spacing_named);
+    const Header header = read_header(table.header, table.dialect, table.columns, file);
+    stand_up(table);
+    const Layout layout = layout_of(table, header, options.spacing > 0, file);
+    const Units units = units_of(header, layout, options, file, account);
+    const double spacing =
+        layout.x == no_column ? spacing_of(header, options, table.rows(), units.height, file) : 0;
+    Points points = points_in_mm(table, header, layout, units, spacing);
+    say_announced(table.announced, points.size(), account);
+    if (table.announced == static_cast<long>(points.size()) && table.columns == 1)
+        account.say("the first line taken as the count of points");
     return points;
 }
 
@@ -234,22 +282,10 @@ Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
     check(options);
     const std::string file = path.string();
     const auto lines = text_lines(read_whole(path), file);
-    const bool spacing_named = std::any_of(lines.begin(), lines.end(), names_spacing);
-    Table table = read_table(lines, file, options.spacing > 0 || spacing_named);
-    const Header header = read_header(table.header, table.dialect, table.columns, file);
-    stand_up(table, header.points.has_value());
-
     Account account;
-    const Layout layout = layout_of(table, header, options.spacing > 0, file);
-    const Units units = units_of(header, layout, options, file, account);
-    const double spacing =
-        layout.x == no_column ? spacing_of(header, options, table.rows(), units.height, file) : 0;
-    Points points = points_in_mm(table, header, layout, units, spacing);
-    const long announced = header.points.value_or(table.announced);
-    if (announced >= 0 && announced != static_cast<long>(points.size()))
-        account.say("the file announces " + std::to_string(announced) + " points");
-    else if (table.announced >= 0 && table.columns == 1)
-        account.say("the first line taken as the count of points");
+    const auto named = named_profile(lines, file);
+    Points points =
+        named ? points_of(*named, options, file, account) : points_of(lines, options, file, account);
     const std::size_t read = points.size();
     points = in_order(std::move(points), options.fill, file, account);
 

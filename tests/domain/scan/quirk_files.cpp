@@ -152,11 +152,45 @@ std::vector<QuirkFile> headers() {
          "# Channel: Main\n# Width: 4 \xC2\xB5m\n# Value units: nm\n" + one_column({.height_unit = 1e-6})},
         {"pixel size and height factor",
          "pixel size = 0.5 um\nheight conversion factor (-> m) = 1e-6\n" + one_column({.height_unit = 1e-3})},
-        {"ISO 25178-71 surface data file",
-         "aISO-1.0\nManufacID = maker\nCreateDate = 210520051200\nNumPoints = 8\nNumProfiles = 1\nXscale = "
-         "5E-07\n"
-         "Yscale = 0\nZscale = 1E-06\nZresolution = -1\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n" +
-             one_column({.height_unit = 1e-3}) + "*\n*\n"},
+    };
+}
+
+/// Layouts of their own, as instruments and metrology institutes write them.
+std::vector<QuirkFile> named_layouts() {
+    const std::string microns = one_column({.end = "\r\n", .height_unit = 1e-3});
+    const std::string sdf = "ManufacID = maker\nCreateDate = 210520051200\nNumPoints = 8\nNumProfiles = 1\n"
+                            "Xscale = 5E-07\nYscale = 0\nZscale = 1E-06\nZresolution = -1\nCompression = 0\n"
+                            "DataType = 7\nCheckType = 0\n*\n";
+    const std::string etx = "\x03\r\n";
+    const auto nul = [](std::string text) {
+        for (char& c : text)
+            if (c == '~')
+                c = '\0';
+        return text;
+    };
+    return {
+        {"ISO 25178-71 surface data file", "aISO-1.0\n" + sdf + one_column({.height_unit = 1e-3}) + "*\n*\n"},
+        {"BCR with heights in rows and a trailer",
+         "aBCR-1.0\n" + sdf + one_column({.end = "  ", .height_unit = 1e-3}) +
+             "\n*\nConvertedBy = a program 1.2\nSampleIdentification = No. 3\n*\n"},
+        {"ISO 5436-2 softgauge",
+         nul("ISO 5436-2:2012~gauge.smd~\r\nPRF~ 1 ISO5436~\r\nCX~ I~ 8 mm~ 1.0e0 D~ 5.00000e-004 \r\n"
+             "CZ~ A~ 8 um~ 1.0e0 D~\r\n" +
+             etx + "DATE: 13-May-2005~\r\nCREATED_BY N. N.~\r\nCOMMENT /* 8 points */~\r\n" + etx) +
+             microns + etx + "23456\r\n" + etx + "\x1a"},
+        {"Talysurf PRF",
+         "1 2\r\nSG2004 0.000000e+000 PRF\r\nCX M 8.000000e+000 MM 1.000000e+000 D\r\n"
+         "CZ M 8.000000e+000 MM 1.000000e-006 L\r\nEOR\r\nSTYLUS_RADIUS 0.000000e+000 MM\r\n"
+         "SPACING CX 5.000000e-004\r\nMAP 1.000000e+000 CZ CZ 1.000000e+000 1.000000e+000\r\nEOR\r\n" +
+             one_column({.end = "\r\n", .height_unit = 1e-6, .height_decimals = 0}) + "EOR\r\nEOF\r\n"},
+        {"PTB's PR", "Profil C:\\a.pr\r\nX-len = 3.50000000 X-resolution 2000.000000 points/scanline: 8\r\n" +
+                         microns.substr(0, microns.size() - 2)},
+        {"PTB's PR in German",
+         "Profil C:\\a.pr\r\nX-Ma\xDF = 3.5 X-Aufl\xF6sung 2000.0 Punkte/Zeile : 8\r\n" + microns},
+        {"SigmaSurf",
+         "SigmaSurf_Data 1.0\r\nIDENTIFICATION: No. 3\r\nDATE: 13 May 2005 - 12:00\r\nSPACING_UM: 0.50000\r\n"
+         "NUMBER_OF_POINTS: 8\r\nPROFILE_UM:\r\n" +
+             microns},
     };
 }
 
@@ -192,7 +226,7 @@ std::vector<QuirkFile> text_forms() {
 
 std::vector<QuirkFile> quirk_files() {
     std::vector<QuirkFile> all = columns();
-    for (const auto& group : {headers(), text_forms()})
+    for (const auto& group : {headers(), named_layouts(), text_forms()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }

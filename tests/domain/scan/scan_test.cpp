@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <random>
 
 using namespace rough;
 
@@ -155,6 +156,56 @@ TEST_CASE("what cannot be a line scan is refused in one line that says why") {
     CHECK_THAT(refusal("dx = 0.5 um\n1\n2\n1\n", {.spacing = 7}), Catch::Contains("0.0005 mm"));
     CHECK_THAT(refusal("0 1\n1 2\n2 1\n", {.nodes = 1}), Catch::Contains("2 to 1e7"));
     CHECK_THROWS_WITH(read_scan("no/such/scan.txt"), Catch::Contains("no/such/scan.txt"));
+}
+
+TEST_CASE("a layout of its own that is no profile, or ends early, is refused with its line") {
+    const std::string head = "aISO-1.0\nNumPoints = 3\nNumProfiles = 1\nXscale = 1e-6\nZscale = 1e-6\n";
+    CHECK_THAT(refusal("aISO-1.0\nXscale = 1e-6\nNumProfiles = 4\n*\n1\n2\n1\n*\n"),
+               Catch::Contains("line 3") && Catch::Contains("1 profile"));
+    CHECK_THAT(refusal(head + "*\n1\n2\n"), Catch::Contains("ends early"));
+    CHECK_THAT(refusal(head + "*\n1\nx\n3\n*\n"), Catch::Contains("line 8") && Catch::Contains("'x'"));
+    CHECK_THAT(refusal(head + "DataType = 5\n*\n1\n-32768\n3\n*\n"),
+               Catch::Contains("line 9") && Catch::Contains("missing"));
+    CHECK_THAT(refusal(head + "*\n1\n2\n1\n*\n", {.unit = "um"}),
+               Catch::Contains("header gives heights in m"));
+    CHECK_THAT(refusal(head + "*\n1\n2\n1\n*\n", {.spacing = 3}), Catch::Contains("spacing of 0.001 mm"));
+    CHECK_THAT(read(head + "*\n1\n2\n1\n2\n*\n").account, Catch::Contains("announces 3 points"));
+    const std::string gauge = "ISO 5436 - 2000 a\nPRF 1 b\n";
+    CHECK_THAT(refusal(gauge + "CX A 3 mm 1.0e0 D\nCZ A 3 um 1.0e0 D\n\x03\n\x03\n1\n2\n1\n\x03\n"),
+               Catch::Contains("line 3") && Catch::Contains("incremental"));
+    CHECK_THAT(refusal(gauge + "CX I 3 mm 1.0e0 D 1e-3\nCZ A 3 parsec 1.0e0 D\n"),
+               Catch::Contains("line 4") && Catch::Contains("length unit"));
+    CHECK_THAT(refusal(gauge + "CX I 3 mm 1.0e0 D 1e-3\nCZ A 3 um 1.0e0 D\n\x03\n1\n"),
+               Catch::Contains("ends early"));
+    CHECK_THAT(refusal("1 2\na 0 PRF\nCX M 3 MM 1 D\nCZ M 3 UM 1 L\nEOR\nEOR\n1\n2\n1\nEOR\n"),
+               Catch::Contains("line 6") && Catch::Contains("SPACING CX"));
+    CHECK_THAT(refusal("SigmaSurf_Data 1.0\nPROFILE_UM:\n1\n2\n"), Catch::Contains("SPACING_UM"));
+    CHECK_THAT(refusal(std::string("PK\3\4\0\0", 6)), Catch::Contains("Excel") && Catch::Contains("CSV"));
+}
+
+TEST_CASE("a damaged file is read or refused in one line, whatever is cut out of it or put into it") {
+    std::mt19937 random(7);
+    const auto below = [&](std::size_t n) { return random() % n; };
+    const std::string marks = std::string(";,\t\n =*-.eE19#x\xB5\x03", 18) + '\0';
+    for (const QuirkFile& file : quirk_files())
+        for (int i = 0; i < 25; ++i) {
+            std::string bytes = file.bytes;
+            if (i % 2)
+                bytes.erase(below(bytes.size()), below(20));
+            else
+                bytes.insert(below(bytes.size()), 1, marks[below(marks.size())]);
+            if (i % 5 == 0)
+                bytes.resize(below(bytes.size()));
+            INFO(file.quirk << "\n" << bytes);
+            try {
+                const Scan scan =
+                    read(bytes, {.unit = file.unit, .spacing = file.spacing, .fill = i % 3 == 0});
+                CHECK(scan.profile.heights.allFinite());
+                CHECK(scan.profile.spacing > 0);
+            } catch (const InputError& error) {
+                CHECK(std::string(error.what()).find('\n') == std::string::npos);
+            }
+        }
 }
 
 TEST_CASE("mean, line and parabola are removed exactly and only they") {

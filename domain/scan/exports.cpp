@@ -1,0 +1,248 @@
+#include "domain/scan/exports.hpp"
+
+#include "domain/errors.hpp"
+#include "domain/scan/cells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rough {
+namespace {
+
+/// The lines of a file, one after another; blank ones and the control characters of record ends are skipped.
+class Reader {
+  public:
+    Reader(const std::vector<std::string>& lines, const std::string& file) : lines_(lines), file_(file) {
+        settle();
+    }
+    bool done() const { return at_ == lines_.size(); }
+    const std::string& text() const { return text_; }
+    int line() const { return static_cast<int>(at_) + 1; }
+    void next() { ++at_, settle(); }
+    std::vector<std::string_view> words() const { return split(text_, Dialect::Separator::blanks); }
+    bool starts(std::string_view start) const { return !done() && text_.starts_with(start); }
+
+    [[noreturn]] void refuse(const std::string& expected) const {
+        if (done())
+            throw InputError(file_ + ": ends early, expected " + expected);
+        throw InputError(file_ + ", line " + std::to_string(line()) + ": '" + text_.substr(0, 60) +
+                         "', expected " + expected);
+    }
+    double positive(std::string_view word, const std::string& what) const {
+        const auto value = number(word, Dialect{});
+        if (!value || !(value->value > 0))
+            refuse(what + " above 0");
+        return value->value;
+    }
+    LengthUnit unit(std::string_view word) const {
+        const auto unit = length_unit(word);
+        if (!unit)
+            refuse("a length unit");
+        return *unit;
+    }
+
+  private:
+    void settle() {
+        for (; !done(); ++at_) {
+            text_ = lines_[at_];
+            std::replace_if(
+                text_.begin(), text_.end(), [](char c) { return c == '\x1a' || c == '\0'; }, ' ');
+            text_ = trim(text_);
+            if (!text_.empty())
+                return;
+        }
+    }
+    const std::vector<std::string>& lines_;
+    const std::string& file_;
+    std::size_t at_ = 0;
+    std::string text_;
+};
+
+std::string_view after(std::string_view text, char mark) {
+    return trim(text.substr(std::min(text.find(mark), text.size() - 1) + 1));
+}
+
+/// Numbers until a line that begins with `end`.
+void read_heights(NamedProfile& profile, Reader& in, std::string_view end) {
+    for (; !in.done() && !(in.starts(end) && !end.empty()); in.next())
+        for (const std::string_view word : in.words()) {
+            const auto height = number(word, Dialect{});
+            if (!height)
+                in.refuse("a height");
+            profile.heights.push_back(height->value);
+            profile.line.push_back(in.line());
+        }
+    if (!end.empty() && in.done())
+        in.refuse(end == "\x03" ? "an end of record (ETX)" : "'" + std::string(end) + "' after the heights");
+}
+
+/// ISO 25178-71: "Xscale = 5E-07" in metres, the heights between two lines of '*', a trailer behind.
+NamedProfile surface_data_file(Reader in) {
+    NamedProfile profile{"ISO 25178-71 (SDF)", 0, {"m", 1e3}, 1, {}, {}, -1};
+    double missing = std::nan("");
+    for (in.next(); !in.starts("*"); in.next()) {
+        if (in.done())
+            in.refuse("'*' before the heights");
+        const std::string key = lower(trim(in.text().substr(0, in.text().find('='))));
+        const std::string_view value = after(in.text(), '=');
+        if (key == "xscale")
+            profile.spacing = in.positive(value, "a spacing") * 1e3;
+        else if (key == "zscale")
+            profile.height_factor = in.positive(value, "a factor");
+        else if (key == "numpoints")
+            profile.announced = std::lround(in.positive(value, "a count"));
+        else if (key == "numprofiles" && in.positive(value, "a count") != 1)
+            in.refuse("a line scan of 1 profile");
+        else if (key == "datatype") // 16 and 32 bit integers keep one value for "not measured"
+            for (const auto& [type, mark] : {std::pair("1", 65535.), std::pair("2", 4294967295.),
+                                             std::pair("5", -32768.), std::pair("6", -2147483648.)})
+                if (value == type)
+                    missing = mark;
+    }
+    if (!(profile.spacing > 0))
+        in.refuse("an Xscale before the heights");
+    in.next();
+    read_heights(profile, in, "*");
+    std::replace(profile.heights.begin(), profile.heights.end(), missing, std::nan(""));
+    return profile;
+}
+
+/// "CZ A 8001 um 1.0e0 D": type, count, unit, factor and number type of an axis, the last field of a CX of
+/// type I its spacing.
+struct Axis {
+    std::vector<std::string_view> words;
+    LengthUnit unit;
+    double factor, count;
+};
+
+Axis axis(const Reader& in, std::string_view name) {
+    const auto words = in.words();
+    if (words.size() < 6 || words[0] != name)
+        in.refuse("the axis '" + std::string(name) + "' with type, count, unit, factor and number type");
+    return {words, in.unit(words[3]), in.positive(words[4], "a factor"), in.positive(words[2], "a count")};
+}
+
+/// ISO 5436-2: four records that each end with ETX: what it is and its axes, notes, the heights, a check sum.
+NamedProfile softgauge(Reader in) {
+    in.next();
+    if (!in.starts("PRF"))
+        in.refuse("a profile (PRF)");
+    in.next();
+    const Axis x = axis(in, "CX");
+    if (x.words[1] != "I" || x.words.size() < 7)
+        in.refuse("an incremental axis CX (I) with its spacing");
+    NamedProfile profile{"ISO 5436-2 (SMD)", 0, {}, 1, {}, {}, -1};
+    profile.spacing = in.positive(x.words[6], "a spacing") * x.factor * x.unit.in_mm;
+    in.next();
+    const Axis z = axis(in, "CZ");
+    profile.height_unit = z.unit, profile.height_factor = z.factor;
+    profile.announced = std::lround(z.count);
+    for (int record = 1; record <= 2; ++record) {
+        while (!in.done() && !in.starts("\x03"))
+            in.next();
+        if (in.done())
+            in.refuse("records that end with ETX");
+        in.next();
+    }
+    read_heights(profile, in, "\x03");
+    return profile;
+}
+
+/// Talysurf's PRF: axes, EOR, "SPACING CX 2.5e-4" in the unit of CX and other notes, EOR, heights, EOR.
+NamedProfile talysurf(Reader in) {
+    in.next(), in.next();
+    const Axis x = axis(in, "CX");
+    NamedProfile profile{"Talysurf PRF", 0, {}, 1, {}, {}, -1};
+    const double x_unit = x.factor * x.unit.in_mm;
+    in.next();
+    const Axis z = axis(in, "CZ");
+    profile.height_unit = z.unit, profile.height_factor = z.factor;
+    profile.announced = std::lround(z.count);
+    in.next();
+    if (!in.starts("EOR"))
+        in.refuse("EOR");
+    for (in.next(); !in.starts("EOR"); in.next()) {
+        if (in.done())
+            in.refuse("EOR before the heights");
+        const auto words = in.words();
+        if (words.size() > 2 && words[0] == "SPACING" && words[1] == "CX")
+            profile.spacing = in.positive(words[2], "a spacing") * x_unit;
+    }
+    if (!(profile.spacing > 0))
+        in.refuse("a line 'SPACING CX' before the heights");
+    in.next();
+    read_heights(profile, in, "EOR");
+    return profile;
+}
+
+/// PTB's PR: "X-len = 4000 X-resolution 2000 points/scanline: 8001", the resolution in points a mm, then
+/// heights in µm; in German in older files.
+bool ptb_axis(std::string_view text) {
+    const std::string line = lower(text);
+    return (line.find("x-resolution") != line.npos && line.find("points/scanline") != line.npos) ||
+           (line.find("x-aufl") != line.npos && line.find("punkte/zeile") != line.npos);
+}
+
+NamedProfile ptb(Reader in) {
+    in.next();
+    const auto words = in.words();
+    const auto name = std::find_if(words.begin(), words.end(), [](auto word) {
+        const std::string small = lower(word);
+        return small.starts_with("x-resolution") || small.starts_with("x-aufl");
+    });
+    if (words.end() - name < 2)
+        in.refuse("a resolution");
+    NamedProfile profile{"PTB's PR", 0, {"µm", 1e-3}, 1, {}, {}, -1};
+    profile.spacing = 1 / in.positive(name[1], "a resolution");
+    profile.announced = std::lround(in.positive(words.back(), "a count"));
+    in.next();
+    read_heights(profile, in, "");
+    return profile;
+}
+
+/// SigmaSurf: "SPACING_UM: 0.25", other keys, "PROFILE_UM:", heights.
+NamedProfile sigma_surf(Reader in) {
+    NamedProfile profile{"SigmaSurf", 0, {"µm", 1e-3}, 1, {}, {}, -1};
+    for (in.next(); !in.starts("PROFILE_UM"); in.next()) {
+        if (in.done())
+            in.refuse("PROFILE_UM before the heights");
+        if (in.starts("SPACING_UM"))
+            profile.spacing = in.positive(after(in.text(), ':'), "a spacing") * 1e-3;
+        else if (in.starts("NUMBER_OF_POINTS"))
+            profile.announced = std::lround(in.positive(after(in.text(), ':'), "a count"));
+    }
+    if (!(profile.spacing > 0))
+        in.refuse("SPACING_UM before the heights");
+    in.next();
+    read_heights(profile, in, "");
+    return profile;
+}
+
+} // namespace
+
+std::optional<NamedProfile> named_profile(const std::vector<std::string>& lines, const std::string& file) {
+    const Reader in(lines, file);
+    if (in.done())
+        return std::nullopt;
+    if (in.starts("ISO 5436"))
+        return softgauge(in);
+    if (in.starts("SigmaSurf_Data"))
+        return sigma_surf(in);
+    const auto is_x_scale = [](const std::string& line) { return lower(trim(line)).starts_with("xscale"); };
+    const std::size_t head = std::min<std::size_t>(lines.size(), 30);
+    if (in.starts("a") && std::any_of(lines.begin(), lines.begin() + static_cast<long>(head), is_x_scale))
+        return surface_data_file(in);
+    Reader second = in;
+    second.next();
+    if (!second.done() && ptb_axis(second.text()))
+        return ptb(in);
+    Reader third = second;
+    if (!third.done())
+        third.next();
+    if (!second.done() && second.words().back() == "PRF" && third.starts("CX"))
+        return talysurf(in);
+    return std::nullopt;
+}
+
+} // namespace rough
