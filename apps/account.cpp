@@ -1,6 +1,7 @@
 #include "apps/account.hpp"
 
 #include "apps/model_settings.hpp"
+#include "domain/economy/accuracy.hpp"
 
 #include <sstream>
 
@@ -92,6 +93,16 @@ json account_json(const rough::Account& account) {
             {"step_error", account.step_error},
             {"solver_error", account.solver_error},
             {"words", in_words(account)}};
+}
+
+json modelled_json(const rough::Genome& genome, const rough::Model& model) {
+    const rough::EconomicResponse found = respond_accounted(genome, model);
+    json result = account_json(found.account);
+    result.erase("seconds"); // of this one curve; the search's own stand beside
+    result["true_error"] =
+        model.accuracy > 0 ? rough::relative_error(found.response.pressure, respond(genome, exactly(model)).pressure)
+                           : 0.0;
+    return result;
 }
 
 } // namespace app

@@ -12,7 +12,6 @@
 #include "domain/mwm/genome_json.hpp"
 
 #include <filesystem>
-#include <limits>
 
 namespace app {
 
@@ -24,9 +23,7 @@ std::vector<Setting> contact_settings() {
         {"profile", "", "measured profile in place of a genome: a text file of one or two columns"},
         {"out", "", "curve file to write (CSV)"},
         {"force", "", "write over an existing curve file", true},
-        {"accuracy", "",
-         "largest relative error allowed, 0 to 1, against the resolved model: --nodes if given, else "
-         "64 nodes to the shortest wave [the model as given]"},
+        accuracy_setting("", "the resolved model: --nodes if given, else 64 nodes to the shortest wave"),
     };
     for (const auto& more : {scan_settings(), model_settings()})
         settings.insert(settings.end(), more.begin(), more.end());
@@ -37,11 +34,6 @@ std::vector<Setting> contact_settings() {
 std::filesystem::path account_beside(const std::filesystem::path& curve) {
     auto account = curve;
     return curve.extension() == ".json" ? account += ".json" : account.replace_extension(".json");
-}
-
-/// 0 where no accuracy is asked for.
-double accuracy_from(const Settings& settings) {
-    return settings.has("accuracy") ? settings.number("accuracy", std::numeric_limits<double>::min(), 1) : 0;
 }
 
 /// Within an accuracy, the solver's tolerance follows from it unless one is given.

@@ -71,7 +71,7 @@ json trust_json(const rough::Trust& trust) {
 }
 
 json design_json(const DesignRun& run) {
-    json result = model_json(run.setup.model);
+    json result = model_json(run.searched.model);
     result["version"] = run.version;
     result["command"] = run.command;
     result["seed"] = run.options.seed;
@@ -98,7 +98,7 @@ json design_json(const DesignRun& run) {
     variant.seconds = run.seconds;
     variant.curves = run.found.counters.evaluations;
     variant.gradients = run.found.counters.gradients;
-    json answer = variant_json(variant, run.setup.model);
+    json answer = variant_json(variant, loaded_models(run.searched));
     answer["pipeline"] = run.found.pipeline;
     answer["stopped"] = run.found.stopped;
     answer["alternatives"] = json::array();
@@ -214,7 +214,7 @@ int design(const Words& words) {
         progress.show(event.path + ": " + std::to_string(event.counters.asked) + " curves, best " +
                       readable(best, 5));
     };
-    run.found = rough::search(run.setup, run.options, {recorder(run.stages), report_progress});
+    run.found = rough::search(run.searched, run.options, {recorder(run.stages), report_progress});
     run.interrupted = interrupt.asked();
     run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
     run.verdict = verdict_of(run);

@@ -13,7 +13,8 @@
 namespace app {
 
 struct DesignRun {
-    rough::DesignSetup setup;
+    rough::DesignSetup setup;    ///< solved throughout: all that is said of the answer
+    rough::DesignSetup searched; ///< the same with the accuracy that the search was allowed
     rough::SearchOptions options;
     rough::TrustOptions trust_options;
     std::vector<std::string> accounts; ///< of scans read

@@ -120,7 +120,7 @@ std::vector<Setting> design_settings() {
         {"noise", "", "deviation of random height errors to verify the answer under, mm [none]"},
         {"hardness", "", "hardness to hold the highest node pressure against, MPa [none]"},
     };
-    for (const auto& more : {scan_settings(), model_settings()})
+    for (const auto& more : {scan_settings(), model_settings(), {accuracy_setting()}})
         settings.insert(settings.end(), more.begin(), more.end());
     return settings;
 }
@@ -202,6 +202,8 @@ DesignRun design_from(const Settings& settings) {
         throw rough::InputError("--nodes: " + std::to_string(setup.model.grid.nodes) +
                                 " given, expected 16 at least for a design");
     take_bounds(settings, setup);
+    run.searched = setup;
+    run.searched.model.accuracy = accuracy_from(settings);
 
     if (settings.given("variant") && settings.given("pipeline"))
         throw rough::InputError("design: expected either --variant or --pipeline");

@@ -65,6 +65,18 @@ std::vector<Setting> model_settings(const std::string& prefix) {
     };
 }
 
+Setting accuracy_setting(const std::string& prefix, const std::string& against) {
+    return {prefix + "accuracy", "",
+            "largest relative error allowed of a response, above 0 to 1, against " + against +
+                " [none: every response is solved throughout]"};
+}
+
+double accuracy_from(const Settings& settings, const std::string& prefix) {
+    return settings.has(prefix + "accuracy")
+               ? settings.number(prefix + "accuracy", std::numeric_limits<double>::min(), 1)
+               : 0;
+}
+
 rough::Model model_from(const Settings& settings, const std::string& prefix) {
     rough::Grid grid;
     if (settings.has(prefix + "nodes"))

@@ -9,6 +9,12 @@ namespace app {
 /// "model.").
 std::vector<Setting> model_settings(const std::string& prefix = "");
 
+/// How exactly a search or a curve must know a genome's response, for commands that can take less:
+/// --accuracy. `against` says what the response is compared with.
+Setting accuracy_setting(const std::string& prefix = "", const std::string& against = "the model's own");
+/// 0 where none is asked for. Throws rough::InputError on one that is not more than 0 and at most 1.
+double accuracy_from(const Settings& settings, const std::string& prefix = "");
+
 /// The model they describe. A measured profile brings its own grid: nodes and length then default to its own.
 rough::Model model_from(const Settings& settings, const std::string& prefix = "");
 rough::Model model_from(const Settings& settings, const rough::Profile& scan, const std::string& prefix = "");

@@ -112,12 +112,14 @@ Setup setup_from(const Settings& settings) {
         setup.model = model_from(settings, scan.profile, "model.");
         if (!settings.has("model.nodes"))
             setup.model.grid.nodes = 512;
+        setup.model.accuracy = accuracy_from(settings, "model.");
         setup.targets.push_back(
             {"measured", target_of(scan, setup.model, settings.text("target.profile")), 0, {}, {}, {}});
         setup.max_pressure = setup.targets[0].target.highest_pressure();
         return setup;
     }
     setup.model = model_from(settings, "model.");
+    setup.model.accuracy = accuracy_from(settings, "model.");
     setup.max_pressure = settings.positive("paper.max-pressure");
     setup.targets.push_back({"drawn", rough::read_target(settings.path("target.file")), 0, {}, {}, {}});
     if (settings.has("heldout.file"))
@@ -146,7 +148,7 @@ class Paper {
     }
 
     void design(TargetRun& target) {
-        const RescaledProblem problem(run_.model, target.target, run_.max_pressure, target.p_bar);
+        const RescaledProblem problem(run_.searched, target.target, run_.max_pressure, target.p_bar);
         for (const Answered& one : run_.database) {
             const rough::Curve curve = secant_stiffness(one.response);
             const auto points = [&](double from, double to) {
@@ -178,7 +180,7 @@ class Paper {
             const double fraction =
                 count > 1 ? from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1)
                           : from;
-            const RescaledProblem problem(run_.model, target.target, run_.max_pressure,
+            const RescaledProblem problem(run_.searched, target.target, run_.max_pressure,
                                           fraction * run_.max_pressure, memory_);
             for (const std::size_t cross_over : {1, 2}) {
                 if (stop_)
@@ -194,7 +196,7 @@ class Paper {
 
   private:
     rough::Vocabulary words_by(rough::DominanceReading reading) const {
-        return {std::make_shared<DominanceRule>(run_.model, reading), reach_from(settings_)};
+        return {std::make_shared<DominanceRule>(run_.searched, reading), reach_from(settings_)};
     }
 
     using Run = ga::Result<rough::Genome>;
@@ -252,7 +254,7 @@ class Paper {
         run.stages = std::move(stages);
         run.seconds = result.seconds;
         run.notes = result.notes;
-        run.answer.genome = result.population.front().genome;
+        run.answer.genome = in_final_form(problem, result.population.front().genome);
         run.answer.response = respond(run.answer.genome, run_.model);
         run.similarity = similarity(problem, run.answer.genome);
         run.curves = result.counters.evaluations;
@@ -326,7 +328,8 @@ std::vector<Setting> paper_settings() {
         {"database.lambda", "", "longest wave, mm [L]"},
         {"database.shortest", "", "shortest wave, mm [the grid's spacing]"},
     };
-    for (const auto& more : {scan_settings("target."), model_settings("model.")})
+    for (const auto& more :
+         {scan_settings("target."), model_settings("model."), {accuracy_setting("model.")}})
         settings.insert(settings.end(), more.begin(), more.end());
     return settings;
 }
@@ -336,7 +339,8 @@ PaperRun run_paper(const Settings& settings, Progress& progress, const std::atom
     const auto start = std::chrono::steady_clock::now();
     PaperRun run;
     Setup setup = setup_from(settings);
-    run.model = setup.model;
+    run.model = exactly(setup.model);
+    run.searched = setup.model;
     run.max_pressure = setup.max_pressure;
     run.targets = std::move(setup.targets);
     run.layout = layout_from(settings, run.model);

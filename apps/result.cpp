@@ -1,5 +1,6 @@
 #include "apps/result.hpp"
 
+#include "apps/account.hpp"
 #include "apps/model_settings.hpp"
 #include "domain/contact/datum.hpp"
 #include "domain/mwm/genome_json.hpp"
@@ -10,7 +11,7 @@ namespace app {
 
 using nlohmann::json;
 
-json variant_json(const VariantRun& variant, const rough::Model& model) {
+json variant_json(const VariantRun& variant, const std::vector<rough::Model>& loaded) {
     json stages = json::array();
     for (const StageRecord& stage : variant.stages) {
         json candidates = json::array();
@@ -29,7 +30,9 @@ json variant_json(const VariantRun& variant, const rough::Model& model) {
                    {"seconds", variant.seconds},
                    {"curves", variant.curves},
                    {"gradients", variant.gradients}};
-    if (model.body.kernel == rough::Kernel::free)
+    for (const rough::Model& model : loaded)
+        result["modelled"].push_back(modelled_json(variant.answer.genome, model));
+    if (const rough::Model& model = loaded.front(); model.body.kernel == rough::Kernel::free)
         for (const double stiffness : variant.answer.response.tangent_stiffness)
             result["tangent_stiffness_per_ln_datum_MPa_per_mm"].push_back(
                 rough::datum_sensitivity(stiffness, model.grid.length, model.body.effective_modulus));
@@ -44,7 +47,10 @@ json model_json(const rough::Model& model) {
                    {"datum_mm", nullptr},
                    {"strip_width_mm", nullptr},
                    {"steps", model.loading.steps},
-                   {"reach", model.loading.reach}};
+                   {"reach", model.loading.reach},
+                   {"accuracy", nullptr}};
+    if (model.accuracy > 0)
+        result["accuracy"] = model.accuracy;
     if (model.body.kernel == rough::Kernel::free)
         result["datum_mm"] = model.body.datum;
     if (model.body.kernel == rough::Kernel::strip)

@@ -1,5 +1,6 @@
 #include "apps/commands.hpp"
 #include "apps/interrupt.hpp"
+#include "apps/model_settings.hpp"
 #include "apps/output.hpp"
 #include "apps/paper_experiment.hpp"
 #include "apps/paper_tables.hpp"
@@ -15,8 +16,17 @@ namespace app {
 
 namespace {
 
+/// The model's settings, as flags of every experiment.
+std::vector<Setting> model_flags() {
+    std::vector<Setting> flags = model_settings();
+    flags.push_back(accuracy_setting());
+    for (Setting& flag : flags)
+        flag.fallback = "";
+    return flags;
+}
+
 std::vector<Setting> run_settings() {
-    return {
+    std::vector<Setting> settings{
         {"experiment", "", "the experiment's .ini file (may be given without the flag)"},
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
         {"force", "", "write over an existing result", true},
@@ -25,6 +35,11 @@ std::vector<Setting> run_settings() {
         {"threads", "", "threads [the experiment's; 0 takes all]"},
         {"pictures", "on", "off leaves out the report and its pictures"},
     };
+    for (Setting flag : model_flags()) {
+        flag.meaning = "in place of the experiment's model." + flag.name + ": " + flag.meaning;
+        settings.push_back(flag);
+    }
+    return settings;
 }
 
 /// Takes the repeatable `--set section.key=value` out of the words.
@@ -43,7 +58,7 @@ std::vector<std::string> taken_overrides(Words& words) {
 }
 
 nlohmann::json result_json(const PaperRun& run, const TargetRun& target) {
-    nlohmann::json result = model_json(run.model);
+    nlohmann::json result = model_json(run.searched);
     result["version"] = run.version;
     result["command"] = run.command;
     result["seed"] = run.seed;
@@ -52,7 +67,7 @@ nlohmann::json result_json(const PaperRun& run, const TargetRun& target) {
     result["threshold_MPa"] = target.p_bar;
     result["target"] = target_json(target.target);
     for (const VariantRun& variant : target.variants)
-        result["variants"][variant.name] = variant_json(variant, run.model);
+        result["variants"][variant.name] = variant_json(variant, {run.searched});
     return result;
 }
 
@@ -105,6 +120,9 @@ int run(const Words& given) {
     for (const char* key : {"seed", "threads"})
         if (flags.has(key))
             overrides.push_back(std::string("experiment.") + key + "=" + flags.text(key));
+    for (const Setting& flag : model_flags())
+        if (flags.has(flag.name))
+            overrides.push_back("model." + flag.name + "=" + flags.text(flag.name));
 
     const std::filesystem::path file = flags.text("experiment");
     if (kind_of(file, overrides) == "variants")

@@ -44,6 +44,7 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
     for (std::string file; std::getline(files, file, ',');) {
         RaceTarget target;
         target.setup.model = model_from(settings, "model.");
+        target.setup.model.accuracy = accuracy_from(settings, "model.");
         const std::filesystem::path path = beside / trimmed(file);
         target.setup.goals = {rough::read_goal(path)};
         target.setup.goals[0].name = path.stem().string();
@@ -145,7 +146,7 @@ json race_json(const Race& race, const RaceTarget& target) {
         shown.seconds = middle.seconds;
         shown.curves = middle.found.counters.evaluations;
         shown.gradients = middle.found.counters.gradients;
-        json one = variant_json(shown, target.setup.model);
+        json one = variant_json(shown, loaded_models(target.setup));
         one["pipeline"] = middle.found.pipeline;
         one["median_judged"] = variant.median_judged();
         for (const RaceRun& run : variant.runs)
@@ -203,6 +204,7 @@ std::vector<Setting> variants_settings() {
     };
     for (const auto& setting : model_settings("model."))
         settings.push_back(setting);
+    settings.push_back(accuracy_setting("model."));
     return settings;
 }
 

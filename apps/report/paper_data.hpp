@@ -79,7 +79,8 @@ struct PaperRun {
     std::uint64_t seed = 0;
     int threads = 0;
     double seconds = 0; ///< wall time of the run without the page
-    rough::Model model;
+    rough::Model model;    ///< solved throughout: all that is said of an answer
+    rough::Model searched; ///< the same with the accuracy that the searches were allowed
     double max_pressure = 0;                                                    ///< p_max
     rough::DominanceReading dominance = rough::DominanceReading::same_pressure; ///< reading of Algorithm 1
     rough::DatabaseLayout layout;

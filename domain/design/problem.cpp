@@ -147,6 +147,20 @@ Rows all_rows(const DesignSetup& setup, const Genome& genome, const Model& model
     return result;
 }
 
+/// The responses to all ways of loading, each asked of `respond_to`, in final amplitude.
+template <class Respond>
+DesignResponse loaded(const DesignSetup& setup, const Model& model, Respond respond_to) {
+    const Loadings loadings = loadings_of(setup, model.loading);
+    DesignResponse result{1, {}, loadings.of_goal};
+    for (const Loading& loading : loadings.each) {
+        Response response = respond_to(loading);
+        result.scale = eq_11(setup, response);
+        result.responses.push_back(setup.max_pressure ? scaled(std::move(response), result.scale)
+                                                      : std::move(response));
+    }
+    return result;
+}
+
 std::vector<Eigen::VectorXd> misfits_of(const DesignSetup& setup, const DesignResponse& response) {
     std::vector<Eigen::VectorXd> misfits;
     for (std::size_t g = 0; g < setup.goals.size(); ++g)
@@ -320,19 +334,34 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
 }
 
 DesignResponse respond(const DesignSetup& setup, const Profile& profile, const Model& model) {
-    const Loadings loadings = loadings_of(setup, model.loading);
-    DesignResponse result{1, {}, loadings.of_goal};
-    for (const Loading& loading : loadings.each) {
-        Response response = respond(profile, model.body, loading, model.contact);
-        result.scale = eq_11(setup, response);
-        result.responses.push_back(setup.max_pressure ? scaled(std::move(response), result.scale)
-                                                      : std::move(response));
-    }
-    return result;
+    return loaded(setup, model, [&](const Loading& loading) {
+        return respond(profile, model.body, loading, model.contact);
+    });
 }
 
 DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Model& model) {
-    return respond(setup, sample(at_scale_one(genome, setup), model.grid), model);
+    const Genome shape = at_scale_one(genome, setup);
+    if (model.accuracy == 0)
+        return respond(setup, sample(shape, model.grid), model);
+    return loaded(setup, model, [&](const Loading& loading) {
+        Model one = model;
+        one.loading = loading;
+        return respond(shape, one);
+    });
+}
+
+std::vector<Model> loaded_models(const DesignSetup& setup) {
+    std::vector<Model> models;
+    for (const Loading& loading : loadings_of(setup, setup.model.loading).each) {
+        models.push_back(setup.model);
+        models.back().loading = loading;
+    }
+    return models;
+}
+
+DesignSetup exactly(DesignSetup setup) {
+    setup.model = exactly(std::move(setup.model));
+    return setup;
 }
 
 double similarity(const DesignSetup& setup, const DesignResponse& response) {

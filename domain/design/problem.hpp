@@ -91,14 +91,22 @@ struct DesignResponse {
     std::vector<Response> responses;  ///< one a way of loading
     std::vector<std::size_t> of_goal; ///< index into `responses` for each goal
 };
-/// `model` may differ from the set-up's own: a finer grid, more load steps, another kernel.
+/// `model` may differ from the set-up's own: a finer grid, more load steps, another kernel; within its
+/// accuracy.
 DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Model& model);
 /// The same for a profile, e.g. a measured one; Eq. 11 as for a genome.
 DesignResponse respond(const DesignSetup& setup, const Profile& profile, const Model& model);
 
+/// The set-up's model for each way the goals are loaded.
+std::vector<Model> loaded_models(const DesignSetup& setup);
+
+/// The same set-up solved throughout, whatever accuracy its model allows.
+DesignSetup exactly(DesignSetup setup);
+
 /// The smallest similarity of all goals.
 double similarity(const DesignSetup& setup, const DesignResponse& response);
-/// The same of a genome on a grid `refine` times finer, Eq. 11 anew where it applies.
+/// The same of a genome on a grid `refine` times finer, within the set-up's accuracy; Eq. 11 anew where it
+/// applies.
 double similarity(const DesignSetup& setup, const Genome& genome, Index refine = 1);
 
 } // namespace rough

@@ -49,7 +49,9 @@ class Archive {
     std::map<std::string, double> by_key_;
 };
 
-Answer answer_of(const DesignSetup& setup, const Genome& genome) {
+/// Solved throughout: what is returned owes nothing to the accuracy that the search was allowed.
+Answer answer_of(const DesignSetup& searched, const Genome& genome) {
+    const DesignSetup setup = exactly(searched);
     Answer answer{folded(genome)};
     const DesignResponse coarse = respond(setup, genome, setup.model);
     if (setup.max_pressure) {

@@ -111,6 +111,8 @@ class Question {
         const double features = model_.grid.length / surface.finest_feature;
         const double first = std::max<double>(fewest_elements, first_elements_per_feature * features);
         const double finest = finest_part * resolved_nodes();
+        if (first * std::pow(grid_ratio, fewest_in_line - 2) >= finest) // no room for a line
+            return false;
         const double highest =
             window.width() > 0 ? surface.sampled(model_.grid).heights.maxCoeff() : highest_;
         Ladder ladder;
@@ -324,6 +326,11 @@ EconomicResponse respond_within(const Profile& scan, const Model& resolved, doub
             question.by_resolved_grid();
         return question.answer();
     });
+}
+
+EconomicResponse respond_accounted(const Genome& genome, const Model& model) {
+    return model.accuracy > 0 ? respond_within(genome, model, model.accuracy)
+                              : respond_exactly(genome, model);
 }
 
 EconomicResponse respond_exactly(const Genome& genome, const Model& model) {

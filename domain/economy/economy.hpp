@@ -23,6 +23,9 @@ EconomicResponse respond_within(const Genome& genome, const Model& resolved, dou
 /// The same for a measured profile.
 EconomicResponse respond_within(const Profile& scan, const Model& resolved, double accuracy);
 
+/// As the model asks: within its accuracy where it has one, else exactly.
+EconomicResponse respond_accounted(const Genome& genome, const Model& model);
+
 /// The response of the exact model as given, with its account.
 EconomicResponse respond_exactly(const Genome& genome, const Model& model);
 /// The same for a measured profile.

@@ -1,5 +1,6 @@
 #include "domain/fitness/model.hpp"
 
+#include "domain/economy/economy.hpp"
 #include "domain/errors.hpp"
 
 #include <cmath>
@@ -13,7 +14,14 @@ Model refined(const Model& model, Index refine) {
     return finer;
 }
 
+Model exactly(Model model) {
+    model.accuracy = 0;
+    return model;
+}
+
 Response respond(const Genome& genome, const Model& model) {
+    if (model.accuracy > 0)
+        return respond_within(genome, model, model.accuracy).response;
     const Profile profile = sample(genome, model.grid);
     if (is_flat(profile, genome))
         throw InputError("profile: all heights are equal at its " + std::to_string(model.grid.nodes) +

@@ -91,10 +91,16 @@ ga::Sensitivity RescaledProblem::sensitivity(const Genome& genome, const std::st
 }
 
 double similarity(const RescaledProblem& problem, const Genome& genome, Index refine) {
-    return similarity(
-        problem.target(),
-        rescaled(respond(at_scale_one(genome), refined(problem.model(), refine)), problem.max_pressure())
-            .stiffness);
+    return similarity(problem.target(),
+                      rescaled(respond(at_scale_one(genome), exactly(refined(problem.model(), refine))),
+                               problem.max_pressure())
+                          .stiffness);
+}
+
+Genome in_final_form(const RescaledProblem& problem, Genome genome) {
+    genome = at_scale_one(std::move(genome));
+    genome.scale = rescaled(respond(genome, exactly(problem.model())), problem.max_pressure()).scale;
+    return genome;
 }
 
 } // namespace rough

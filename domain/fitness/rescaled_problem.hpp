@@ -30,7 +30,8 @@ class RescaledProblem {
     RescaledProblem(Model model, Target target, double max_pressure, double threshold,
                     std::shared_ptr<ResponseMemory> memory = nullptr, PhaseReach reach = {});
 
-    /// The genome's response at scale 1 and the scale that Eq. 11 gives it. Throws NotConverged.
+    /// The genome's response at scale 1, within the model's accuracy, and the scale that Eq. 11 gives it.
+    /// Throws NotConverged.
     Outcome evaluate(const Genome& genome) const;
     /// similarity (Eq. 12 over all points), low, high
     const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
@@ -73,7 +74,10 @@ class RescaledProblem {
     std::vector<ga::Objective<Outcome>> objectives_;
 };
 
-/// The similarity of a genome under a problem's set-up, on a grid `refine` times finer; Eq. 11 anew.
+/// The similarity of a genome under a problem's set-up, on a grid `refine` times finer; Eq. 11 anew. Solved
+/// throughout, whatever accuracy the search was allowed.
 double similarity(const RescaledProblem& problem, const Genome& genome, Index refine = 1);
+/// The genome with the scale that Eq. 11 gives it on the problem's own grid, solved throughout.
+Genome in_final_form(const RescaledProblem& problem, Genome genome);
 
 } // namespace rough
