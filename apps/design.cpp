@@ -226,7 +226,7 @@ int design(const Words& words) {
     const auto has_time = [&](double needed) { return !interrupt.asked() && since(start) + needed < limit; };
     if (!run.interrupted) {
         progress.show("verifying");
-        if (has_time(trust_seconds(run)))
+        if (has_time(0.2) && has_time(trust_seconds(run)))
             run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options);
         else
             run.found.notes.push_back("no time was left to verify the answer");

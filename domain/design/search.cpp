@@ -11,7 +11,9 @@ namespace rough {
 namespace {
 
 constexpr std::size_t remembered = 60; ///< individuals an archive keeps
-constexpr std::size_t judged_most = 3; ///< individuals of either kind compared on the finer grid at the end
+/// Individuals of either kind compared on the finer grid at the end: fewer where there is hardly time for
+/// one.
+std::size_t judged_most(const SearchOptions& options) { return options.seconds < 2 ? 1 : 3; }
 
 /// The best individuals of all stages, each genome once.
 class Archive {
@@ -162,10 +164,10 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     // What the pipeline gave, and the best of its way.
     std::vector<Genome> candidates;
     for (const auto& individual : population)
-        if (candidates.size() < judged_most)
+        if (candidates.size() < judged_most(options))
             candidates.push_back(individual.genome);
     for (const auto& kept : archive.best())
-        if (candidates.size() < 2 * judged_most)
+        if (candidates.size() < 2 * judged_most(options))
             candidates.push_back(kept.genome);
     std::vector<Answer> answers(candidates.size());
     ga::parallel_for(answers.size(), ga::thread_count(options.threads),
