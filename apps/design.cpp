@@ -1,5 +1,6 @@
 #include "apps/commands.hpp"
 #include "apps/design_page.hpp"
+#include "apps/design_schedule.hpp"
 #include "apps/design_settings.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/output.hpp"
@@ -15,17 +16,13 @@
 
 #include <omp.h>
 
-#include <chrono>
 #include <cmath>
 
 namespace app {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using nlohmann::json;
-
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 json number_or_null(double value) { return std::isfinite(value) ? json(value) : json(); }
 
@@ -56,18 +53,21 @@ json checks_json(const std::vector<rough::Check>& checks) {
 }
 
 json trust_json(const rough::Trust& trust) {
-    return {
-        {"checks", checks_json(trust.checks)},
-        {"median", number_or_null(trust.median)},
-        {"tenth_percentile", number_or_null(trust.tenth)},
-        {"other_kernels", checks_json(trust.kernels)},
-        {"phases_redrawn",
-         {{"best", number_or_null(trust.redrawn_best)}, {"median", number_or_null(trust.redrawn_median)}}},
-        {"rms_slope", trust.rms_slope},
-        {"peak_pressure_MPa", trust.peak_pressure},
-        {"shortest_wave_nodes", trust.shortest_wave_nodes},
-        {"contact_at_ends", trust.contact_at_ends},
-        {"flags", trust.flags}};
+    return {{"checks", checks_json(trust.checks)},
+            {"median", number_or_null(trust.median)},
+            {"tenth_percentile", number_or_null(trust.tenth)},
+            {"other_kernels", checks_json(trust.kernels)},
+            {"phases_redrawn",
+             {{"draws", trust.redrawn},
+              {"best", number_or_null(trust.redrawn_best)},
+              {"median", number_or_null(trust.redrawn_median)},
+              {"tenth_percentile", number_or_null(trust.redrawn_tenth)}}},
+            {"rms_slope", trust.rms_slope},
+            {"peak_pressure_MPa", trust.peak_pressure},
+            {"shortest_wave_nodes", trust.shortest_wave_nodes},
+            {"contact_at_ends", trust.contact_at_ends},
+            {"flags", trust.flags},
+            {"left_out_for_time", trust.left_out}};
 }
 
 json design_json(const DesignRun& run) {
@@ -111,11 +111,15 @@ json design_json(const DesignRun& run) {
                                      {"value", margin.value},
                                      {"margin", margin.limit > 0 ? json(margin.margin()) : json()},
                                      {"holds", margin.holds()}});
-    answer["within_limits"] = run.found.within_limits;
+    answer["within_limits"] = run.found.best.within_limits;
     if (run.trust)
         answer["trust"] = trust_json(*run.trust);
     result["variants"][run.options.variant] = std::move(answer);
     return result;
+}
+
+void write_result(const DesignRun& run, const std::filesystem::path& folder) {
+    rough::write_atomically(folder / "result.json", design_json(run).dump(1) + "\n");
 }
 
 /// The answer's own curve on both grids beside the files' usual columns.
@@ -131,18 +135,11 @@ void write_tables(const DesignRun& run, const std::filesystem::path& folder) {
                             rough::genome_to_json(run.found.best.genome).dump(1) + "\n");
 }
 
-/// Wall time that verifying takes at most, from one answer on both grids.
-double trust_seconds(const DesignRun& run) {
-    const auto start = Clock::now();
-    similarity(run.setup, run.found.best.genome, 4);
-    return 6 * since(start);
-}
-
 int exit_code(const DesignRun& run) {
     if (run.interrupted)
         return exit_interrupted;
     const bool missed = run.options.reach && run.found.best.judged() < *run.options.reach;
-    return missed || !run.out_of_reach.empty() || !run.found.within_limits ? 3 : 0;
+    return missed || !run.out_of_reach.empty() || !run.found.best.within_limits ? 3 : 0;
 }
 
 } // namespace
@@ -159,13 +156,13 @@ std::string verdict_of(const DesignRun& run) {
     else
         line = "not found within the budget: the nearest curve has similarity " + readable(judged, 4) +
                ", wanted is " + readable(run.wanted, 4);
-    if (!run.found.within_limits)
+    if (!run.found.best.within_limits)
         line += "; no answer holds every limit";
     return line;
 }
 
 int design(const Words& words) {
-    const auto start = Clock::now();
+    const auto start = Schedule::Clock::now();
     if (shows_help(
             words, "design (--target T.csv | --like SCAN.txt [--unit U]) [flags]",
             "Finds a rough profile that answers as the target asks, and says what to believe of it. Writes\n"
@@ -192,18 +189,27 @@ int design(const Words& words) {
     run.command = "rugosa design";
     for (const auto& word : words)
         run.command += " " + word;
-    const OutputFolder output(settings.text("out"), "design", settings.is_on("force"));
+    const bool resume = settings.is_on("resume");
+    if (resume && !settings.has("out"))
+        throw rough::InputError(
+            "--resume: given without --out, expected the folder of the design to go on with");
+    const OutputFolder output(settings.text("out"), "design", settings.is_on("force") || resume);
+    const auto& folder = output.path();
     const bool pictures = settings.one_of("pictures", {"on", "off"}) == 0;
     for (const auto& account : run.accounts)
         say(account);
 
     const Interrupt interrupt;
     Progress progress;
-    const double limit = run.options.seconds;
-    // What follows the search: picking on the finer grid, verifying, the report.
-    const double afterwards = pictures && limit >= 5 ? 1.5 : std::min(0.5, 0.15 * limit);
-    run.options.seconds = std::max(0.3 * limit, 0.9 * limit - afterwards) - since(start);
+    const Schedule schedule(start, run.options.seconds, run.setup, run.options.threads, pictures);
+    run.options.seconds = schedule.for_search();
+    run.options.compared = schedule.compared();
+    if (run.options.compared == 1)
+        run.options.alternatives = 1; // there is hardly time for one
     run.options.stop = &interrupt.flag();
+    const auto checkpoint = folder / "checkpoint.cbor";
+    run.options.keeping =
+        rough::Keeping{checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); }};
     if (!run.out_of_reach.empty())
         run.options.evaluations = 3000; // the nearest curve is enough
     double best = -HUGE_VAL;
@@ -218,27 +224,29 @@ int design(const Words& words) {
     run.interrupted = interrupt.asked();
     run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
     run.verdict = verdict_of(run);
-    run.seconds = since(start);
+    run.seconds = schedule.spent();
+    if (run.found.stopped.empty())
+        std::filesystem::remove(checkpoint);
 
-    const auto& folder = output.path();
-    rough::write_atomically(folder / "result.json", design_json(run).dump(1) + "\n");
+    write_result(run, folder);
     write_tables(run, folder);
-    const auto has_time = [&](double needed) { return !interrupt.asked() && since(start) + needed < limit; };
     if (!run.interrupted) {
         progress.show("verifying");
-        if (has_time(0.2) && has_time(trust_seconds(run)))
+        run.trust_options.seconds = schedule.for_trust();
+        if (run.trust_options.seconds > 0)
             run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options);
         else
             run.found.notes.push_back("no time was left to verify the answer");
-        run.seconds = since(start);
-        rough::write_atomically(folder / "result.json", design_json(run).dump(1) + "\n");
-        if (pictures && has_time(1))
+        run.seconds = schedule.spent();
+        write_result(run, folder);
+        if (pictures && schedule.has_time_for_page())
             rough::write_atomically(folder / "report.html", design_page(run));
     }
     if (run.trust)
         for (const auto& flag : run.trust->flags)
             say("note: " + flag);
-    say(folder.string() + ": " + run.verdict + " (" + readable(since(start)) + " s)");
+    say(folder.string() + ": " + run.verdict + " (" + readable(schedule.spent()) + " s)" +
+        (std::filesystem::exists(checkpoint) ? "; --resume goes on with the search" : ""));
     return exit_code(run);
 }
 

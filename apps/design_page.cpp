@@ -150,9 +150,18 @@ void add_trust(Page& page, const rough::Trust& trust) {
     for (const auto& check : trust.kernels)
         kernels.rows.push_back({check.name, readable(check.similarity, 4)});
     page.table(kernels);
-    page.prose("With its phases drawn anew the same spectrum gives similarity " +
-               readable(trust.redrawn_median) + " in the median and " + readable(trust.redrawn_best) +
-               " at best: what is missing to the answer's own is the work of its phases.");
+    if (trust.redrawn > 0)
+        page.prose("With its phases drawn anew, " + std::to_string(trust.redrawn) +
+                   " times, the same spectrum gives similarity " + readable(trust.redrawn_median) +
+                   " in the median, " + readable(trust.redrawn_tenth) + " in the tenth percentile and " +
+                   readable(trust.redrawn_best) +
+                   " at best: what is missing to the answer's own is the work of its phases.");
+    if (!trust.left_out.empty()) {
+        std::string all;
+        for (const auto& name : trust.left_out)
+            all += (all.empty() ? "" : "; ") + name;
+        page.prose("There was no time for: " + all + ".");
+    }
     if (trust.flags.empty())
         page.prose("Nothing strains the model: rms slope " + readable(trust.rms_slope) + ", shortest wave " +
                    readable(trust.shortest_wave_nodes) + " nodes.");

@@ -16,8 +16,6 @@ namespace rough {
 namespace {
 
 constexpr Index judged_refinement = 4;
-/// Most nodes at which the direct solver is taken unasked.
-constexpr Index directly_solved = 2048;
 /// Refinement aims this far inside the limits on shape, so that it need not end on their edge.
 constexpr double limit_guard = 2e-3;
 /// A limit's excess in units of misfit.
@@ -213,8 +211,6 @@ DesignProblem::DesignProblem(DesignSetup setup)
 
 DesignProblem::DesignProblem(std::shared_ptr<DesignSetup> setup) : setup_(setup) {
     check(*setup);
-    if (setup->model.contact.solver == Solver::automatic && setup->model.grid.nodes <= directly_solved)
-        setup->model.contact.solver = Solver::nested; // exact pressures: derivatives to the last digits
     // Below every genome within the limits, by how far it is over them.
     const auto limited = [](double similarity, const Outcome& outcome) {
         return outcome.excess > 0 ? std::min(similarity, 0.0) - 1 - outcome.excess : similarity;

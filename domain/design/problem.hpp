@@ -40,8 +40,7 @@ class DesignProblem {
     using Genome = rough::Genome;  ///< what is designed
     using Outcome = DesignOutcome; ///< what an evaluation yields
 
-    /// Where the solver is left open and the grid is small, the direct one is taken. Throws InputError on no
-    /// goals, a goal beyond max_pressure, goals that the set-up cannot load together,
+    /// Throws InputError on no goals, a goal beyond max_pressure, goals that the set-up cannot load together,
     /// or limits without sense.
     explicit DesignProblem(DesignSetup setup);
 

@@ -1,59 +1,34 @@
 #include "domain/design/search.hpp"
 
+#include "domain/design/archive.hpp"
+#include "domain/design/stored.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/database.hpp"
 
 #include <algorithm>
-#include <map>
+#include <set>
 
 namespace rough {
 
 namespace {
 
 constexpr std::size_t remembered = 60; ///< individuals an archive keeps
-/// Individuals of either kind compared on the finer grid at the end: fewer where there is hardly time for
-/// one.
-std::size_t judged_most(const SearchOptions& options) { return options.seconds < 2 ? 1 : 3; }
 
-/// The best individuals of all stages, each genome once.
-class Archive {
-  public:
-    explicit Archive(const DesignProblem& problem) : problem_(problem) {}
+bool holds(const DesignSetup& setup, const Genome& genome) {
+    const auto all = margins(genome, setup.model.grid, setup.limits);
+    return std::all_of(all.begin(), all.end(), [](const Margin& margin) { return margin.holds(); });
+}
 
-    void offer(const ga::Individual<Genome>& individual) {
-        if (!individual.fitness.known() || individual.fitness.has_failed())
-            return;
-        const std::string& objective = individual.fitness.objective();
-        if (objective != "similarity" && objective != "judged")
-            return;
-        const std::string key = problem_.key(individual.genome);
-        if (const auto found = by_key_.find(key); found != by_key_.end())
-            return;
-        by_key_.emplace(key, individual.value());
-        best_.push_back({individual.value(), individual.genome});
-        std::stable_sort(best_.begin(), best_.end(),
-                         [](const Kept& a, const Kept& b) { return a.value > b.value; });
-        if (best_.size() > remembered) {
-            by_key_.erase(problem_.key(best_.back().genome));
-            best_.pop_back();
-        }
-    }
-
-    struct Kept {
-        double value;
-        Genome genome;
-    };
-    const std::vector<Kept>& best() const { return best_; }
-
-  private:
-    const DesignProblem& problem_;
-    std::vector<Kept> best_;
-    std::map<std::string, double> by_key_;
-};
+/// What is reported follows from the written genome to nine digits, by whatever solver, on grids up to this
+/// many nodes; on larger ones to the solver's tolerance.
+constexpr Index exactly_reported = 16385;
+constexpr double reported_tolerance = 1e-10;
 
 /// Solved throughout: what is returned owes nothing to the accuracy that the search was allowed.
 Answer answer_of(const DesignSetup& searched, const Genome& genome) {
-    const DesignSetup setup = exactly(searched);
+    DesignSetup setup = exactly(searched);
+    if (refined(setup.model, 4).grid.nodes <= exactly_reported)
+        setup.model.contact.tolerance = std::min(setup.model.contact.tolerance, reported_tolerance);
     Answer answer{folded(genome)};
     const DesignResponse coarse = respond(setup, genome, setup.model);
     if (setup.max_pressure) {
@@ -63,12 +38,41 @@ Answer answer_of(const DesignSetup& searched, const Genome& genome) {
     }
     answer.similarity = similarity(setup, coarse);
     answer.similarity_refined = similarity(setup, genome, 4);
+    answer.within_limits = holds(setup, answer.genome);
     return answer;
 }
 
-bool holds(const DesignSetup& setup, const Genome& genome) {
-    const auto all = margins(genome, setup.model.grid, setup.limits);
-    return std::all_of(all.begin(), all.end(), [](const Margin& margin) { return margin.holds(); });
+std::vector<Answer> answers_of(const DesignSetup& setup, const std::vector<Genome>& genomes, int threads) {
+    std::vector<Answer> answers(genomes.size());
+    ga::parallel_for(answers.size(), ga::thread_count(threads),
+                     [&](std::size_t i) { answers[i] = answer_of(setup, genomes[i]); });
+    return answers;
+}
+
+/// The best answer, then the best of the way that differ from it and from each other.
+std::vector<Answer> alternatives(const DesignSetup& setup, const Answer& best, const Archive& archive,
+                                 const SearchOptions& options) {
+    std::vector<Profile> profiles{sample(best.genome, setup.model.grid)};
+    std::vector<Genome> others;
+    std::vector<double> differences;
+    for (const auto& kept : archive.best) {
+        if (1 + others.size() >= options.alternatives || kept.value < -1)
+            break;
+        const Profile profile = sample(kept.genome, setup.model.grid);
+        double least = 2;
+        for (const Profile& other : profiles)
+            least = std::min(least, difference(profile, other));
+        if (least < different)
+            continue;
+        others.push_back(kept.genome);
+        differences.push_back(least);
+        profiles.push_back(profile);
+    }
+    std::vector<Answer> all = answers_of(setup, others, options.threads);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i].difference = differences[i];
+    all.insert(all.begin(), best);
+    return all;
 }
 
 std::vector<Genome> database_for(const DesignSetup& setup, int threads) {
@@ -109,18 +113,17 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     const auto stage =
         options.pipeline.empty() ? parser.variant(options.variant) : parser.parse(options.pipeline);
 
-    Archive archive(problem);
+    Archive archive(remembered);
     double judged_from = options.reach.value_or(0);
     observers.insert(observers.begin(), [&](const ga::Event<Genome>& event) {
         for (const auto& individual : event.population)
-            archive.offer(individual);
-        if (!options.reach || archive.best().empty() || archive.best().front().value < judged_from)
+            archive.offer(problem, individual);
+        if (!options.reach || archive.best.empty() || archive.best.front().value < judged_from)
             return;
-        const Answer best = answer_of(setup, archive.best().front().genome);
+        const Answer best = answer_of(setup, archive.best.front().genome);
         if (holds(setup, best.genome) && best.judged() >= *options.reach)
             throw ga::Stopped{"the similarity asked for was reached"};
-        judged_from =
-            std::nextafter(archive.best().front().value, 2.0); // the same one would tell nothing new
+        judged_from = std::nextafter(archive.best.front().value, 2.0); // the same one would tell nothing new
     });
 
     ga::RunOptions run;
@@ -132,6 +135,13 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     if (!options.starts.empty() && makes_its_own_starts(text))
         throw InputError("design: the pipeline '" + text +
                          "' makes its own starts, expected one that begins with those given (score | ...)");
+    std::optional<ga::Checkpoints<DesignProblem>> keeper;
+    if (options.keeping) {
+        keeper.emplace(options.keeping->file, description(setup).dump(), options.keeping->resume);
+        keeper->keep("archive", archive.best);
+        if (options.keeping->also)
+            options.keeping->also(*keeper);
+    }
     SearchResult result;
     ga::Population<Genome> population;
     result.pipeline = text;
@@ -140,60 +150,45 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
             !options.starts.empty()      ? options.starts
             : makes_its_own_starts(text) ? std::vector<Genome>{shaped_start(setup, ga::Stream(options.seed))}
                                          : database_for(setup, options.threads);
-        auto found = ga::run(stage, problem, ga::population(starts), run, observers);
+        auto found =
+            ga::run(stage, problem, ga::population(starts), run, observers, keeper ? &*keeper : nullptr);
         for (const auto& individual : found.population)
-            archive.offer(individual);
+            archive.offer(problem, individual);
         if (found.best)
-            archive.offer(*found.best);
+            archive.offer(problem, *found.best);
         population = std::move(found.population);
         result.counters = found.counters;
         result.notes = found.notes;
         result.stopped = found.stopped;
     } catch (const ga::NothingLeft& nothing) {
-        if (archive.best().empty())
+        if (archive.best.empty())
             throw NotConverged(nothing.what());
         result.notes.push_back(nothing.what());
     }
-    if (archive.best().empty()) // stopped before the first curve
-        archive.offer({shaped_start(setup, ga::Stream(options.seed)),
-                       0,
-                       {},
-                       ga::Fitness(ga::Name("similarity"), 0),
-                       nullptr});
+    if (archive.best.empty()) // stopped before the first curve
+        archive.offer(problem, {shaped_start(setup, ga::Stream(options.seed)),
+                                0,
+                                {},
+                                ga::Fitness(ga::Name("similarity"), 0),
+                                nullptr});
 
     // What the pipeline gave, and the best of its way.
     std::vector<Genome> candidates;
-    for (const auto& individual : population)
-        if (candidates.size() < judged_most(options))
-            candidates.push_back(individual.genome);
-    for (const auto& kept : archive.best())
-        if (candidates.size() < 2 * judged_most(options))
-            candidates.push_back(kept.genome);
-    std::vector<Answer> answers(candidates.size());
-    ga::parallel_for(answers.size(), ga::thread_count(options.threads),
-                     [&](std::size_t i) { answers[i] = answer_of(setup, candidates[i]); });
-    // Those within the limits first.
-    std::stable_sort(answers.begin(), answers.end(), [&](const Answer& a, const Answer& b) {
-        return std::pair(holds(setup, a.genome), a.judged()) > std::pair(holds(setup, b.genome), b.judged());
+    std::set<std::string> keys;
+    const auto consider = [&](const Genome& genome) {
+        if (keys.insert(problem.key(genome)).second)
+            candidates.push_back(genome);
+    };
+    for (std::size_t i = 0; i < std::min(population.size(), options.compared); ++i)
+        consider(population[i].genome);
+    for (std::size_t i = 0; i < std::min(archive.best.size(), options.compared); ++i)
+        consider(archive.best[i].genome);
+    const std::vector<Answer> answers = answers_of(setup, candidates, options.threads);
+    const auto best = std::max_element(answers.begin(), answers.end(), [](const Answer& a, const Answer& b) {
+        return std::pair(a.within_limits, a.judged()) < std::pair(b.within_limits, b.judged());
     });
-    result.best = answers.front();
-    result.within_limits = holds(setup, result.best.genome);
-
-    result.alternatives = {result.best};
-    std::vector<Profile> profiles{sample(result.best.genome, setup.model.grid)};
-    for (const auto& kept : archive.best()) {
-        if (result.alternatives.size() >= options.alternatives)
-            break;
-        const Profile profile = sample(kept.genome, setup.model.grid);
-        double least = 2;
-        for (const Profile& other : profiles)
-            least = std::min(least, difference(profile, other));
-        if (least < different || kept.value < -1)
-            continue;
-        result.alternatives.push_back(answer_of(setup, kept.genome));
-        result.alternatives.back().difference = least;
-        profiles.push_back(profile);
-    }
+    result.best = *best;
+    result.alternatives = alternatives(setup, result.best, archive, options);
     return result;
 }
 

@@ -1,8 +1,17 @@
 #pragma once
 
 #include "domain/design/pipelines.hpp"
+#include "ga/checkpoint.hpp"
 
 namespace rough {
+
+/// Where a search is kept on its way, so that it can go on after its process has ended.
+struct Keeping {
+    std::filesystem::path file; ///< replaced as a whole, by renaming
+    bool resume = false;        ///< go on from the file, where there is one
+    /// Hands the keeper what observers hold, to be kept with the run.
+    std::function<void(ga::Checkpoints<DesignProblem>&)> also = {};
+};
 
 /// How long, from where and by which pipeline to search.
 struct SearchOptions {
@@ -17,6 +26,9 @@ struct SearchOptions {
     const std::atomic<bool>* stop = nullptr;                  ///< somebody asks the search to end
     std::optional<double> reach;  ///< ends when an answer has this similarity on both grids
     std::size_t alternatives = 3; ///< different answers to return, the best among them
+    /// Answers of the pipeline, and best ones of its way, compared on the finer grid at the end.
+    std::size_t compared = 3;
+    std::optional<Keeping> keeping = {}; ///< nothing: it is kept nowhere
 };
 
 /// A genome in final amplitude and how well it answers.
@@ -24,6 +36,7 @@ struct Answer {
     Genome genome;                 ///< amplitude final
     double similarity = 0;         ///< on the set-up's grid
     double similarity_refined = 0; ///< on a grid four times finer, Eq. 11 anew where it applies
+    bool within_limits = true;     ///< it holds every limit of the set-up
     double difference = 1;         ///< from the answers before it, the least
 
     /// What an answer is judged by: it must survive refinement of the grid.
@@ -34,11 +47,11 @@ struct Answer {
 struct SearchResult {
     Answer best;                      ///< by its judged similarity
     std::vector<Answer> alternatives; ///< the best first, then the next best that differ from those before
-    ga::Counters counters;            ///< curves and gradients paid for
-    std::vector<std::string> notes;   ///< remarks of stages, each under its path
+    ga::Counters counters;            ///< what was spent
+    std::vector<std::string> notes;   ///< remarks of stages
     std::string stopped;              ///< why the search ended before its pipeline; empty when it did not
     std::string pipeline;             ///< as it was run
-    bool within_limits = true;        ///< the best answer holds every limit of the set-up
+    /// How long, from where and by which pipeline to search.
 };
 
 /// How much two profiles differ: 1 less the correlation coefficient of their heights, the better one of as
@@ -48,8 +61,8 @@ constexpr double different = 0.05; ///< see above
 
 /// Runs a pipeline on a design and picks what to believe: of the best individuals of all stages those that
 /// are best on both grids. There is always an answer: the best so far, or a first start. Throws
-/// ga::UsageError on a pipeline that cannot work, NotConverged when no curve of the whole run could be
-/// computed.
+/// ga::UsageError on a pipeline that cannot work or a kept run of another search, NotConverged when no curve
+/// of the whole run could be computed.
 SearchResult search(const DesignSetup& setup, const SearchOptions& options,
                     std::vector<ga::Observer<Genome>> observers = {});
 

@@ -4,6 +4,7 @@
 #include "ga/parallel.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -120,8 +121,16 @@ std::vector<Goal> with_datum(const std::vector<Goal>& goals, const Model& model,
     return moved;
 }
 
-Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options) {
+Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOptions& options) {
     Trust trust;
+    judge_strains(given, genome, options, trust);
+    using Clock = std::chrono::steady_clock;
+    const auto late = [start = Clock::now(), limit = options.seconds] {
+        return std::chrono::duration<double>(Clock::now() - start).count() > limit;
+    };
+    DesignSetup setup = given;
+    if (std::isfinite(options.seconds))
+        setup.model.contact.stop = late;
     std::vector<std::pair<std::string, std::function<double()>>> jobs;
     const auto under = [&](const Model& model) {
         return [&setup, &genome, model] { return similarity(setup, respond(setup, genome, model)); };
@@ -170,17 +179,31 @@ Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOption
             return similarity(setup, with_fitting_amplitude(setup, redrawn));
         });
     std::vector<double> values(jobs.size(), unknown);
-    ga::parallel_for(jobs.size(), ga::thread_count(options.threads),
-                     [&](std::size_t i) { values[i] = or_unknown(jobs[i].second); });
+    std::vector<char> done(jobs.size(), 0);
+    ga::parallel_for(jobs.size(), ga::thread_count(options.threads), [&](std::size_t i) {
+        values[i] = or_unknown(jobs[i].second);
+        done[i] = std::isfinite(values[i]) || !late();
+    });
+    std::vector<double> checked, redrawn;
     for (std::size_t i = 0; i < kernels; ++i)
-        (i < checks ? trust.checks : trust.kernels).push_back({jobs[i].first, values[i]});
-    const std::vector<double> checked(values.begin(), values.begin() + static_cast<long>(checks));
+        if (!done[i])
+            trust.left_out.push_back(jobs[i].first);
+        else
+            (i < checks ? trust.checks : trust.kernels).push_back({jobs[i].first, values[i]});
+    for (const Check& check : trust.checks)
+        checked.push_back(check.similarity);
+    for (std::size_t i = kernels; i < jobs.size(); ++i)
+        if (done[i])
+            redrawn.push_back(values[i]);
     trust.median = quantile(checked, 0.5);
     trust.tenth = quantile(checked, 0.1);
-    const std::vector<double> redrawn(values.begin() + static_cast<long>(kernels), values.end());
+    trust.redrawn = static_cast<int>(redrawn.size());
     trust.redrawn_best = quantile(redrawn, 1);
     trust.redrawn_median = quantile(redrawn, 0.5);
-    judge_strains(setup, genome, options, trust);
+    trust.redrawn_tenth = quantile(redrawn, 0.1);
+    if (trust.redrawn < options.phase_draws)
+        trust.left_out.push_back(std::to_string(options.phase_draws - trust.redrawn) +
+                                 " of the phases drawn anew");
     return trust;
 }
 

@@ -3,6 +3,8 @@
 #include "domain/design/problem.hpp"
 #include "ga/random.hpp"
 
+#include <limits>
+
 namespace rough {
 
 /// How an answer is put to the test.
@@ -13,6 +15,7 @@ struct TrustOptions {
     double hardness = 0;    ///< MPa, against the highest node pressure; 0: not given
     std::uint64_t seed = 1; ///< of noise and redrawn phases
     int threads = 0;        ///< 0: all
+    double seconds = std::numeric_limits<double>::infinity(); ///< what is not done by then is left out
 };
 
 /// One way to ask the same again, and the similarity it gives; NaN where it has no answer.
@@ -30,12 +33,15 @@ struct Trust {
     /// Similarity of genomes of the same spectrum with phases drawn anew (amplitude by Eq. 11, or fitted):
     /// where the best of them is near the answer the spectrum does it, where it is not the phases do.
     double redrawn_best = 0;
-    double redrawn_median = 0;      ///< as redrawn_best, the median
-    double rms_slope = 0;           ///< of the profile, dimensionless
-    double peak_pressure = 0;       ///< highest node pressure at the last load step, MPa
-    double shortest_wave_nodes = 0; ///< in units of the grid's spacing
-    bool contact_at_ends = false;   ///< of a free or strip profile, at the last load step
-    std::vector<std::string> flags; ///< where the model strains, a line each
+    double redrawn_median = 0;         ///< as redrawn_best, the median
+    double redrawn_tenth = 0;          ///< as redrawn_best, the tenth percentile
+    int redrawn = 0;                   ///< how many were drawn
+    double rms_slope = 0;              ///< of the profile, dimensionless
+    double peak_pressure = 0;          ///< highest node pressure at the last load step, MPa
+    double shortest_wave_nodes = 0;    ///< in units of the grid's spacing
+    bool contact_at_ends = false;      ///< of a free or strip profile, at the last load step
+    std::vector<std::string> flags;    ///< where the model strains, a line each
+    std::vector<std::string> left_out; ///< what there was no time for
 };
 
 /// Re-verifies a genome in final amplitude. The datum's change is exact on the target side: 1/K(4 d) = 1/K(d)

@@ -160,6 +160,10 @@ TEST_CASE("however short the time, and when interrupted, the best so far is a va
         CHECK(ended.code == 0);
         CHECK(result_in(folder / "r")["variants"]["multistart"]["genome"]["series"].size() >= 1);
     }
+    const Ended drawn_too =
+        rugosa(drawn + " --nodes 128 --seconds 6 --reach-similarity 0.9 --out pictured", folder.path());
+    CHECK(drawn_too.code == 0);
+    CHECK_THAT(rough::read_whole(folder / "pictured/report.html"), Catch::Contains("<svg"));
     folder.write("stop.sh", "'" RUGOSA_PROGRAM "' " + drawn +
                                 " --variant esch --out stopped >log 2>&1 &\n"
                                 "child=$!; sleep 1; kill -TERM $child; wait $child\n");

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "domain/design/problem.hpp"
+
+#include <chrono>
+
+namespace app {
+
+/// How a design shares out its wall time: the search gets what picking an answer, verifying it and drawing
+/// the report leave. What these take is measured on a first start of the design itself.
+class Schedule {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    /// `limit` seconds from `begin` on, infinite for no limit (nothing is measured then).
+    Schedule(Clock::time_point begin, double limit, const rough::DesignSetup& setup, int threads,
+             bool pictures);
+
+    double spent() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+    /// Seconds from now on that the search may take.
+    double for_search() const;
+    /// Answers that there is time to compare on the finer grid, as SearchOptions::compared.
+    std::size_t compared() const;
+    /// Seconds from now on that verifying may take; what is not verified by then is left out.
+    double for_trust() const;
+    bool has_time_for_page() const { return spent() + page_ < limit_; }
+
+  private:
+    Clock::time_point begin_;
+    double limit_;
+    int threads_;
+    double both_ = 0;  ///< an answer's curves on both grids
+    double page_ = 0;  ///< the report
+    double trust_ = 0; ///< verifying, all of it
+};
+
+} // namespace app

@@ -1,0 +1,64 @@
+#include "domain/atomic_file.hpp"
+#include "tests/apps/program.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using app::testing::Ended;
+using app::testing::Folder;
+using app::testing::rugosa;
+using nlohmann::json;
+
+namespace {
+
+const std::string words =
+    "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 128 --threads 1 --pictures off "
+    "--largest-slope 0.5 --pipeline 'shape 12 | score | best 4 | refine lm 6 | repeat 12 { tournament 2 | "
+    "cross uniform | mutate 0.1 | score | refine lm 6 | elite 1 } | best 2 | score judged'";
+
+/// Without what a clock or the command line decides.
+json result_in(const std::filesystem::path& folder) {
+    json result = json::parse(rough::read_whole(folder / "result.json"));
+    result["variants"]["pipeline"].erase("seconds");
+    result.erase("command");
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("a design killed at any moment goes on to the very result of an uninterrupted one") {
+    const Folder folder;
+    REQUIRE(rugosa(words + " --out whole", folder.path()).code == 0);
+    CHECK_FALSE(std::filesystem::exists(folder / "whole/checkpoint.cbor"));
+    const json whole = result_in(folder / "whole");
+    int kept = 0;
+    for (const char* seconds : {"0.05", "0.3", "0.6", "1.2"}) {
+        const std::string out = std::string("killed") + seconds;
+        const std::string kill = "cd '" + folder.path().string() + "' && timeout -s KILL " + seconds +
+                                 " '" RUGOSA_PROGRAM "' " + words + " --out " + out + " >/dev/null 2>&1";
+        static_cast<void>(std::system(kill.c_str()));
+        kept += std::filesystem::exists(folder / (out + "/checkpoint.cbor"));
+        const Ended ended = rugosa(words + " --out " + out + " --resume", folder.path());
+        INFO(ended.err);
+        REQUIRE(ended.code == 0);
+        CHECK(result_in(folder / out) == whole);
+    }
+    CHECK(kept > 0);
+}
+
+TEST_CASE("a design out of time goes on where it stopped, and a set-up that is another is refused") {
+    const Folder folder;
+    REQUIRE(rugosa(words + " --out whole", folder.path()).code == 0);
+    const Ended cut = rugosa(words + " --seconds 0.4 --out cut", folder.path());
+    CHECK(cut.code == 0);
+    CHECK_THAT(cut.out, Catch::Contains("--resume"));
+    const Ended other = rugosa(words + " --largest-height 1 --out cut --resume", folder.path());
+    CHECK(other.code == 2);
+    CHECK(other.error_lines() == 1);
+    CHECK_THAT(other.err, Catch::Contains("checkpoint"));
+    const Ended homeless = rugosa(words + " --resume", folder.path());
+    CHECK(homeless.code == 2);
+    CHECK_THAT(homeless.err, Catch::Contains("--out"));
+    REQUIRE(rugosa(words + " --out cut --resume", folder.path()).code == 0);
+    CHECK(result_in(folder / "cut") == result_in(folder / "whole"));
+}
