@@ -100,8 +100,9 @@ json modelled_json(const rough::Genome& genome, const rough::Model& model) {
     json result = account_json(found.account);
     result.erase("seconds"); // of this one curve; the search's own stand beside
     result["true_error"] =
-        model.accuracy > 0 ? rough::relative_error(found.response.pressure, respond(genome, exactly(model)).pressure)
-                           : 0.0;
+        model.accuracy > 0
+            ? rough::relative_error(found.response.pressure, respond(genome, exactly(model)).pressure)
+            : 0.0;
     return result;
 }
 

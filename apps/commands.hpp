@@ -27,6 +27,9 @@ int operators(const Words& words);
 /// All of them, in the order of the help page.
 const std::vector<Command>& commands();
 
+/// Whether --help or -h is among the words.
+bool asks_help(const Words& words);
+
 /// True when the words ask for help; then prints the page: usage, the text, the settings and the examples.
 struct Setting;
 bool shows_help(const Words& words, const std::string& usage, const std::string& text,

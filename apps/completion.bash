@@ -20,10 +20,13 @@ _rugosa() {
     --solver) COMPREPLY=($(compgen -W "auto nested nnls polonsky-keer active-set" -- "$current")) ;;
     --detrend) COMPREPLY=($(compgen -W "none mean line parabola" -- "$current")) ;;
     --unit) COMPREPLY=($(compgen -W "m mm um nm A in" -- "$current")) ;;
+    --quantity) COMPREPLY=($(compgen -W "stiffness area area-displacement load" -- "$current")) ;;
+    --pictures) COMPREPLY=($(compgen -W "on off" -- "$current")) ;;
+    --variant) COMPREPLY=($(compgen -W "default in-line multistart plain sog gco cco esch crs2" -- "$current")) ;;
     esac
     [ ${#COMPREPLY[@]} -gt 0 ] && return
     if [[ $current == -* ]]; then
-        COMPREPLY=($(compgen -W "$(_rugosa_words "${command[@]}" | grep '^--') --help" -- "$current"))
+        COMPREPLY=($(compgen -W "$(_rugosa_words "${command[@]}" | grep '^--') --help --quiet --verbose" -- "$current"))
     elif [[ $previous != -* ]]; then
         COMPREPLY=($(compgen -W "$(_rugosa_words "${command[@]}" | grep -v '^--')" -- "$current"))
     fi

@@ -23,6 +23,8 @@ std::vector<Setting> contact_settings() {
         {"profile", "", "measured profile in place of a genome: a text file of one or two columns"},
         {"out", "", "curve file to write (CSV)"},
         {"force", "", "write over an existing curve file", true},
+        {"threads", "0", "taken as design and run take it; a curve needs one thread"},
+        {"seed", "1", "taken as design and run take it; nothing here is random"},
         accuracy_setting("", "the resolved model: --nodes if given, else 64 nodes to the shortest wave"),
     };
     for (const auto& more : {scan_settings(), model_settings()})
@@ -41,6 +43,12 @@ rough::Model within_accuracy(rough::Model model, const Settings& settings) {
     if (!settings.given("tolerance"))
         model.contact.tolerance = 1;
     return model;
+}
+
+/// Flags that decide nothing are still held to their range.
+void expect_common(const Settings& settings) {
+    settings.whole("threads", 0, 1024);
+    settings.whole("seed", 0, 9007199254740992);
 }
 
 rough::EconomicResponse measured_response(const Settings& settings) {
@@ -92,6 +100,7 @@ int contact(const Words& words) {
         throw rough::InputError("contact: expected either --genome or --profile");
     if (!settings.has("out"))
         throw rough::InputError("contact: --out is missing, expected the curve file to write");
+    expect_common(settings);
     expect_writable(settings.text("out"), settings.is_on("force"));
 
     const std::filesystem::path account = account_beside(settings.text("out"));

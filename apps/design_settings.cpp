@@ -194,7 +194,9 @@ DesignRun design_from(const Settings& settings) {
         setup.goals = {goal_like(profile, own, settings.text("like"), settings.whole("points", 2, 100000),
                                  setup.max_pressure.value_or(0))};
     } else {
-        for (const auto& setting : scan_settings())
+        std::vector<Setting> of_scans = scan_settings();
+        of_scans.push_back({"points", "", ""});
+        for (const auto& setting : of_scans)
             if (settings.given(setting.name))
                 throw rough::InputError("--" + setting.name +
                                         ": given with --target, expected with --like only");

@@ -2,6 +2,7 @@
 #include "apps/settings.hpp"
 #include "apps/voice.hpp"
 #include "domain/errors.hpp"
+#include "domain/scan/lines.hpp"
 #include "ga/errors.hpp"
 #include "ga/text/nearest.hpp"
 
@@ -18,29 +19,51 @@ void print_help() {
     for (const auto& command : app::commands())
         std::cout << "  " << command.name << std::string(12 - std::string(command.name).size(), ' ')
                   << command.summary << "\n";
-    std::cout << "\n'rugosa SUBCOMMAND --help' tells its flags.\n"
-                 "--quiet leaves out remarks and progress, --verbose adds details.\n"
-                 "Exit codes: 0 done; 2 wrong use or bad input; 3 asked for more than was found; 130 "
-                 "interrupted.\n";
+    std::cout
+        << "\n'rugosa SUBCOMMAND --help' tells its flags and gives examples. To begin with:\n"
+           "  rugosa profile --profile SCAN.txt            what a measured surface is, and a solid to print\n"
+           "  rugosa design --like SCAN.txt --seconds 10   a designed surface that behaves like it\n\n"
+           "--quiet leaves out remarks and progress, --verbose adds details.\n"
+           "Exit codes: 0 done; 2 wrong use or bad input; 3 asked for more than was found; 130 "
+           "interrupted.\n";
 }
 
 int dispatch(app::Words words) {
     app::take_voice(words);
-    if (words.empty() || words[0] == "--help" || words[0] == "help") {
+    std::vector<std::string> names;
+    for (const auto& command : app::commands())
+        names.push_back(command.name);
+    if (words.empty())
+        throw rough::InputError("no subcommand given" + ga::suggestion("", names) +
+                                " ('rugosa --help' tells more)");
+    if (words[0] == "help" && words.size() > 1)
+        words = {words[1], "--help"};
+    if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
         print_help();
-        return words.empty() ? 2 : 0;
+        return 0;
     }
     if (words[0] == "--version") {
         std::cout << "rugosa " RUGOSA_VERSION "\n";
         return 0;
     }
-    std::vector<std::string> names;
-    for (const auto& command : app::commands()) {
+    for (const auto& command : app::commands())
         if (words[0] == command.name)
             return command.run({words.begin() + 1, words.end()});
-        names.push_back(command.name);
-    }
+    if (words[0].starts_with("-"))
+        throw rough::InputError("'" + words[0] + "' given, expected a subcommand before its flags" +
+                                ga::suggestion(words[0], {"--help", "--version"}));
     throw rough::InputError("'" + words[0] + "' is no subcommand" + ga::suggestion(words[0], names));
+}
+
+/// One line whatever is in it: what was read from a file may hold anything.
+void complain(const std::string& message) {
+    std::string line;
+    for (const std::string& part : rough::text_lines(message, ""))
+        line += (line.empty() ? "" : " ") + part;
+    for (char& c : line)
+        if ((c >= 0 && c < ' ') || c == '\x7f')
+            c = '?';
+    std::cerr << app::error_mark() << line << "\n";
 }
 
 } // namespace
@@ -49,20 +72,19 @@ int main(int count, char** values) {
     try {
         return dispatch({values + 1, values + count});
     } catch (const rough::InputError& error) {
-        std::cerr << app::error_mark() << error.what() << "\n";
+        complain(error.what());
         return 2;
     } catch (const ga::UsageError& error) {
-        std::cerr << "rugosa: " << error.what() << "\n";
+        complain(error.what());
         return 2;
     } catch (const rough::NotConverged& error) {
-        std::cerr << app::error_mark() << error.what() << "\n";
+        complain(error.what());
         return 3;
     } catch (const std::bad_alloc&) {
-        std::cerr << app::error_mark()
-                  << "not enough memory for this grid, expected fewer nodes or --solver active-set\n";
+        complain("not enough memory for this grid, expected fewer nodes or --solver active-set");
         return 2;
     } catch (const std::exception& error) {
-        std::cerr << app::error_mark() << "internal error: " << error.what() << "\n";
+        complain(std::string("internal error: ") + error.what());
         return 1;
     }
 }

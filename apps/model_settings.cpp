@@ -50,7 +50,7 @@ const std::string& name_of(rough::Kernel kernel) { return kernel_names()[static_
 const std::string& name_of(rough::Solver solver) { return solver_names()[static_cast<std::size_t>(solver)]; }
 
 std::vector<Setting> model_settings(const std::string& prefix) {
-    return {
+    std::vector<Setting> settings{
         {prefix + "nodes", "", "nodes of the grid, 2 to 1e7 [512; a scan: its points]"},
         {prefix + "length", "", "length L of the profile, mm [0.84942; a scan: its own]"},
         {prefix + "kernel", "free", "elastic body: free, periodic or strip"},
@@ -63,6 +63,9 @@ std::vector<Setting> model_settings(const std::string& prefix) {
         {prefix + "solver", "auto", "contact solver: auto, nested, nnls, polonsky-keer or active-set"},
         {prefix + "tolerance", "1e-6", "relative tolerance of the iterative solvers"},
     };
+    for (Setting& setting : settings)
+        setting.group = "The model: grid, elastic body, load steps, solver";
+    return settings;
 }
 
 Setting accuracy_setting(const std::string& prefix, const std::string& against) {

@@ -118,6 +118,9 @@ Setup setup_from(const Settings& settings) {
         setup.max_pressure = setup.targets[0].target.highest_pressure();
         return setup;
     }
+    if (!settings.has("target.file"))
+        throw rough::InputError(settings.place("target.file") +
+                                ": missing, expected a target (CSV), or target.profile, a measured profile");
     setup.model = model_from(settings, "model.");
     setup.model.accuracy = accuracy_from(settings, "model.");
     setup.max_pressure = settings.positive("paper.max-pressure");

@@ -34,6 +34,7 @@ std::vector<Setting> run_settings() {
         {"seed", "", "seed of everything random [the experiment's]"},
         {"threads", "", "threads [the experiment's; 0 takes all]"},
         {"pictures", "on", "off leaves out the report and its pictures"},
+        {"set", "", "change a key of the experiment, section.key=value; may be repeated"},
     };
     for (Setting flag : model_flags()) {
         flag.meaning = "in place of the experiment's model." + flag.name + ": " + flag.meaning;

@@ -9,6 +9,8 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
+#include <limits>
 #include <sstream>
 
 namespace app {
@@ -18,21 +20,23 @@ using rough::InputError;
 
 namespace {
 
+constexpr const char* too_many = "words too many";
+
 std::string brief(double value) {
     std::ostringstream out;
     out << value;
     return out.str();
 }
 
-std::vector<std::string> names_of(const std::vector<Setting>& known) {
+std::vector<std::string> names_of(const std::vector<Setting>& known, const std::string& mark = "") {
     std::vector<std::string> names;
     for (const auto& setting : known)
-        names.push_back(setting.name);
+        names.push_back(mark + setting.name);
     return names;
 }
 
-po::options_description options_of(const std::vector<Setting>& known) {
-    po::options_description options;
+po::options_description options_of(const std::vector<Setting>& known, const std::string& heading = "") {
+    po::options_description options(heading);
     for (const auto& setting : known) {
         std::string meaning = setting.meaning;
         if (!setting.is_switch && !setting.fallback.empty())
@@ -96,8 +100,10 @@ double number_from(const std::string& word, const std::string& place) {
 double Settings::number(const std::string& name, double from, double to) const {
     const double value = number_from(text(name), place(name));
     if (value < from || value > to)
-        throw InputError(place(name) + ": " + text(name) + " given, expected a number from " + brief(from) +
-                         " to " + brief(to));
+        throw InputError(place(name) + ": " + text(name) + " given, expected a number " +
+                         (from == std::numeric_limits<double>::min() ? "above 0 and up to "
+                                                                     : "from " + brief(from) + " to ") +
+                         brief(to));
     return value;
 }
 
@@ -139,26 +145,36 @@ std::vector<std::string> Settings::names_under(const std::string& prefix) const 
 
 Settings read_command_line(const std::vector<std::string>& words, const std::vector<Setting>& known,
                            const std::vector<std::string>& positional) {
-    const po::options_description options = options_of(known);
+    po::options_description with_words = options_of(known);
+    with_words.add_options()(too_many, po::value<std::string>());
     po::positional_options_description places;
     for (const auto& name : positional)
         places.add(name.c_str(), 1);
+    places.add(too_many, -1);
     namespace style = po::command_line_style;
     try {
         const auto parsed =
             po::command_line_parser(words)
-                .options(options)
+                .options(with_words)
                 .positional(places)
                 .style(style::allow_long | style::long_allow_adjacent | style::long_allow_next)
                 .run();
+        for (const auto& option : parsed.options)
+            if (option.string_key == too_many)
+                throw InputError(
+                    "'" + option.value.front() + "' given, expected " +
+                    (positional.empty() ? "flags only" : "one " + positional.front() + " beside the flags"));
         return {"", known, values_of(parsed, "--")};
     } catch (const po::unknown_option& error) {
         std::string name = error.get_option_name();
         name.erase(0, name.find_first_not_of('-'));
-        throw InputError("--" + name + ": unknown flag" + ga::suggestion(name, names_of(known)));
-    } catch (const po::too_many_positional_options_error&) {
-        throw InputError("too many words given, expected " + std::to_string(positional.size()) +
-                         " beside the flags");
+        std::vector<std::string> names = names_of(known, "--");
+        names.insert(names.end(), {"--help", "--quiet", "--verbose"});
+        throw InputError("--" + name + ": unknown flag" + ga::suggestion("--" + name, names));
+    } catch (const po::invalid_command_line_syntax& error) {
+        throw InputError(error.get_option_name() + (error.kind() == error.extra_parameter
+                                                        ? ": a value given, expected none"
+                                                        : ": no value given, expected one"));
     } catch (const po::error& error) {
         throw InputError(error.what());
     }
@@ -174,6 +190,10 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
         values = values_of(po::parse_config_file(in, options_of(known), true), file.string() + ": ");
         for (auto& [name, value] : values) // a comment may follow a value
             value.erase(value.find_last_not_of(" \t\r") + 1);
+    } catch (const po::invalid_config_file_syntax& error) {
+        const std::string line = error.tokens();
+        throw InputError(file.string() + ": \"" + line.substr(0, 60) +
+                         "\" given as a line, expected [section] or key = value");
     } catch (const po::error& error) {
         throw InputError(file.string() + ": " + error.what());
     }
@@ -197,8 +217,18 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
 }
 
 std::string described(const std::vector<Setting>& known) {
+    std::vector<std::string> groups;
+    for (const Setting& setting : known)
+        if (std::find(groups.begin(), groups.end(), setting.group) == groups.end())
+            groups.push_back(setting.group);
     std::ostringstream out;
-    out << options_of(known);
+    for (const std::string& group : groups) {
+        std::vector<Setting> members;
+        std::copy_if(known.begin(), known.end(), std::back_inserter(members),
+                     [&](const Setting& setting) { return setting.group == group; });
+        const std::string heading = group.empty() ? "Flags" : group;
+        out << (group == groups.front() ? "" : "\n") << options_of(members, heading);
+    }
     return out.str();
 }
 

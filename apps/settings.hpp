@@ -14,6 +14,7 @@ struct Setting {
     std::string fallback;   ///< what it is if not given; "" is nothing
     std::string meaning;    ///< one line, with the unit
     bool is_switch = false; ///< a flag without a value
+    std::string group = {}; ///< heading in the help page; "" for the command's own
 };
 
 /// Values by name. Every reader throws rough::InputError naming the setting, what was given and what was

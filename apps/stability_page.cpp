@@ -121,7 +121,8 @@ std::string stability_page(const std::vector<StabilityCell>& cells) {
 void expect_scene(const std::string& name) {
     std::vector<std::string> names;
     for (const StabilityScene& scene : stability_scenes())
-        names.push_back(scene.name);
+        if (std::find(names.begin(), names.end(), scene.name) == names.end())
+            names.push_back(scene.name);
     if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
         throw rough::InputError("--scene: '" + name + "' given as a scene" + ga::suggestion(name, names));
 }

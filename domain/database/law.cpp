@@ -1,6 +1,6 @@
 #include "domain/database/law.hpp"
 
-#include "domain/errors.hpp"
+#include "domain/contact/refuse.hpp"
 #include "domain/mwm/waves.hpp"
 #include "ga/random.hpp"
 
@@ -10,26 +10,23 @@
 namespace rough {
 namespace {
 
-void expect(bool good, const std::string& what) {
+template <typename... Parts>
+void expect(bool good, const Parts&... parts) {
     if (!good)
-        throw InputError("genome law: " + what);
+        refuse("genome law: ", parts...);
 }
 
 } // namespace
 
 void validate(const GenomeLaw& law) {
-    expect(law.series >= 1 && law.series <= 16,
-           "series " + std::to_string(law.series) + ", expected 1 to 16");
-    expect(law.ridges >= 1 && law.ridges <= 1000,
-           "ridges " + std::to_string(law.ridges) + ", expected 1 to 1000");
-    expect(std::isfinite(law.H_from) && law.H_from <= law.H_to && std::isfinite(law.H_to),
-           "H from " + std::to_string(law.H_from) + " to " + std::to_string(law.H_to) + ", expected a range");
-    expect(law.gamma_from > 1 && law.gamma_from <= law.gamma_to && std::isfinite(law.gamma_to),
-           "gamma from " + std::to_string(law.gamma_from) + " to " + std::to_string(law.gamma_to) +
-               ", expected a range above 1");
-    expect(law.shortest > 0 && law.shortest <= law.lambda && std::isfinite(law.lambda),
-           "waves from " + std::to_string(law.shortest) + " to " + std::to_string(law.lambda) +
-               " mm, expected a range above 0");
+    expect(law.series >= 1 && law.series <= 16, "series ", law.series, ", expected 1 to 16");
+    expect(law.ridges >= 1 && law.ridges <= 1000, "ridges ", law.ridges, ", expected 1 to 1000");
+    expect(std::isfinite(law.H_from) && law.H_from <= law.H_to && std::isfinite(law.H_to), "H from ",
+           law.H_from, " to ", law.H_to, ", expected a range");
+    expect(law.gamma_from > 1 && law.gamma_from <= law.gamma_to && std::isfinite(law.gamma_to), "gamma from ",
+           law.gamma_from, " to ", law.gamma_to, ", expected a range above 1");
+    expect(law.shortest > 0 && law.shortest <= law.lambda && std::isfinite(law.lambda), "waves from ",
+           law.shortest, " to ", law.lambda, " mm, expected a range above 0");
 }
 
 Genome drawn(const GenomeLaw& law, std::uint64_t index) {

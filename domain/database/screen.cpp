@@ -1,6 +1,6 @@
 #include "domain/database/screen.hpp"
 
-#include "domain/errors.hpp"
+#include "domain/contact/refuse.hpp"
 #include "ga/parallel.hpp"
 
 #include <algorithm>
@@ -153,9 +153,9 @@ void check(const StoredCurves& curves, const std::vector<Goal>& goals, const Scr
         validate(goal);
         if (options.max_pressure > 0 && goal.against_pressure() &&
             goal.last() > options.max_pressure * (1 + 1e-9))
-            throw InputError("target " + goal.name + ": reaches " + std::to_string(goal.last()) +
-                             " MPa, expected at most the pressure that genomes are rescaled to, " +
-                             std::to_string(options.max_pressure) + " MPa");
+            refuse("target ", goal.name, ": reaches ", goal.last(),
+                   " MPa, expected at most the pressure that genomes are rescaled to, ", options.max_pressure,
+                   " MPa");
     }
     if (goals.empty())
         throw InputError("genome database: no target given, expected one to screen for");

@@ -70,7 +70,7 @@ void validate(const Goal& goal) {
     const Columns columns = columns_of(goal.quantity);
     const auto fail = [&](Index k, const std::string& column, double value, const std::string& expected) {
         std::ostringstream line;
-        line.precision(17);
+        line.precision(9);
         line << goal.name << ": point " << k + 1 << ": " << column << " is " << value << ", expected "
              << expected;
         throw InputError(line.str());

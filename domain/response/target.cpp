@@ -34,7 +34,7 @@ std::string stripped(std::string line) {
 void validate(const Target& target) {
     const auto fail = [&](Eigen::Index k, const std::string& what, double value) {
         std::ostringstream line;
-        line.precision(17);
+        line.precision(9);
         line << target.name << ": point " << k + 1 << ": " << what << " is " << value << ", expected ";
         throw InputError(line.str() + (what == "stiffness"
                                            ? "a finite number greater than 0 (MPa/mm)"
