@@ -16,6 +16,11 @@ enum class Quantity {
     load_at_displacement, ///< mean pressure (MPa) against displacement (mm)
 };
 
+/// Whether it is of contact fractions.
+inline bool is_area(Quantity quantity) {
+    return quantity == Quantity::area_at_pressure || quantity == Quantity::area_at_displacement;
+}
+
 /// One curve that is asked for, with how much it counts and, where given, the band that satisfies it.
 struct Goal {
     Quantity quantity = Quantity::stiffness; ///< what the curve is of

@@ -1,14 +1,14 @@
 #include "domain/design/problem.hpp"
 
+#include "domain/design/loadings.hpp"
+#include "domain/design/rows.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/cross.hpp"
-#include "domain/response/sensitivity.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <sstream>
 
 namespace rough {
@@ -20,152 +20,6 @@ constexpr Index judged_refinement = 4;
 constexpr double limit_guard = 2e-3;
 /// A limit's excess in units of misfit.
 constexpr double limit_weight = 3;
-
-/// How the goals are loaded: one loading for those against pressure, one for those against displacement, or
-/// one for all under Eq. 11.
-struct Loadings {
-    std::vector<Loading> each;
-    std::vector<std::size_t> of_goal;
-};
-
-Loadings loadings_of(const DesignSetup& setup, const Loading& loading) {
-    Loadings result;
-    if (setup.max_pressure)
-        return {{loading}, std::vector<std::size_t>(setup.goals.size(), 0)};
-    double pressure = 0, displacement = 0;
-    for (const Goal& goal : setup.goals)
-        (goal.against_pressure() ? pressure : displacement) =
-            std::max(goal.against_pressure() ? pressure : displacement, goal.last());
-    for (const auto& [to_pressure, to_displacement] :
-         {std::pair(pressure, 0.0), std::pair(0.0, displacement)})
-        if (to_pressure + to_displacement > 0) {
-            Loading one = loading;
-            one.to_pressure = to_pressure;
-            one.to_displacement = to_displacement;
-            result.each.push_back(one);
-        }
-    for (const Goal& goal : setup.goals)
-        result.of_goal.push_back(goal.against_pressure() ? 0 : result.each.size() - 1);
-    return result;
-}
-
-Genome at_scale_one(Genome genome, const DesignSetup& setup) {
-    if (setup.max_pressure)
-        genome.scale = 1; // the shape alone decides, so equal keys give equal bits
-    return genome;
-}
-
-/// The factor of Eq. 11.
-double eq_11(const DesignSetup& setup, const Response& response) {
-    return setup.max_pressure ? *setup.max_pressure / response.pressure[response.steps() - 1] : 1;
-}
-
-/// d(P', Delta'_last)/dgene of the response times p_max/P_nt: the factor moves with the genes, too.
-ResponseJacobian scaled_jacobian(const Response& response, const ResponseJacobian& jacobian, double factor,
-                                 const Eigen::RowVectorXd& d_factor) {
-    const Index last = response.steps() - 1;
-    return {factor * jacobian.pressure + response.pressure * d_factor,
-            factor * jacobian.last_displacement + response.displacement[last] * d_factor};
-}
-
-CurveJacobian curve_jacobian(Quantity quantity, const Response& response, const ResponseJacobian& jacobian) {
-    if (quantity == Quantity::stiffness)
-        return secant_jacobian(response, jacobian);
-    const Index steps = response.steps(), genes = jacobian.pressure.cols();
-    CurveJacobian result{Eigen::MatrixXd::Zero(steps + 1, genes), Eigen::MatrixXd::Zero(steps + 1, genes)};
-    if (quantity == Quantity::area_at_pressure) {
-        result.x.bottomRows(steps) = jacobian.pressure;
-        return result;
-    }
-    for (Index j = 0; j < steps; ++j)
-        result.x.row(j + 1) =
-            static_cast<double>(j + 1) / static_cast<double>(steps) * jacobian.last_displacement;
-    if (quantity == Quantity::load_at_displacement)
-        result.y.bottomRows(steps) = jacobian.pressure;
-    return result;
-}
-
-/// Misfits of one goal with their derivatives, rows the goal's points.
-ga::Sensitivity goal_rows(const Goal& goal, const Response& response, const ResponseJacobian& jacobian) {
-    const Curve curve = curve_of(goal.quantity, response);
-    Target points{goal.name, goal.x, goal.y};
-    std::vector<Index> all(static_cast<std::size_t>(goal.points()));
-    std::iota(all.begin(), all.end(), Index{0});
-    ga::Sensitivity rows{
-        misfit(goal, curve),
-        goal.weight * misfit_jacobian(points, curve, curve_jacobian(goal.quantity, response, jacobian), all)};
-    if (goal.has_band())
-        for (Index k = 0; k < goal.points(); ++k)
-            if (rows.residuals[k] == 0)
-                rows.jacobian.row(k).setZero();
-    return rows;
-}
-
-ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& below) {
-    ga::Sensitivity both{
-        Eigen::VectorXd(above.residuals.size() + below.residuals.size()),
-        Eigen::MatrixXd(above.jacobian.rows() + below.jacobian.rows(), above.jacobian.cols())};
-    both.residuals << above.residuals, below.residuals;
-    both.jacobian << above.jacobian, below.jacobian;
-    return both;
-}
-
-/// All goals' rows of a genome under a model, goal after goal; and the factor of Eq. 11.
-struct Rows {
-    ga::Sensitivity goals;
-    double factor = 1;
-    Eigen::RowVectorXd d_factor; ///< in every gene; empty without Eq. 11
-};
-
-Rows all_rows(const DesignSetup& setup, const Genome& genome, const Model& model) {
-    const Loadings loadings = loadings_of(setup, model.loading);
-    const Profile profile = sample(genome, model.grid);
-    Rows result;
-    std::vector<Response> responses;
-    std::vector<ResponseJacobian> jacobians;
-    for (const Loading& loading : loadings.each) {
-        auto [response, gradient] = respond_with_gradient(profile, model.body, loading, model.contact);
-        ResponseJacobian jacobian = in_genes(
-            gradient, [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); });
-        if (setup.max_pressure) {
-            const Index last = response.steps() - 1;
-            result.factor = eq_11(setup, response);
-            result.d_factor = -result.factor / response.pressure[last] * jacobian.pressure.row(last);
-            jacobian = scaled_jacobian(response, jacobian, result.factor, result.d_factor);
-            response = scaled(std::move(response), result.factor);
-        }
-        responses.push_back(std::move(response));
-        jacobians.push_back(std::move(jacobian));
-    }
-    for (std::size_t g = 0; g < setup.goals.size(); ++g) {
-        const std::size_t of = loadings.of_goal[g];
-        const ga::Sensitivity rows = goal_rows(setup.goals[g], responses[of], jacobians[of]);
-        result.goals = g == 0 ? rows : stacked(result.goals, rows);
-    }
-    return result;
-}
-
-/// The responses to all ways of loading, each asked of `respond_to`, in final amplitude.
-template <class Respond>
-DesignResponse loaded(const DesignSetup& setup, const Model& model, Respond respond_to) {
-    const Loadings loadings = loadings_of(setup, model.loading);
-    DesignResponse result{1, {}, loadings.of_goal};
-    for (const Loading& loading : loadings.each) {
-        Response response = respond_to(loading);
-        result.scale = eq_11(setup, response);
-        result.responses.push_back(setup.max_pressure ? scaled(std::move(response), result.scale)
-                                                      : std::move(response));
-    }
-    return result;
-}
-
-std::vector<Eigen::VectorXd> misfits_of(const DesignSetup& setup, const DesignResponse& response) {
-    std::vector<Eigen::VectorXd> misfits;
-    for (std::size_t g = 0; g < setup.goals.size(); ++g)
-        misfits.push_back(misfit(setup.goals[g],
-                                 curve_of(setup.goals[g].quantity, response.responses[response.of_goal[g]])));
-    return misfits;
-}
 
 /// Points of the first goal in the lower or upper half of its range.
 std::vector<Index> half_of(const Goal& goal, bool upper) {
@@ -311,10 +165,10 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
 
 ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::string& objective) const {
     Genome shape = at_scale_one(genome, *setup_);
-    const Rows coarse = all_rows(*setup_, shape, setup_->model);
+    const Rows coarse = goal_rows(*setup_, shape, setup_->model);
     ga::Sensitivity rows = coarse.goals;
     if (objective == "judged")
-        rows = stacked(rows, all_rows(*setup_, shape, refined(setup_->model, judged_refinement)).goals);
+        rows = stacked(rows, goal_rows(*setup_, shape, refined(setup_->model, judged_refinement)).goals);
     if (objective == "low" || objective == "high") {
         const std::vector<Index> points = half_of(setup_->goals.front(), objective == "high");
         rows = {Eigen::VectorXd(rows.residuals(points)), Eigen::MatrixXd(rows.jacobian(points, Eigen::all))};
@@ -327,48 +181,6 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
         rows = stacked(rows, {limit_weight * limits.residuals, limit_weight * limits.jacobian});
     }
     return rows;
-}
-
-DesignResponse respond(const DesignSetup& setup, const Profile& profile, const Model& model) {
-    return loaded(setup, model, [&](const Loading& loading) {
-        return respond(profile, model.body, loading, model.contact);
-    });
-}
-
-DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Model& model) {
-    const Genome shape = at_scale_one(genome, setup);
-    if (model.accuracy == 0)
-        return respond(setup, sample(shape, model.grid), model);
-    return loaded(setup, model, [&](const Loading& loading) {
-        Model one = model;
-        one.loading = loading;
-        return respond(shape, one);
-    });
-}
-
-std::vector<Model> loaded_models(const DesignSetup& setup) {
-    std::vector<Model> models;
-    for (const Loading& loading : loadings_of(setup, setup.model.loading).each) {
-        models.push_back(setup.model);
-        models.back().loading = loading;
-    }
-    return models;
-}
-
-DesignSetup exactly(DesignSetup setup) {
-    setup.model = exactly(std::move(setup.model));
-    return setup;
-}
-
-double similarity(const DesignSetup& setup, const DesignResponse& response) {
-    double worst = 0;
-    for (const Eigen::VectorXd& misfit : misfits_of(setup, response))
-        worst = std::max(worst, misfit.cwiseAbs().maxCoeff());
-    return 1 - worst;
-}
-
-double similarity(const DesignSetup& setup, const Genome& genome, Index refine) {
-    return similarity(setup, respond(setup, genome, refined(setup.model, refine)));
 }
 
 } // namespace rough

@@ -70,8 +70,8 @@ class DesignProblem {
     /// Every gene that may move: phases by half a turn; A by a factor of 10; H, gamma and lambda within the
     /// set-up's bounds, the latter two so that no wave becomes shorter than allowed, both sharing the slack.
     std::vector<ga::Variable> bounds(const Genome& genome) const;
-    /// Misfits at the objective's points, then one row a limit on shape, with exact derivatives of all but
-    /// contact fractions, whose count of nodes has none; those move with the pressures they stand at.
+    /// Misfits at the objective's points, then one row a limit on shape, with exact derivatives. Contact
+    /// fractions are the smooth ones (response/smooth_area.hpp) here, as a count of nodes has no derivative.
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 
     const DesignSetup& setup() const { return *setup_; } ///< what is asked for

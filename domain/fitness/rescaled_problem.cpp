@@ -79,7 +79,7 @@ Genome RescaledProblem::settled(Genome genome, const Outcome& outcome) const {
 
 ga::Sensitivity RescaledProblem::sensitivity(const Genome& genome, const std::string& objective) const {
     const Genome shape = at_scale_one(genome);
-    const auto [response, gradient] =
+    const auto [response, gradient, area] =
         respond_with_gradient(sample(shape, model_.grid), model_.body, model_.loading, model_.contact);
     const ResponseJacobian jacobian = in_genes(
         gradient, [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, shape, model_.grid); });

@@ -62,9 +62,8 @@ Eigen::MatrixXd pulled_back(const Eigen::MatrixXd& height_gradient, const Genome
     //   cosine part  sum_i g_i cos(k x_i + theta) = Re(S e^{i theta}),  d/d phi_m = Im(S e^{i phi_m}) G,
     //   d/dk = G R Im(T e^{i theta}).
     const Eigen::MatrixXd basis = wave_basis(genome, grid);
-    const Eigen::VectorXd x =
-        Eigen::VectorXd::LinSpaced(grid.nodes, grid.from,
-                                   grid.from + grid.spacing() * static_cast<double>(grid.nodes - 1));
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(
+        grid.nodes, grid.from, grid.from + grid.spacing() * static_cast<double>(grid.nodes - 1));
     const Eigen::MatrixXd S = height_gradient * basis;
     const Eigen::MatrixXd T = height_gradient * x.asDiagonal() * basis;
 

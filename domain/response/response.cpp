@@ -1,6 +1,7 @@
 #include "domain/response/response.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/response/smooth_area.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +134,7 @@ Response respond(const Profile& profile, const Body& body, const Loading& loadin
 }
 
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
-                                           ContactOptions options) {
+                                           ContactOptions options, bool with_area) {
     const double range = displacement_range(profile, body.kernel);
     const std::vector<double> displacements = step_displacements(profile, body, loading, options);
     options.states = true;
@@ -173,7 +174,15 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
         for (std::size_t i = 0; i < state.nodes.size(); ++i)
             d_pressure(j, state.nodes[i]) += cell * state.tangent[static_cast<Index>(i)];
     }
-    return {from_curve(curve, range), {std::move(d_pressure), std::move(d_last)}};
+    AreaGradient area;
+    if (with_area) {
+        SmoothArea smooth = smooth_area(profile, body, curve);
+        for (Index j = 0; j < steps; ++j)
+            smooth.by_height.row(j) +=
+                smooth.by_displacement[j] * (static_cast<double>(j + 1) / loading.steps) * d_last;
+        area = {std::move(smooth.fraction), std::move(smooth.by_height)};
+    }
+    return {from_curve(curve, range), {std::move(d_pressure), std::move(d_last)}, std::move(area)};
 }
 
 Response scaled(Response response, double factor) {

@@ -57,14 +57,22 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
 Response respond(const Profile& profile, const Body& body, const Loading& loading,
                  const ContactOptions& options = {});
 
+/// A smooth contact fraction (smooth_area.hpp) and how it changes with the heights, for area targets.
+struct AreaGradient {
+    Eigen::VectorXd fraction;   ///< one a step; empty where it was not asked for
+    Eigen::MatrixXd by_heights; ///< d fraction_j/dZ_i, steps x N, 1/mm, the displacements moving along
+};
+
 /// A response and how it changes with the heights.
 struct ResponseWithGradient {
     Response response;         ///< as respond() gives it
     ResponseGradient gradient; ///< with respect to every height
+    AreaGradient area;         ///< empty unless asked for
 };
-/// respond() with its adjoint, at the cost of the tangents alone.
+/// respond() with its adjoint, at the cost of the tangents alone; with the area's, at that of one solve more
+/// a step.
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
-                                           ContactOptions options = {});
+                                           ContactOptions options = {}, bool with_area = false);
 
 /// The response of the profile times `factor` (> 0): displacements and pressures scale, stiffness and area
 /// stay.

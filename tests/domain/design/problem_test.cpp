@@ -104,6 +104,20 @@ TEST_CASE("they do so for loads against displacement, bands, weights and two goa
     check_jacobian(setup, genome, "similarity");
 }
 
+TEST_CASE("they do so for contact fractions against pressure and displacement, which move smoothly there") {
+    std::mt19937_64 random(35);
+    for (const Quantity quantity : {Quantity::area_at_pressure, Quantity::area_at_displacement}) {
+        DesignSetup setup = drawn_setup();
+        Goal& goal = setup.goals[0];
+        goal.quantity = quantity;
+        goal.x = Eigen::VectorXd::LinSpaced(10, 1e-5, 2e-4);
+        goal.y = Eigen::VectorXd::LinSpaced(10, 0.05, 0.6);
+        const Genome genome = with_fitting_amplitude(
+            setup, testing::random_genome(random, 2, 1, 0.84942, setup.limits.shortest_wave));
+        check_jacobian(setup, genome, "similarity");
+    }
+}
+
 TEST_CASE("the rows of limits on shape follow differences and vanish within the limits") {
     for (const bool free_amplitude : {false, true}) {
         DesignSetup setup = drawn_setup();

@@ -1,0 +1,94 @@
+#include "domain/response/smooth_area.hpp"
+
+#include "domain/contact/set_solver.hpp"
+
+#include <algorithm>
+
+namespace rough {
+
+namespace {
+
+/// Of the adjoint's solves, over the right-hand side.
+constexpr double tolerance = 1e-9;
+constexpr long most_iterations = 500;
+/// Keeps an edge's rate finite where both of its nodes stand at the very edge, over the displacement.
+constexpr double closest = 1e-9;
+
+/// A touching node beside a free one.
+struct Edge {
+    Index touching, free;
+};
+
+std::vector<Edge> edges_of(const std::vector<int>& nodes, Index count, bool wraps) {
+    std::vector<char> touches(static_cast<std::size_t>(count), 0);
+    for (const int i : nodes)
+        touches[static_cast<std::size_t>(i)] = 1;
+    std::vector<Edge> edges;
+    for (const int i : nodes)
+        for (Index k : {Index(i) - 1, Index(i) + 1}) {
+            if (wraps)
+                k = (k + count) % count;
+            if (k >= 0 && k < count && !touches[static_cast<std::size_t>(k)])
+                edges.push_back({i, k});
+        }
+    return edges;
+}
+
+} // namespace
+
+SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCurve& curve) {
+    std::vector<double> displacements;
+    for (const LoadStep& step : curve.steps)
+        displacements.push_back(step.displacement);
+    const ContactProblem problem = make_problem(profile, body, displacements);
+    const Index n = problem.nodes(), steps = static_cast<Index>(curve.steps.size());
+    const double tangent_unit = problem.pressure_unit / problem.displacement_unit;
+    const double per_mm = 1 / (static_cast<double>(n) * problem.displacement_unit);
+    SetSolver solver(problem);
+    Index highest = 0;
+    profile.heights.maxCoeff(&highest);
+    SmoothArea area{Eigen::VectorXd(steps), Eigen::VectorXd::Zero(steps), Eigen::MatrixXd::Zero(steps, n)};
+    for (Index j = 0; j < steps; ++j) {
+        const ContactState& state = curve.states[static_cast<std::size_t>(j)];
+        const double approach = problem.approach[static_cast<std::size_t>(j)];
+        Loaded p(n), w(n), off(n), z(n);
+        ContactSet set(n);
+        for (std::size_t a = 0; a < state.nodes.size(); ++a) {
+            set.insert(state.nodes[a]);
+            p.pressure[state.nodes[a]] = state.pressure[static_cast<Index>(a)] / problem.pressure_unit;
+            w.pressure[state.nodes[a]] = state.tangent[static_cast<Index>(a)] / tangent_unit;
+        }
+        set.collect();
+        solver.load(p);
+        solver.load(w);
+        double count = static_cast<double>(state.nodes.size()), rate = 0;
+        Eigen::VectorXd on = Eigen::VectorXd::Zero(n); // d/dp_i; off: d/dgap_k
+        for (const auto& [i, k] : edges_of(state.nodes, n, problem.kernel == Kernel::periodic)) {
+            const double closing = std::max(closest, 1 - w.displacement[k]);
+            const double since = p.pressure[i] / w.pressure[i] + closest * approach;
+            const double until =
+                std::max(0.0, p.displacement[k] - approach + problem.gap[k]) / closing + closest * approach;
+            const double both = since + until;
+            count += since / both - 0.5;
+            rate += 1 / both;
+            on[i] += until / (both * both) / w.pressure[i];
+            off.pressure[k] -= since / (both * both) / closing;
+        }
+        // dp_A = w s + H_AA^-1 dZ_A, dgap_k = H_kA dp_A - s - dZ_k with s = dDelta - dZ_max.
+        solver.load(off);
+        const Eigen::VectorXd right = on + off.displacement;
+        double largest = 0;
+        for (const int i : set.nodes())
+            largest = std::max(largest, std::abs(right[i]));
+        solver.improve(
+            set, [&](Index i) { return right[i]; }, z,
+            [&](double residual, double) { return residual <= tolerance * largest; }, most_iterations);
+        area.fraction[j] = count / static_cast<double>(n);
+        area.by_displacement[j] = rate * per_mm;
+        area.by_height.row(j) = per_mm * (z.pressure - off.pressure).transpose();
+        area.by_height(j, highest) -= rate * per_mm;
+    }
+    return area;
+}
+
+} // namespace rough

@@ -1,0 +1,102 @@
+#include "domain/mwm/sampling.hpp"
+#include "domain/response/response.hpp"
+#include "domain/response/smooth_area.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+ContactCurve pressed(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
+    ContactOptions options;
+    options.states = true;
+    return solve_contact(profile, body, displacements, options);
+}
+
+} // namespace
+
+TEST_CASE(
+    "a smooth contact fraction is within half a node an edge of the counted one, and the same on the mean") {
+    std::mt19937_64 random(41);
+    double mean = 0;
+    int steps = 0;
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
+        for (int scene = 0; scene < 5; ++scene) {
+            Body body;
+            body.kernel = kernel;
+            body.strip_width = 0.002;
+            const Grid grid{256, 0.84942, kernel == Kernel::periodic};
+            const Profile profile = sample(testing::random_genome(random, 1, 1, 0.84942, 0.02), grid);
+            Loading loading;
+            loading.reach = 0.9;
+            const auto curve = pressed(profile, body, step_displacements(profile, body, loading));
+            const SmoothArea area = smooth_area(profile, body, curve);
+            for (std::size_t j = 0; j < curve.steps.size(); ++j) {
+                const auto& nodes = curve.states[j].nodes;
+                int edges = 0;
+                for (const int i : nodes)
+                    for (const int k : {i - 1, i + 1})
+                        edges += std::find(nodes.begin(), nodes.end(), k) == nodes.end();
+                const double off =
+                    256 * (area.fraction[static_cast<Index>(j)] - curve.steps[j].contact_fraction);
+                CHECK(std::abs(off) <= 0.5 * edges);
+                mean += off / std::max(1, edges);
+                ++steps;
+            }
+        }
+    CHECK(std::abs(mean / steps) < 0.05);
+}
+
+TEST_CASE("the derivatives of a smooth contact fraction follow differences in heights and displacement") {
+    std::mt19937_64 random(42);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
+        for (int scene = 0; scene < 3; ++scene) {
+            Body body;
+            body.kernel = kernel;
+            body.strip_width = 0.002;
+            const Grid grid{128, 0.84942, kernel == Kernel::periodic};
+            const Profile profile = sample(testing::random_genome(random, 1, 1, 0.84942, 0.05), grid);
+            Loading loading;
+            loading.reach = 0.8;
+            const std::vector<double> displacements = step_displacements(profile, body, loading);
+            const SmoothArea area = smooth_area(profile, body, pressed(profile, body, displacements));
+            Eigen::VectorXd direction(profile.nodes());
+            std::normal_distribution<double> normal;
+            for (double& each : direction)
+                each = normal(random);
+            const double h = 1e-9 * (profile.heights.maxCoeff() - profile.heights.minCoeff());
+            const auto moved = [&](double by, bool heights) {
+                Profile other = profile;
+                std::vector<double> to = displacements;
+                if (heights)
+                    other.heights += by * direction;
+                else
+                    for (double& each : to)
+                        each += by;
+                return pressed(other, body, to);
+            };
+            for (const bool heights : {true, false}) {
+                const ContactCurve above = moved(h, heights), below = moved(-h, heights);
+                Profile up = profile, down = profile;
+                if (heights)
+                    up.heights += h * direction, down.heights -= h * direction;
+                const Eigen::VectorXd difference =
+                    (smooth_area(up, body, above).fraction - smooth_area(down, body, below).fraction) /
+                    (2 * h);
+                const Eigen::VectorXd says =
+                    heights ? Eigen::VectorXd(area.by_height * direction) : area.by_displacement;
+                int kept = 0;
+                for (Index j = 0; j < difference.size(); ++j) {
+                    const auto& set = above.states[static_cast<std::size_t>(j)].nodes;
+                    if (set != below.states[static_cast<std::size_t>(j)].nodes)
+                        continue;
+                    ++kept;
+                    CHECK(difference[j] ==
+                          Approx(says[j]).epsilon(1e-4).margin(1e-5 * says.cwiseAbs().maxCoeff()));
+                }
+                CHECK(kept > 10);
+            }
+        }
+}
