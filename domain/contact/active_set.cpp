@@ -16,7 +16,9 @@ namespace {
 /// The residual under which rounding makes further iterations pointless.
 constexpr double finest = 1e-12;
 /// How far the residual falls before the contact set is looked at again.
-constexpr double loosening = 0.1;
+constexpr double loosening = 0.05;
+/// How well displacements must be known, over the approach, while the residual is far above this.
+constexpr double rough_accuracy = 1e-5;
 constexpr int most_rounds = 200;
 constexpr long most_iterations = 2000;
 /// Up to this size a dense factor is cheaper than a coarser grid.
@@ -56,17 +58,19 @@ class ActiveSet {
     void start(double approach, const std::optional<Eigen::VectorXd>& guess) {
         load_.pressure += (approach - approach_) * tangent_.pressure;
         approach_ = approach;
-        solver_.load(load_);
+        solver_.load(load_, product_, rough_accuracy * approach);
         stale_ = false;
         if (!guess)
             return;
         Loaded other(problem_.nodes());
         other.pressure = *guess;
-        solver_.load(other);
+        KnownProduct other_product = product_;
+        solver_.load(other, other_product, rough_accuracy * approach);
         const double a = residual(load_, approach), b = residual(other, approach);
         if (b > a)
             return;
         load_ = std::move(other);
+        product_ = std::move(other_product);
         for (Index i = 0; i < problem_.nodes(); ++i)
             load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
         set_.collect();
@@ -96,7 +100,8 @@ class ActiveSet {
             check_stop(options_);
             const double least = 0.3 * std::min(target, tolerance) * approach;
             double worst = 0;
-            if (change_set(approach, least, worst)) {
+            const double accuracy = std::min(rough_accuracy, 0.1 * target) * approach;
+            if (change_set(approach, least, accuracy, worst)) {
                 // The next change is looked for at a residual well under what caused this one.
                 target = std::max(finest, loosening * worst);
             } else if (target > tolerance) {
@@ -108,15 +113,15 @@ class ActiveSet {
                         : trusted_residual(problem_, approach, load_.pressure, load_.displacement);
                 if (target <= finest || target <= trusted)
                     return;
-                target = std::max(finest, std::min(0.5 * target, trusted));
+                target = std::max(finest, std::clamp(trusted, loosening * target, 0.5 * target));
             }
             improve(approach, target);
         }
     }
 
-    /// Drops the nodes under tension, adds those that penetrate; false if there are none. `worst` becomes the
-    /// largest residual that this leaves, over the approach.
-    bool change_set(double approach, double least, double& worst) {
+    /// Drops the nodes under tension, adds those that penetrate by more than `least`, known to `accuracy`;
+    /// false if there are none. `worst` becomes the largest residual that this leaves, over the approach.
+    bool change_set(double approach, double least, double accuracy, double& worst) {
         std::vector<int> dropped;
         for (const int i : set_.nodes())
             if (!(load_.pressure[i] > 0))
@@ -126,7 +131,7 @@ class ActiveSet {
             load_.pressure[i] = 0;
         }
         if (stale_ || !dropped.empty())
-            solver_.load(load_);
+            solver_.load(load_, product_, accuracy);
         stale_ = false;
         depth_ = approach - (problem_.gap + load_.displacement).array();
         const std::vector<int> added =
@@ -147,6 +152,7 @@ class ActiveSet {
     SetSolver solver_;
     ContactSet set_;
     Loaded load_, tangent_;
+    KnownProduct product_; ///< of load_
     Eigen::ArrayXd depth_;
     double approach_ = 0;
     bool stale_ = true; ///< the displacement off the contact set

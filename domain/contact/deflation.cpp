@@ -26,38 +26,33 @@ std::vector<std::pair<Index, Index>> runs_of(const std::vector<int>& nodes) {
 } // namespace
 
 Eigen::VectorXd cumulative(const Eigen::VectorXd& column) {
-    Eigen::VectorXd sums(column.size());
-    double sum = 0;
-    for (Index k = 0; k < column.size(); ++k)
-        sums[k] = sum += column[k];
+    const Index n = column.size();
+    Eigen::VectorXd sums(2 * n);
+    double sum = sums[0] = 0;
+    for (Index k = 1; k < 2 * n; ++k)
+        sums[k] = sum += column[std::abs(k - n)];
     return sums;
 }
 
-Deflation::Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& column,
-                     const Eigen::VectorXd& sums) {
+Deflation::Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums) {
     const auto runs = runs_of(nodes);
     const Index count = static_cast<Index>(nodes.size()), many = static_cast<Index>(runs.size());
-    const Index columns = std::min(most_columns, many);
-    image_ = Eigen::MatrixXd::Zero(count, columns);
+    const Index columns = std::min(most_columns, many), n = sums.size() / 2;
+    const auto node = [&](Index k) { return static_cast<Index>(nodes[static_cast<std::size_t>(k)]); };
+    image_.resize(count, columns);
     for (Index run = 0; run < many; ++run) {
         const auto [begin, end] = runs[static_cast<std::size_t>(run)];
         const Index target = run * columns / many;
-        if (target == static_cast<Index>(begins_.size()))
+        if (target == static_cast<Index>(begins_.size())) {
             begins_.push_back(begin);
-        const Index first = nodes[static_cast<std::size_t>(begin)],
-                    last = nodes[static_cast<std::size_t>(end - 1)];
-        auto image = image_.col(target);
-        for (Index k = 0; k < begin; ++k) {
-            const Index i = nodes[static_cast<std::size_t>(k)];
-            image[k] += sums[last - i] - sums[first - i - 1];
+            image_.col(target).setZero();
         }
-        for (Index k = begin; k < end; ++k) {
-            const Index i = nodes[static_cast<std::size_t>(k)];
-            image[k] += sums[last - i] + sums[i - first] - column[0];
-        }
-        for (Index k = end; k < count; ++k) {
-            const Index i = nodes[static_cast<std::size_t>(k)];
-            image[k] += sums[i - first] - sums[i - last - 1];
+        // The sum of h_|i - j| over the run's j is that from i - last to i - first.
+        const Index first = node(begin), last = node(end - 1);
+        for (const auto& [from, to] : runs) {
+            const Index length = to - from, i = node(from) + n;
+            image_.col(target).segment(from, length) +=
+                sums.segment(i - first, length) - sums.segment(i - last - 1, length);
         }
     }
     begins_.push_back(count);

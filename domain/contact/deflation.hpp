@@ -13,8 +13,8 @@ namespace rough {
 /// runs share one.
 class Deflation {
   public:
-    /// `nodes` sorted; `sums[k]` = h_0 + … + h_k
-    Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& column, const Eigen::VectorXd& sums);
+    /// `nodes` sorted; `sums` from cumulative().
+    Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums);
 
     /// Returns what is to be added to x to make the residual orthogonal to W, and makes it so.
     Eigen::VectorXd project(Eigen::VectorXd& residual) const;
@@ -31,7 +31,7 @@ class Deflation {
     bool usable_;
 };
 
-/// h_0 + … + h_k for every k.
+/// Of the first column h_0 .. h_(N-1) the sums of h_|k| from k = -(N-1) up to x, at N + x for x = -N .. N-1.
 Eigen::VectorXd cumulative(const Eigen::VectorXd& column);
 
 } // namespace rough

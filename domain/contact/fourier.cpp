@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <numbers>
+#include <type_traits>
 
 namespace rough {
 
@@ -16,11 +17,45 @@ std::mutex& planner() {
 }
 
 /// Plans are made under a lock: FFTW's planner is not thread-safe, its new-array execution is.
-template <typename Make>
-FourierPlan cached(Index length, std::map<Index, FourierPlan>& plans, Make make) {
+template <typename Plan, typename Make>
+Plan cached(Index length, std::map<Index, Plan>& plans, Make make) {
     const std::lock_guard guard(planner());
     const auto known = plans.find(length);
     return known != plans.end() ? known->second : plans.emplace(length, make()).first->second;
+}
+
+using SinglePlan = Fftw<float>::Plan;
+
+SinglePlan single_fourier_plan(Index length) {
+    static std::map<Index, SinglePlan> plans;
+    return cached(length, plans, [length] {
+        AlignedBuffer<float> real(length);
+        AlignedBuffer<fftwf_complex> transform(length / 2 + 1);
+        return SinglePlan{
+            fftwf_plan_dft_r2c_1d(static_cast<int>(length), real.data(), transform.data(), FFTW_ESTIMATE),
+            fftwf_plan_dft_c2r_1d(static_cast<int>(length), transform.data(), real.data(), FFTW_ESTIMATE)};
+    });
+}
+
+template <typename Real>
+typename Fftw<Real>::Plan plan_of(Index length) {
+    if constexpr (std::is_same_v<Real, float>)
+        return single_fourier_plan(length);
+    else
+        return fourier_plan(length);
+}
+
+void execute_forward(const FourierPlan& plan, double* real, fftw_complex* transform) {
+    fftw_execute_dft_r2c(plan.forward, real, transform);
+}
+void execute_forward(const SinglePlan& plan, float* real, fftwf_complex* transform) {
+    fftwf_execute_dft_r2c(plan.forward, real, transform);
+}
+void execute_backward(const FourierPlan& plan, fftw_complex* transform, double* real) {
+    fftw_execute_dft_c2r(plan.backward, transform, real);
+}
+void execute_backward(const SinglePlan& plan, fftwf_complex* transform, float* real) {
+    fftwf_execute_dft_c2r(plan.backward, transform, real);
 }
 
 } // namespace
@@ -60,44 +95,53 @@ Index fast_fourier_length(Index length) {
     return best;
 }
 
-FourierOperator::FourierOperator(Index nodes, Index length)
-    : nodes_(nodes), length_(length), plan_(fourier_plan(length)), half_(length / 2 + 1), real_(length),
+template <typename Real>
+BasicFourierOperator<Real>::BasicFourierOperator(Index nodes, Index length)
+    : nodes_(nodes), length_(length), plan_(plan_of<Real>(length)), half_(length / 2 + 1), real_(length),
       spectrum_(half_), transform_(half_) {}
 
-FourierOperator FourierOperator::toeplitz(const Eigen::VectorXd& first_column) {
+template <typename Real>
+BasicFourierOperator<Real> BasicFourierOperator<Real>::toeplitz(const Eigen::VectorXd& first_column) {
     const Index n = first_column.size(), length = fast_fourier_length(std::max<Index>(2 * n - 1, 2));
-    FourierOperator op(n, length);
-    double* real = op.real_.data();
-    std::fill_n(real, length, 0.0);
-    real[0] = first_column[0];
+    BasicFourierOperator op(n, length);
+    AlignedBuffer<double> column(length);
+    AlignedBuffer<fftw_complex> transform(op.half_);
+    std::fill_n(column.data(), length, 0.0);
+    column[0] = first_column[0];
     for (Index i = 1; i < n; ++i)
-        real[i] = real[length - i] = first_column[i];
-    fftw_execute_dft_r2c(op.plan_.forward, real, op.transform_.data());
+        column[i] = column[length - i] = first_column[i];
+    execute_forward(fourier_plan(length), column.data(), transform.data());
     for (Index k = 0; k < op.half_; ++k)
-        op.spectrum_[k] = op.transform_[k][0] / static_cast<double>(length);
+        op.spectrum_[k] = static_cast<Real>(transform[k][0] / static_cast<double>(length));
     return op;
 }
 
-FourierOperator FourierOperator::circulant(Index nodes, const Eigen::VectorXd& eigenvalues) {
-    FourierOperator op(nodes, nodes);
+template <typename Real>
+BasicFourierOperator<Real> BasicFourierOperator<Real>::circulant(Index nodes,
+                                                                 const Eigen::VectorXd& eigenvalues) {
+    BasicFourierOperator op(nodes, nodes);
     for (Index k = 0; k < op.half_; ++k)
-        op.spectrum_[k] = eigenvalues[k] / static_cast<double>(nodes);
+        op.spectrum_[k] = static_cast<Real>(eigenvalues[k] / static_cast<double>(nodes));
     return op;
 }
 
-const double* FourierOperator::apply() {
-    double* real = real_.data();
-    std::fill(real + nodes_, real + length_, 0.0);
-    fftw_execute_dft_r2c(plan_.forward, real, transform_.data());
-    fftw_complex* transform = transform_.data();
-    const double* spectrum = spectrum_.data();
+template <typename Real>
+const Real* BasicFourierOperator<Real>::apply() {
+    Real* real = real_.data();
+    std::fill(real + nodes_, real + length_, Real(0));
+    execute_forward(plan_, real, transform_.data());
+    auto* transform = transform_.data();
+    const Real* spectrum = spectrum_.data();
     for (Index k = 0; k < half_; ++k) {
         transform[k][0] *= spectrum[k];
         transform[k][1] *= spectrum[k];
     }
-    fftw_execute_dft_c2r(plan_.backward, transform, real);
+    execute_backward(plan_, transform, real);
     return real;
 }
+
+template class BasicFourierOperator<double>;
+template class BasicFourierOperator<float>;
 
 SplitOperator::SplitOperator(const Eigen::VectorXd& first_column)
     : nodes_(first_column.size()), plan_(complex_fourier_plan(nodes_)), work_(nodes_), twist_(nodes_),

@@ -20,29 +20,53 @@ FourierPlan complex_fourier_plan(Index length);
 /// Smallest even 2^a 3^b 5^c that is no smaller than `length`.
 Index fast_fourier_length(Index length);
 
+/// FFTW's types in one precision.
+template <typename Real>
+struct Fftw;
+template <>
+struct Fftw<double> {
+    using Complex = fftw_complex; ///< real and imaginary part
+    using Plan = FourierPlan;     ///< both directions
+};
+template <>
+struct Fftw<float> {
+    using Complex = fftwf_complex; ///< real and imaginary part
+    /// both directions
+    struct Plan {
+        fftwf_plan forward;  ///< real to half-complex, unnormalised
+        fftwf_plan backward; ///< its inverse, times the length
+    };
+};
+
 /// u = T p for a symmetric circulant (its eigenvalues given) or Toeplitz matrix (its first column given,
-/// padded with zeros), by FFT. One object serves one thread at a time.
-class FourierOperator {
+/// padded with zeros), by FFT in double or single precision. One object serves one thread at a time.
+template <typename Real>
+class BasicFourierOperator {
   public:
     /// N x N symmetric Toeplitz from its first column of N entries.
-    static FourierOperator toeplitz(const Eigen::VectorXd& first_column);
+    static BasicFourierOperator toeplitz(const Eigen::VectorXd& first_column);
     /// eigenvalues S_k, k = 0..N/2, of an N x N symmetric circulant
-    static FourierOperator circulant(Index nodes, const Eigen::VectorXd& eigenvalues);
+    static BasicFourierOperator circulant(Index nodes, const Eigen::VectorXd& eigenvalues);
 
     Index nodes() const { return nodes_; } ///< N
     /// Write p (N entries) here, then call apply().
-    double* input() { return real_.data(); }
+    Real* input() { return real_.data(); }
     /// Returns u (N entries), valid until the next write to input().
-    const double* apply();
+    const Real* apply();
 
   private:
-    FourierOperator(Index nodes, Index length);
+    BasicFourierOperator(Index nodes, Index length);
     Index nodes_, length_;
-    FourierPlan plan_;
+    typename Fftw<Real>::Plan plan_;
     Index half_; ///< length/2 + 1
-    AlignedBuffer<double> real_, spectrum_;
-    AlignedBuffer<fftw_complex> transform_;
+    AlignedBuffer<Real> real_, spectrum_;
+    AlignedBuffer<typename Fftw<Real>::Complex> transform_;
 };
+/// In double precision.
+using FourierOperator = BasicFourierOperator<double>;
+/// In single precision, at about half the time: for corrections, of which a part in a million does not
+/// matter.
+using SingleFourierOperator = BasicFourierOperator<float>;
 
 /// u = T p for a symmetric Toeplitz matrix without padding: T is half the sum of a circulant, c_j + c_(N-j),
 /// and a skew-circulant, c_j - c_(N-j). Shares no transform and no spectrum with FourierOperator.

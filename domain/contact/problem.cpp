@@ -90,10 +90,19 @@ ContactProblem make_problem(const Profile& profile, const Body& body,
     return problem;
 }
 
-FourierOperator fourier_operator(const ContactProblem& problem) {
+template <typename Operator>
+static Operator operator_of(const ContactProblem& problem) {
     if (problem.kernel == Kernel::periodic)
-        return FourierOperator::circulant(problem.nodes(), periodic_spectrum(problem.nodes()));
-    return FourierOperator::toeplitz(problem.column);
+        return Operator::circulant(problem.nodes(), periodic_spectrum(problem.nodes()));
+    return Operator::toeplitz(problem.column);
+}
+
+FourierOperator fourier_operator(const ContactProblem& problem) {
+    return operator_of<FourierOperator>(problem);
+}
+
+SingleFourierOperator single_fourier_operator(const ContactProblem& problem) {
+    return operator_of<SingleFourierOperator>(problem);
 }
 
 void check_stop(const ContactOptions& options) {

@@ -35,6 +35,8 @@ double largest_displacement(const Profile& profile, const Body& body);
 
 /// H applied by FFT.
 FourierOperator fourier_operator(const ContactProblem& problem);
+/// The same in single precision.
+SingleFourierOperator single_fourier_operator(const ContactProblem& problem);
 
 /// One step's solution in the problem's units.
 struct StepSolution {

@@ -36,8 +36,17 @@ struct Loaded {
     explicit Loaded(Index nodes) : pressure(Eigen::VectorXd::Zero(nodes)), displacement(pressure) {}
 };
 
+/// The last product with H that was taken, and how far rounding may have blurred it.
+struct KnownProduct {
+    Eigen::VectorXd pressure;     ///< p
+    Eigen::VectorXd displacement; ///< H p
+    double blur = 0;              ///< largest error of an entry
+};
+
 /// Conjugate gradients for H_AA x = b on a fixed contact set A, H applied by FFT, preconditioned by the
-/// inverse of the circulant nearest to H (T. Chan 1988), restricted to A.
+/// inverse of the circulant nearest to H (T. Chan 1988), restricted to A. Its search directions are products
+/// in single precision; the residual they improve is taken afresh in double precision before they could blur
+/// it (iterative refinement in mixed precision, Carson & Higham 2018).
 class SetSolver {
   public:
     /// Transforms the problem's first column and its preconditioner's once.
@@ -45,6 +54,9 @@ class SetSolver {
 
     /// u = H p afresh
     void load(Loaded& x);
+    /// The same with an error of at most `accuracy` at each node: from the product that is known, by that of
+    /// what has changed since in single precision, where this is good enough.
+    void load(Loaded& x, KnownProduct& known, double accuracy);
     /// Improves x until `enough(largest |b - H x| on A, energy estimate of the error)` says so;
     /// x.displacement is then up to date on A only. Returns false where `most` iterations were not enough or
     /// rounding stops it.
@@ -54,12 +66,15 @@ class SetSolver {
     /// entries.
     void tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
 
-    long applies() const { return applies_; } ///< products with H so far
+    long applies() const { return applies_; } ///< products with H so far, in either precision
 
   private:
-    void precondition(const ContactSet& set, const Eigen::VectorXd& residual, Eigen::VectorXd& z);
-    Eigen::VectorXd column_, sums_;
-    FourierOperator forward_, inverse_;
+    /// image = M v on the nodes alone; `scale` is about v's size.
+    static void multiply(SingleFourierOperator& matrix, const std::vector<int>& nodes,
+                         const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image);
+    Eigen::VectorXd sums_; ///< of H's first column, for the deflation
+    FourierOperator forward_;
+    SingleFourierOperator single_, inverse_;
     long applies_ = 0;
 };
 

@@ -25,6 +25,11 @@ TEST_CASE("every path of applying the influence matrix gives its direct sums", "
                 std::copy_n(p.data(), nodes, op.input());
                 return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(op.apply(), nodes));
             };
+            SingleFourierOperator single = SingleFourierOperator::toeplitz(column);
+            Eigen::VectorXf::Map(single.input(), nodes) = p.cast<float>();
+            CHECK(
+                (Eigen::VectorXf::Map(single.apply(), nodes).cast<double>() - direct).cwiseAbs().maxCoeff() <
+                5e-6 * direct.cwiseAbs().maxCoeff());
             CHECK((apply(FourierOperator::toeplitz(column)) - direct).cwiseAbs().maxCoeff() < 1e-14 * scale);
             CHECK((SplitOperator(column).apply(p) - direct).cwiseAbs().maxCoeff() < 1e-14 * scale);
             if (kernel == Kernel::periodic)

@@ -6,10 +6,9 @@ using namespace rough;
 
 namespace {
 
-void check_against_oracle(Solver solver, double tolerance) {
+void check_against_oracle(Solver solver, double tolerance, ContactOptions options = {}) {
+    options.solver = solver;
     for (const auto& scene : scenes::reference_curves()) {
-        ContactOptions options;
-        options.solver = solver;
         const ContactCurve curve = solve_contact(scene.profile, scene.body, scene.displacement, options);
         REQUIRE(curve.steps.size() == scene.displacement.size());
         CHECK(curve.solver == solver);
@@ -34,4 +33,10 @@ TEST_CASE("the iterative solvers agree with an independent oracle to ten times t
           "[contact]") {
     check_against_oracle(GENERATE(Solver::polonsky_keer, Solver::active_set),
                          10 * ContactOptions().tolerance);
+}
+
+TEST_CASE("the active set, whose search is in single precision, still answers far beyond it", "[contact]") {
+    ContactOptions options;
+    options.tolerance = 1e-10;
+    check_against_oracle(Solver::active_set, 10 * options.tolerance, options);
 }
