@@ -241,6 +241,8 @@ int design(const Words& words) {
         write_result(run, folder);
         if (pictures && schedule.has_time_for_page())
             rough::write_atomically(folder / "report.html", design_page(run));
+        else if (pictures)
+            say("note: no time was left for report.html; expected more --seconds for it");
     }
     if (run.trust)
         for (const auto& flag : run.trust->flags)

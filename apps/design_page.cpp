@@ -1,9 +1,13 @@
 #include "apps/design_page.hpp"
 
+#include "apps/model_settings.hpp"
+#include "apps/plot_svg.hpp"
 #include "apps/report/page.hpp"
 #include "apps/units.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace app {
 
@@ -37,7 +41,7 @@ Plot goal_plot(const DesignRun& run, std::size_t g) {
     const Shown shown = shown_as(goal);
     Plot plot;
     plot.alt = shown.y + " that was asked for and that the answer gives, on both grids";
-    plot.title = goal.name;
+    plot.title = std::filesystem::path(goal.name).filename().string();
     plot.x = {shown.x, false, 0, unset};
     plot.y = {shown.y, false, 0, unset};
     for (const auto& [refine, label, dash] :
@@ -74,9 +78,47 @@ Plot misfit_plot(const DesignRun& run, std::size_t g) {
     return plot;
 }
 
+/// A line through so many points that most fall on one another: of each stretch of 1/500 the lowest and the
+/// highest.
+Series thinned(Series line) {
+    constexpr Eigen::Index most = 1000;
+    if (line.y.size() <= 2 * most)
+        return line;
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index bin = 0; bin < most / 2; ++bin) {
+        const Eigen::Index from = bin * line.y.size() / (most / 2),
+                           to = (bin + 1) * line.y.size() / (most / 2);
+        Eigen::Index low = 0, high = 0;
+        line.y.segment(from, to - from).minCoeff(&low);
+        line.y.segment(from, to - from).maxCoeff(&high);
+        kept.push_back(from + std::min(low, high));
+        kept.push_back(from + std::max(low, high));
+    }
+    line.x = Eigen::VectorXd(line.x(kept));
+    line.y = Eigen::VectorXd(line.y(kept));
+    return line;
+}
+
+Plot scan_plot(const rough::Profile& scan) {
+    const double length = scan.spacing * static_cast<double>(scan.nodes() - 1);
+    const Eigen::VectorXd z = scan.heights.array() - scan.heights.maxCoeff();
+    const Unit unit = length_unit(z.cwiseAbs().maxCoeff());
+    Plot plot;
+    plot.alt = "Heights of the measured profile";
+    plot.title = "The scan";
+    plot.x = {"x (mm)", false, 0, length};
+    plot.y = {"Height under the highest point (" + unit.name + ")"};
+    plot.series.push_back(thinned({"scan, " + std::to_string(scan.nodes()) + " points",
+                                   Eigen::VectorXd::LinSpaced(z.size(), 0, length), unit.factor * z,
+                                   Colour::text, Style::line, 1.2}));
+    return plot;
+}
+
 Plot profile_plot(const DesignRun& run) {
     Plot plot;
     plot.alt = "Heights of the different answers along the profile";
+    plot.title = "The answers";
+    plot.key += " maxcols 2";
     plot.x = {"x (mm)", false, 0, run.setup.model.grid.length};
     double largest = 0;
     std::vector<Eigen::VectorXd> all;
@@ -108,8 +150,14 @@ void add_answer(Page& page, const DesignRun& run) {
              {goal_plot(run, g), misfit_plot(run, g)}});
     Table limits{
         "What can be made", {"Quantity", "Limit", "Of the answer", "Margin"}, {}, {false, true, true, true}};
+    const auto in_words = [](const std::string& name) -> std::string {
+        return name == "shortest_wave_mm" ? "shortest wave (mm)"
+               : name == "height_mm"      ? "height range (mm)"
+               : name == "radius_mm"      ? "smallest radius of curvature (mm)"
+                                          : "largest " + name;
+    };
     for (const auto& margin : run.margins)
-        limits.rows.push_back({margin.name, margin.limit > 0 ? readable(margin.limit) : "none",
+        limits.rows.push_back({in_words(margin.name), margin.limit > 0 ? readable(margin.limit) : "none",
                                readable(margin.value),
                                margin.limit > 0 ? readable(100 * margin.margin()) + " %" : "–"});
     page.table(limits);
@@ -121,10 +169,15 @@ void add_alternatives(Page& page, const DesignRun& run) {
                "better one of "
                "as they are and one of them mirrored; answers that differ by " +
                readable(rough::different) + " or more are listed.");
-    page.figure({"profiles",
-                 "Figure " + std::to_string(run.setup.goals.size() + 1) + ". The surfaces.",
-                 "Heights under the highest point of each.",
-                 {profile_plot(run)}});
+    Figure surfaces{"profiles",
+                    "Figure " + std::to_string(run.setup.goals.size() + 1) + ". The surfaces.",
+                    "Heights under the highest point of each.",
+                    {profile_plot(run)}};
+    if (run.like) {
+        surfaces.caption = "The surface that was measured, and those that answer a load as it does.";
+        surfaces.panels.insert(surfaces.panels.begin(), scan_plot(*run.like));
+    }
+    page.figure(surfaces);
     Table table{"",
                 {"Answer", "Similarity", "On the finer grid", "Difference from those before"},
                 {},
@@ -186,8 +239,17 @@ std::string design_page(const DesignRun& run) {
     if (run.trust)
         add_trust(page, *run.trust);
     page.section("How it was found");
-    page.code(run.found.pipeline);
+    for (const auto& account : run.accounts)
+        page.prose(escaped(account) + ".");
     page.code(run.command);
+    const rough::Model& model = run.setup.model;
+    page.prose(
+        "Seed " + std::to_string(run.options.seed) + "; " + name_of(model.body.kernel) +
+        " body, E* = " + readable(model.body.effective_modulus) + " MPa" +
+        (model.body.kernel == rough::Kernel::free ? ", datum " + readable(model.body.datum) + " mm" : "") +
+        "; " + std::to_string(model.grid.nodes) + " nodes on " + readable(model.grid.length, 6) + " mm; " +
+        std::to_string(model.loading.steps) + " load steps; rugosa " + run.version + ". The search:");
+    page.code(run.found.pipeline);
     if (!run.found.stopped.empty())
         page.prose("The search ended early: " + run.found.stopped + ".");
     for (const auto& note : run.found.notes)

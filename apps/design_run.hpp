@@ -17,7 +17,8 @@ struct DesignRun {
     rough::DesignSetup searched; ///< the same with the accuracy that the search was allowed
     rough::SearchOptions options;
     rough::TrustOptions trust_options;
-    std::vector<std::string> accounts; ///< of scans read
+    std::vector<std::string> accounts;  ///< of scans read
+    std::optional<rough::Profile> like; ///< the scan whose response is the target
 
     std::vector<rough::OutOfReach> out_of_reach;
     double bound = 1;  ///< no profile is more similar than this, by exact tests

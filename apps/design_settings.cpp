@@ -189,6 +189,7 @@ DesignRun design_from(const Settings& settings) {
         own.grid.nodes = scan.profile.nodes();
         rough::Profile profile = scan.profile;
         profile.spacing = own.grid.spacing();
+        run.like = profile;
         setup.model = own;
         setup.model.grid.nodes = settings.has("nodes") ? settings.whole("nodes", 2, 10000000) : 512;
         setup.goals = {goal_like(profile, own, settings.text("like"), settings.whole("points", 2, 100000),

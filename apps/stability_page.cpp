@@ -113,8 +113,10 @@ std::string stability_page(const std::vector<StabilityCell>& cells) {
                "iterative method judge each other. A cell ends after 30 s.");
     page.section("Scene by scene");
     page.table(by_scene(cells));
-    page.section("Refused or not converged");
-    page.table(complaints(cells));
+    if (const Table said = complaints(cells); !said.rows.empty()) {
+        page.section("Refused or not converged");
+        page.table(said);
+    }
     return page.html();
 }
 
