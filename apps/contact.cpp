@@ -70,8 +70,8 @@ rough::EconomicResponse computed_response(const Settings& settings) {
         if (settings.given(setting.name))
             throw rough::InputError("--" + setting.name +
                                     ": given with --genome, expected with --profile only");
-    rough::Model model = model_from(settings);
-    const rough::Genome genome = rough::read_genome(settings.text("genome"));
+    const auto [genome, length] = rough::read_genome_file(settings.text("genome"));
+    rough::Model model = model_from(settings, length);
     const double accuracy = accuracy_from(settings);
     if (accuracy == 0)
         return respond_exactly(genome, model);

@@ -92,7 +92,8 @@ int database_query(const Words& words) {
                     static_cast<unsigned long long>(match.index), match.similarity, finer, match.scale);
         if (rank == 0 && settings.has("out")) {
             genome.scale *= match.scale;
-            rough::write_atomically(settings.text("out"), rough::genome_to_json(genome).dump(1) + "\n");
+            rough::write_atomically(settings.text("out"),
+                                    rough::genome_file_text(genome, store.setup().model.grid.length));
         }
     }
     return 0;

@@ -132,7 +132,7 @@ void write_tables(const DesignRun& run, const std::filesystem::path& folder) {
                                 {response.displacement, response.pressure, response.contact_fraction,
                                  response.tangent_stiffness, response.kkt_residual}));
     rough::write_atomically(folder / "genome.json",
-                            rough::genome_to_json(run.found.best.genome).dump(1) + "\n");
+                            rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
 }
 
 int exit_code(const DesignRun& run) {

@@ -34,6 +34,16 @@ rough::Model model_on(rough::Grid grid, const Settings& settings, const std::str
     return model;
 }
 
+rough::Model model_from(const Settings& settings, double length, const std::string& prefix) {
+    rough::Grid grid;
+    grid.length = length;
+    if (settings.has(prefix + "nodes"))
+        grid.nodes = settings.whole(prefix + "nodes", 2, 10000000);
+    if (settings.has(prefix + "length"))
+        grid.length = settings.positive(prefix + "length");
+    return model_on(grid, settings, prefix);
+}
+
 } // namespace
 
 const std::vector<std::string>& kernel_names() {
@@ -52,7 +62,8 @@ const std::string& name_of(rough::Solver solver) { return solver_names()[static_
 std::vector<Setting> model_settings(const std::string& prefix) {
     std::vector<Setting> settings{
         {prefix + "nodes", "", "nodes of the grid, 2 to 1e7 [512; a scan: its points]"},
-        {prefix + "length", "", "length L of the profile, mm [0.84942; a scan: its own]"},
+        {prefix + "length", "",
+         "length L of the profile, mm [0.84942; a scan, or a genome made for one: its own]"},
         {prefix + "kernel", "free", "elastic body: free, periodic or strip"},
         {prefix + "datum", "", "distance d at which the free half-plane's displacement is zero, mm [L]"},
         {prefix + "strip-width", "", "width W of the strip, mm [L/511]"},
@@ -81,13 +92,10 @@ double accuracy_from(const Settings& settings, const std::string& prefix) {
 }
 
 rough::Model model_from(const Settings& settings, const std::string& prefix) {
-    rough::Grid grid;
-    if (settings.has(prefix + "nodes"))
-        grid.nodes = settings.whole(prefix + "nodes", 2, 10000000);
-    if (settings.has(prefix + "length"))
-        grid.length = settings.positive(prefix + "length");
-    return model_on(grid, settings, prefix);
+    return model_from(settings, rough::Grid().length, prefix);
 }
+
+rough::Model model_from(const Settings& settings, double length) { return model_from(settings, length, ""); }
 
 rough::Model model_from(const Settings& settings, const rough::Profile& scan, const std::string& prefix) {
     rough::Grid grid;

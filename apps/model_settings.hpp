@@ -17,6 +17,8 @@ double accuracy_from(const Settings& settings, const std::string& prefix = "");
 
 /// The model they describe. A measured profile brings its own grid: nodes and length then default to its own.
 rough::Model model_from(const Settings& settings, const std::string& prefix = "");
+/// Of a genome that was made for a length (mm), which --length overrides.
+rough::Model model_from(const Settings& settings, double length);
 rough::Model model_from(const Settings& settings, const rough::Profile& scan, const std::string& prefix = "");
 
 const std::vector<std::string>& kernel_names(); ///< in the order of rough::Kernel

@@ -32,7 +32,7 @@ std::vector<Setting> profile_settings() {
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
         {"force", "", "write over existing results", true},
         {"nodes", "", "nodes of the grid, 10 to 1e7 [512; a scan: its points]"},
-        {"length", "", "length L of the profile, mm [0.84942; a scan has its own]"},
+        {"length", "", "length L of the profile, mm [0.84942; a scan, or a genome made for one: its own]"},
         {"width", "", "width of the solid along its ridges, mm [L/4]"},
         {"base", "",
          "thickness of the solid below its lowest node, mm [the larger of height range and L/10]"},
@@ -56,16 +56,17 @@ Shape shape_of_genome(const Settings& settings) {
         if (settings.given(setting.name))
             throw rough::InputError("--" + setting.name +
                                     ": given with a genome, expected with --profile only");
-    const rough::Genome genome = rough::read_genome(settings.text("genome"));
+    const auto [genome, length] = rough::read_genome_file(settings.text("genome"));
     rough::Grid grid;
+    grid.length = length;
     if (settings.has("nodes"))
         grid.nodes = settings.whole("nodes", 10, 10000000);
     if (settings.has("length"))
         grid.length = settings.positive("length");
     Shape shape{sample(genome, grid), discrete_spectrum(genome), settings.text("genome")};
     const double shortest = 2 * std::numbers::pi / shape.lines.back().wave_number / grid.spacing();
-    shape.account += ": " + std::to_string(shape.lines.size()) + " waves, the shortest " +
-                     readable(shortest) + " nodes long";
+    shape.account += ": " + readable(grid.length, 6) + " mm, " + std::to_string(shape.lines.size()) +
+                     " waves, the shortest " + readable(shortest) + " nodes long";
     if (shortest < 8)
         shape.account += " (waves under 8 nodes: slopes, curvatures and light contact depend on the grid)";
     return shape;

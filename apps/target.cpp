@@ -69,9 +69,10 @@ Made made_target(const Settings& settings) {
     rough::Profile profile;
     std::string name;
     if (settings.has("genome")) {
-        made.model = model_from(settings);
         name = settings.text("genome");
-        profile = sample(rough::read_genome(name), made.model.grid);
+        const auto [genome, length] = rough::read_genome_file(name);
+        made.model = model_from(settings, length);
+        profile = sample(genome, made.model.grid);
     } else {
         name = settings.text("like");
         const long nodes = settings.has("nodes") ? settings.whole("nodes", 2, 10000000) : 0;

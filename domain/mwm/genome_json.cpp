@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <initializer_list>
 
@@ -96,7 +97,7 @@ Genome genome_from_json(const json& value, const std::string& where) {
     return genome;
 }
 
-Genome read_genome(const std::filesystem::path& file) {
+GenomeFile read_genome_file(const std::filesystem::path& file) {
     std::ifstream in(file);
     if (!in || std::filesystem::is_directory(file))
         throw InputError(file.string() + ": cannot be read, expected a genome file (JSON)");
@@ -108,7 +109,25 @@ Genome read_genome(const std::filesystem::path& file) {
         std::replace(detail.begin(), detail.end(), '\n', ' ');
         throw InputError(file.string() + ": not JSON: " + detail.substr(detail.find(']') + 2));
     }
-    return genome_from_json(value, file.string());
+    GenomeFile read;
+    if (value.is_object() && value.contains("length_mm")) {
+        read.length = number(value, "length_mm", file.string());
+        if (!(read.length > 0 && std::isfinite(read.length)))
+            throw InputError(file.string() + ": length_mm is " + shown(value.at("length_mm")) +
+                             ", expected a finite number greater than 0");
+        value.erase("length_mm");
+    }
+    read.genome = genome_from_json(value, file.string());
+    return read;
+}
+
+Genome read_genome(const std::filesystem::path& file) { return read_genome_file(file).genome; }
+
+std::string genome_file_text(const Genome& genome, double length) {
+    json file = genome_to_json(genome);
+    if (length != standard_length)
+        file["length_mm"] = length;
+    return file.dump(1) + "\n";
 }
 
 } // namespace rough

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <sstream>
 
 using app::testing::Folder;
@@ -105,4 +106,40 @@ TEST_CASE("profile refuses wrong use in one line and leaves nothing") {
     CHECK(rugosa("profile surface.json --out kept --nodes 20 --pictures off --force", folder.path()).code ==
           0);
     CHECK(rough::read_whole(folder / "kept" / "heights.csv") != before);
+}
+
+TEST_CASE("a genome designed for a scan's length is pressed, printed and described at that length") {
+    const Folder folder;
+    folder.write("scan.txt", [] {
+        std::string text = "x [um];z [um]\n";
+        for (int i = 0; i <= 400; ++i)
+            text += std::to_string(0.5 * i) + ";" +
+                    std::to_string(std::cos(0.05 * i) + 0.3 * std::cos(0.31 * i)) + "\n";
+        return text;
+    }());
+    const auto designed = rugosa("design --like scan.txt --nodes 128 --pictures off --out d "
+                                 "--pipeline 'sample 5 | score | best 1'",
+                                 folder.path());
+    INFO(designed.err);
+    REQUIRE((designed.code == 0 || designed.code == 3));
+    const auto file = rough::read_genome_file(folder / "d" / "genome.json");
+    CHECK(file.length == Approx(0.2));
+    const auto result = nlohmann::json::parse(rough::read_whole(folder / "d" / "result.json"));
+    CHECK(result["length_mm"].get<double>() == file.length);
+
+    REQUIRE(rugosa("profile d/genome.json --pictures off --out solid", folder.path()).code == 0);
+    const auto numbers = nlohmann::json::parse(rough::read_whole(folder / "solid" / "profile.json"));
+    CHECK(numbers["length_mm"].get<double>() == Approx(file.length));
+    REQUIRE(rugosa("contact --genome d/genome.json --nodes 128 --out own.csv", folder.path()).code == 0);
+    REQUIRE(rugosa("contact --genome d/genome.json --nodes 128 --length " + std::to_string(file.length) +
+                       " --out given.csv",
+                   folder.path())
+                .code == 0);
+    const std::string header =
+        "displacement_mm,pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm,kkt_residual";
+    const auto own = rows(folder / "own.csv", header), given = rows(folder / "given.csv", header);
+    for (std::size_t i = 0; i < own.size(); ++i)
+        CHECK(own[i][1] == Approx(given[i][1]).epsilon(1e-4));
+    const auto standard = rough::genome_file_text(file.genome, rough::standard_length);
+    CHECK(standard.find("length_mm") == std::string::npos);
 }

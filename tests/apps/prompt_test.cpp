@@ -20,6 +20,7 @@ struct Desk : Folder {
         write("gamma.json", R"({"series":[{"A":1,"H":0.8,"gamma":0.5,)" + one);
         write("word.json", R"({"series":[{"A":1,"H":"x","gamma":1.5,)" + one);
         write("lacks.json", R"({"series":[{"A":1,"H":0.8,)" + one);
+        write("length.json", R"({"length_mm":-1,"series":[{"A":1,"H":0.8,"gamma":1.5,)" + one);
         write("broken.json", R"({"series":[)");
         write("list.json", "[1,2]");
         write("scan.txt", "x [um];z [um]\n0;1\n1;3\n2;0.5\n3;2\n4;1\n");
@@ -61,6 +62,7 @@ const std::vector<Wrong> wrong_uses{
     {"contact --genome broken.json --out c.csv", {"broken.json", "line 1"}},
     {"contact --genome list.json --out c.csv", {"list.json", "expected an object"}},
     {"contact --genome gamma.json --out c.csv", {"gamma.json", "gamma is 0.5", "greater than 1"}},
+    {"contact --genome length.json --out c.csv", {"length.json", "length_mm is -1", "greater than 0"}},
     {"contact --genome word.json --out c.csv", {"word.json", "H is \"x\"", "expected a number"}},
     {"contact --genome lacks.json --out c.csv", {"lacks.json", "\"gamma\"", "missing"}},
     {"contact --genome g.json --profile scan.txt --out c.csv", {"--genome", "--profile"}},
