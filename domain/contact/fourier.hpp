@@ -23,11 +23,13 @@ Index fast_fourier_length(Index length);
 /// FFTW's types in one precision.
 template <typename Real>
 struct Fftw;
+/// In double precision, planned by fourier_plan.
 template <>
 struct Fftw<double> {
     using Complex = fftw_complex; ///< real and imaginary part
     using Plan = FourierPlan;     ///< both directions
 };
+/// In single precision.
 template <>
 struct Fftw<float> {
     using Complex = fftwf_complex; ///< real and imaginary part
