@@ -70,6 +70,16 @@ json trust_json(const rough::Trust& trust) {
             {"left_out_for_time", trust.left_out}};
 }
 
+/// Similarities in the order of `targets`.
+json front_json(const std::vector<rough::Compromise>& front) {
+    json all = json::array();
+    for (const auto& one : front)
+        all.push_back({{"similarity", one.similarity},
+                       {"similarity_refined", one.similarity_refined},
+                       {"genome", rough::genome_to_json(one.genome)}});
+    return all;
+}
+
 json design_json(const DesignRun& run) {
     json result = model_json(run.searched.model);
     result["version"] = run.version;
@@ -104,6 +114,8 @@ json design_json(const DesignRun& run) {
     answer["alternatives"] = json::array();
     for (const auto& alternative : run.found.alternatives)
         answer["alternatives"].push_back(answer_json(alternative));
+    if (!run.found.front.empty())
+        answer["front"] = front_json(run.found.front);
     answer["margins"] = json::array();
     for (const auto& margin : run.margins)
         answer["margins"].push_back({{"name", margin.name},
@@ -179,6 +191,7 @@ int design(const Words& words) {
              "design --like scan.txt --unit um --reach-similarity 0.99",
              "design --target target.csv --database genomes.db --seconds 1",
              "design --target stiffness.csv,area.csv --weights 1,0.3",
+             "design --target stiffness.csv,area.csv --variant nsga2",
              "design --target target.csv --largest-slope 0.05 --smallest-radius 0.01",
              "design --target target.csv --pipeline \"sample 200 | score | best 20 | refine lm 40 | best "
              "1\""}))

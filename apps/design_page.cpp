@@ -163,6 +163,37 @@ void add_answer(Page& page, const DesignRun& run) {
     page.table(limits);
 }
 
+Plot front_plot(const DesignRun& run) {
+    const auto& front = run.found.front;
+    const auto column = [&](auto member, std::size_t goal) {
+        Eigen::VectorXd values(static_cast<rough::Index>(front.size()));
+        for (std::size_t i = 0; i < front.size(); ++i)
+            values[static_cast<rough::Index>(i)] = (front[i].*member)[goal];
+        return values;
+    };
+    Plot plot;
+    plot.alt = "Similarity to the second target against that to the first, of the genomes that no other is "
+               "better than in both";
+    plot.x = {"Similarity to " + run.setup.goals[0].name};
+    plot.y = {"Similarity to " + run.setup.goals[1].name};
+    plot.series = {{"front", column(&rough::Compromise::similarity, 0),
+                    column(&rough::Compromise::similarity, 1), Colour::blue, Style::line_points, 2},
+                   {"on a grid four times finer", column(&rough::Compromise::similarity_refined, 0),
+                    column(&rough::Compromise::similarity_refined, 1), Colour::orange, Style::points, 1.5}};
+    return plot;
+}
+
+void add_front(Page& page, const DesignRun& run) {
+    page.section("What the targets cost each other");
+    page.prose("Of the genomes found these " + std::to_string(run.found.front.size()) +
+               " are left than which no other is better in every target; the answer above is the one whose "
+               "worst similarity is best.");
+    page.figure({"front",
+                 "The front.",
+                 "Each point is a genome, all of which are in result.json under <code>front</code>.",
+                 {front_plot(run)}});
+}
+
 void add_alternatives(Page& page, const DesignRun& run) {
     page.section("Different answers");
     page.prose("How much two profiles differ is 1 less the correlation coefficient of their heights, the "
@@ -235,6 +266,8 @@ std::string design_page(const DesignRun& run) {
         page.prose("<strong>Out of reach:</strong> " + reason.reason +
                    ". No profile has a similarity above " + readable(reason.bound, 4) + ".");
     add_answer(page, run);
+    if (!run.found.front.empty())
+        add_front(page, run);
     add_alternatives(page, run);
     if (run.trust)
         add_trust(page, *run.trust);

@@ -92,11 +92,16 @@ DesignSetup exactly(DesignSetup setup) {
     return setup;
 }
 
-double similarity(const DesignSetup& setup, const DesignResponse& response) {
-    double worst = 0;
+std::vector<double> similarities(const DesignSetup& setup, const DesignResponse& response) {
+    std::vector<double> each;
     for (const Eigen::VectorXd& misfit : misfits_of(setup, response))
-        worst = std::max(worst, misfit.cwiseAbs().maxCoeff());
-    return 1 - worst;
+        each.push_back(1 - misfit.cwiseAbs().maxCoeff());
+    return each;
+}
+
+double similarity(const DesignSetup& setup, const DesignResponse& response) {
+    const std::vector<double> each = similarities(setup, response);
+    return *std::min_element(each.begin(), each.end());
 }
 
 double similarity(const DesignSetup& setup, const Genome& genome, Index refine) {

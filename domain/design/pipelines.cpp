@@ -1,5 +1,7 @@
 #include "domain/design/pipelines.hpp"
 
+#include "domain/design/target_dominance.hpp"
+
 namespace rough {
 
 ga::Population<Genome> Shape::operator()(ga::Population<Genome>, ga::Context<DesignProblem>& context) const {
@@ -22,6 +24,24 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
                  [](const ga::Arguments& a, const auto&, const auto&) {
                      return ga::Stage<DesignProblem>(Shape(a.count("n")));
                  });
+    registry.add("fit", "roughness",
+                 "each genome in the amplitude at which it meets the first goal best; nothing under Eq. 11",
+                 ga::transform(
+                     "fit", [setup](const Genome& genome) { return with_fitting_amplitude(setup, genome); }));
+    for (std::size_t g = 0; g < setup.goals.size(); ++g) {
+        const std::string name = "reduce goal" + std::to_string(g + 1);
+        registry.add(name, "roughness", "keeps the chromosomes that follow that goal by themselves (M-CCO)",
+                     ga::transform(name, [setup, g](const Genome& genome) {
+                         return reduced_to_goal(setup, genome, g);
+                     }));
+    }
+    const double length = setup.model.grid.length;
+    registry.add(
+        ga::Variables<Genome>{"macro", [length](const Genome& g) { return macro_phases(g, length); }},
+        "phases of waves of at least an eighth of the length");
+    registry.add(
+        ga::Variables<Genome>{"micro", [length](const Genome& g) { return micro_phases(g, length); }},
+        "phases of shorter waves");
     return registry;
 }
 
@@ -52,12 +72,25 @@ const ga::Variants& design_variants() {
          "score | elite 2 } | best 1"},
         // The paper's algorithms (Algorithms 3-5).
         {"sog", "score | best 3 | refine gcmma 5 genes=dominant | refine gcmma 2 genes=others | best 1"},
-        {"gco", "pair(score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, unite) | score "
-                "| best 3 "
-                "| refine gcmma 3 genes=dominant | refine gcmma 2 genes=others | best 1"},
+        {"gco",
+         "pair(score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, unite) | fit | score "
+         "| best 3 "
+         "| refine gcmma 3 genes=dominant | refine gcmma 2 genes=others | best 1"},
         {"cco",
          "pair(score low | above 0.95 at_least=3 | reduce dominant, score high | above 0.95 at_least=3 | "
-         "reduce dominant, unite) | score | best 3 | refine gcmma 3 genes=phases | best 1"},
+         "reduce dominant, unite) | fit | score | best 3 | refine gcmma 3 genes=phases | best 1"},
+        // Two targets, one list of genomes for each (Cinat, Paggi and Gnecco 2019).
+        {"mcco",
+         "pair(score goal1 | above 0.95 at_least=5 | reduce goal1, score goal2 | above 0.95 at_least=5 | "
+         "reduce goal2, unite) | fit | score | best 3 | refine gcmma 3 genes=macro | refine gcmma 3 "
+         "genes=micro | best 1"},
+        // What two targets cost each other: NSGA-II whose ends and children are refined.
+        {"nsga2",
+         "shape 40 | score | best 20 | repeat 1 { score goal1 | refine lm 15 | parents } | repeat 1 { score "
+         "goal2 | refine lm 15 | parents } | pareto goal1 goal2 | best 40 | repeat 15 { tournament 2 | cross "
+         "uniform rate=0.8 | mutate 0.05 gaussian 0.02 | score | refine lm 5 | parents | pareto goal1 goal2 "
+         "| "
+         "best 40 } | front"},
         // Global optimisers of NLopt on every gene of the best start.
         {"esch", "score | best 1 | refine nlopt GN_ESCH 5000"},
         {"crs2", "score | best 1 | refine nlopt GN_CRS2_LM 5000"},

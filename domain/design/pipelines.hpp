@@ -21,12 +21,13 @@ struct Shape : ga::Operator {
     ///@}
 };
 
-/// What text pipelines for a design are made of: the engine's words, roughness's, and `shape`.
+/// What text pipelines for a design are made of: the engine's words, roughness's, and `shape`, `fit`, and
+/// `reduce goal1` and on, one a goal.
 ga::Registry<DesignProblem> design_registry(const DesignSetup& setup);
 
-/// The ways to search that have a name, as text: `default`, `multistart`, `plain`, `sog`, `gco`, `cco` and
-/// their minimax forms, `esch`, `crs2`. Those that do not begin with `shape` or `sample` work on the Sobol
-/// database.
+/// The ways to search that have a name, as text: `default`, `in-line`, `multistart`, `plain`, `sog`, `gco`,
+/// `cco`, for two goals `mcco` and `nsga2`, `esch`, `crs2`. Those that do not begin with `shape` or `sample`
+/// work on the Sobol database.
 const ga::Variants& design_variants();
 
 } // namespace rough

@@ -21,6 +21,8 @@ constexpr double limit_guard = 2e-3;
 /// A limit's excess in units of misfit.
 constexpr double limit_weight = 3;
 
+std::string goal_objective(std::size_t goal) { return "goal" + std::to_string(goal + 1); }
+
 /// Points of the first goal in the lower or upper half of its range.
 std::vector<Index> half_of(const Goal& goal, bool upper) {
     std::vector<Index> points;
@@ -87,6 +89,10 @@ DesignProblem::DesignProblem(std::shared_ptr<DesignSetup> setup) : setup_(setup)
          }},
         {"low", part(false)},
         {"high", part(true)}};
+    for (std::size_t g = 0; g < setup_->goals.size(); ++g)
+        objectives_.push_back({goal_objective(g), [=](const Outcome& outcome) {
+                                   return limited(1 - outcome.misfits[g].cwiseAbs().maxCoeff(), outcome);
+                               }});
 }
 
 DesignOutcome DesignProblem::evaluate(const Genome& genome) const {
@@ -173,6 +179,13 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
         const std::vector<Index> points = half_of(setup_->goals.front(), objective == "high");
         rows = {Eigen::VectorXd(rows.residuals(points)), Eigen::MatrixXd(rows.jacobian(points, Eigen::all))};
     }
+    Index first = 0;
+    for (std::size_t g = 0; g < setup_->goals.size(); first += setup_->goals[g++].points())
+        if (objective == goal_objective(g)) {
+            const Index points = setup_->goals[g].points();
+            rows = {Eigen::VectorXd(rows.residuals.segment(first, points)),
+                    Eigen::MatrixXd(rows.jacobian.middleRows(first, points))};
+        }
     if (setup_->limits.any_shape()) {
         if (setup_->max_pressure)
             shape.scale = coarse.factor;

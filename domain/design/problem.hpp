@@ -34,7 +34,8 @@ struct DesignOutcome {
 
 /// Find the genome that answers as asked, within limits. Objectives: `similarity`; `judged`, the smaller of
 /// it and the same on a grid four times finer; `low` and `high`, on the first goal's points up to and from
-/// the middle of its range. A genome over the limits is ranked below every one within them.
+/// the middle of its range; `goal1`, `goal2` and on, on each goal alone. A genome over the limits is ranked
+/// below every one within them.
 class DesignProblem {
   public:
     using Genome = rough::Genome;  ///< what is designed
@@ -102,6 +103,8 @@ std::vector<Model> loaded_models(const DesignSetup& setup);
 /// The same set-up solved throughout, whatever accuracy its model allows.
 DesignSetup exactly(DesignSetup setup);
 
+/// Each goal's similarity.
+std::vector<double> similarities(const DesignSetup& setup, const DesignResponse& response);
 /// The smallest similarity of all goals.
 double similarity(const DesignSetup& setup, const DesignResponse& response);
 /// The same of a genome on a grid `refine` times finer, within the set-up's accuracy; Eq. 11 anew where it

@@ -14,21 +14,12 @@ namespace {
 
 constexpr std::size_t remembered = 60; ///< individuals an archive keeps
 
-bool holds(const DesignSetup& setup, const Genome& genome) {
-    const auto all = margins(genome, setup.model.grid, setup.limits);
-    return std::all_of(all.begin(), all.end(), [](const Margin& margin) { return margin.holds(); });
-}
-
-/// What is reported follows from the written genome to nine digits, by whatever solver, on grids up to this
-/// many nodes; on larger ones to the solver's tolerance.
+constexpr std::size_t shown_compromises = 24;
 constexpr Index exactly_reported = 16385;
 constexpr double reported_tolerance = 1e-10;
 
-/// Solved throughout: what is returned owes nothing to the accuracy that the search was allowed.
 Answer answer_of(const DesignSetup& searched, const Genome& genome) {
-    DesignSetup setup = exactly(searched);
-    if (refined(setup.model, 4).grid.nodes <= exactly_reported)
-        setup.model.contact.tolerance = std::min(setup.model.contact.tolerance, reported_tolerance);
+    const DesignSetup setup = as_reported(searched);
     Answer answer{folded(genome)};
     const DesignResponse coarse = respond(setup, genome, setup.model);
     if (setup.max_pressure) {
@@ -38,7 +29,7 @@ Answer answer_of(const DesignSetup& searched, const Genome& genome) {
     }
     answer.similarity = similarity(setup, coarse);
     answer.similarity_refined = similarity(setup, genome, 4);
-    answer.within_limits = holds(setup, answer.genome);
+    answer.within_limits = holds_limits(setup, answer.genome);
     return answer;
 }
 
@@ -97,6 +88,18 @@ bool makes_its_own_starts(const std::string& pipeline) {
 
 } // namespace
 
+DesignSetup as_reported(DesignSetup searched) {
+    DesignSetup setup = exactly(std::move(searched));
+    if (refined(setup.model, 4).grid.nodes <= exactly_reported)
+        setup.model.contact.tolerance = std::min(setup.model.contact.tolerance, reported_tolerance);
+    return setup;
+}
+
+bool holds_limits(const DesignSetup& setup, const Genome& genome) {
+    const auto all = margins(genome, setup.model.grid, setup.limits);
+    return std::all_of(all.begin(), all.end(), [](const Margin& margin) { return margin.holds(); });
+}
+
 double difference(const Profile& left, const Profile& right) {
     const Eigen::VectorXd a = left.heights.array() - left.heights.mean();
     const Eigen::VectorXd b = right.heights.array() - right.heights.mean();
@@ -114,14 +117,17 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
         options.pipeline.empty() ? parser.variant(options.variant) : parser.parse(options.pipeline);
 
     Archive archive(remembered);
+    std::vector<Genome> front; // the last that was ranked
     double judged_from = options.reach.value_or(0);
     observers.insert(observers.begin(), [&](const ga::Event<Genome>& event) {
         for (const auto& individual : event.population)
             archive.offer(problem, individual);
+        if (auto ranked = front_of(event.population); !ranked.empty())
+            front = std::move(ranked);
         if (!options.reach || archive.best.empty() || archive.best.front().value < judged_from)
             return;
         const Answer best = answer_of(setup, archive.best.front().genome);
-        if (holds(setup, best.genome) && best.judged() >= *options.reach)
+        if (holds_limits(setup, best.genome) && best.judged() >= *options.reach)
             throw ga::Stopped{"the similarity asked for was reached"};
         judged_from = std::nextafter(archive.best.front().value, 2.0); // the same one would tell nothing new
     });
@@ -139,6 +145,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     if (options.keeping) {
         keeper.emplace(options.keeping->file, description(setup).dump(), options.keeping->resume);
         keeper->keep("archive", archive.best);
+        keeper->keep("front", front);
         if (options.keeping->also)
             options.keeping->also(*keeper);
     }
@@ -165,12 +172,23 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
             throw NotConverged(nothing.what());
         result.notes.push_back(nothing.what());
     }
-    if (archive.best.empty()) // stopped before the first curve
-        archive.offer(problem, {shaped_start(setup, ga::Stream(options.seed)),
+    if (!front.empty()) {
+        for (const auto& kept : archive.best)
+            front.push_back(kept.genome);
+        result.front = compromises(setup, front, shown_compromises, options.threads);
+    }
+    const ga::Name by_similarity("similarity");
+    for (const Compromise& one : result.front)
+        archive.offer(problem, {one.genome,
                                 0,
                                 {},
-                                ga::Fitness(ga::Name("similarity"), 0),
+                                ga::Fitness(by_similarity,
+                                            *std::min_element(one.similarity.begin(), one.similarity.end())),
                                 nullptr});
+    if (archive.best.empty()) // stopped before the first curve
+        archive.offer(
+            problem,
+            {shaped_start(setup, ga::Stream(options.seed)), 0, {}, ga::Fitness(by_similarity, 0), nullptr});
 
     // What the pipeline gave, and the best of its way.
     std::vector<Genome> candidates;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "domain/design/front.hpp"
 #include "domain/design/pipelines.hpp"
 #include "ga/checkpoint.hpp"
 
@@ -47,12 +48,20 @@ struct Answer {
 struct SearchResult {
     Answer best;                      ///< by its judged similarity
     std::vector<Answer> alternatives; ///< the best first, then the next best that differ from those before
+    std::vector<Compromise> front;    ///< what `pareto` found, where the pipeline has it
     ga::Counters counters;            ///< what was spent
     std::vector<std::string> notes;   ///< remarks of stages
     std::string stopped;              ///< why the search ended before its pipeline; empty when it did not
     std::string pipeline;             ///< as it was run
     /// How long, from where and by which pipeline to search.
 };
+
+/// The set-up as answers are reported under: solved throughout, to nine digits of a similarity by whatever
+/// solver on grids whose finer one has up to 16385 nodes, to the solver's tolerance on larger ones.
+DesignSetup as_reported(DesignSetup searched);
+
+/// Whether the genome (in final amplitude) is within every limit.
+bool holds_limits(const DesignSetup& setup, const Genome& genome);
 
 /// How much two profiles differ: 1 less the correlation coefficient of their heights, the better one of as
 /// they are and one of them mirrored end to end. 0 to 2; answers differ from `different` on.

@@ -1,5 +1,6 @@
 #include "domain/fitness/dominance.hpp"
 
+#include "domain/fitness/length_scales.hpp"
 #include "domain/response/curve.hpp"
 
 #include <cmath>
@@ -12,39 +13,9 @@ namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-double pearson(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) {
-    const Eigen::ArrayXd da = a - a.mean(), db = b - b.mean();
-    const double spread = std::sqrt((da * da).sum() * (db * db).sum());
-    const double noise = 1e-12 * static_cast<double>(a.size()) * std::abs(a.mean() * b.mean());
-    return spread > noise ? (da * db).sum() / spread : undefined;
-}
-
-/// Chromosomes of one wave number, of any series: one length scale of the profile.
-struct LengthScale {
-    double wave_number;
-    std::vector<std::pair<std::size_t, std::size_t>> members; ///< series, chromosome
-};
-
-std::vector<LengthScale> length_scales(const Genome& genome) {
-    std::vector<LengthScale> scales;
-    for (std::size_t s = 0; s < genome.series.size(); ++s)
-        for (std::size_t c = 0; c < genome.series[s].chromosomes.size(); ++c) {
-            const double k = wave_number(genome.series[s], genome.series[s].chromosomes[c].n);
-            auto known = std::find_if(scales.begin(), scales.end(), [&](const LengthScale& scale) {
-                return std::abs(scale.wave_number - k) <= 1e-12 * k;
-            });
-            if (known == scales.end())
-                known = scales.insert(scales.end(), LengthScale{k, {}});
-            known->members.emplace_back(s, c);
-        }
-    return scales;
-}
-
 /// The secant stiffness of one length scale alone, or nothing where it is flat at the nodes.
 std::optional<Curve> stiffness_of(const Genome& genome, const LengthScale& scale, const Model& model) {
-    const Genome alone = filtered(genome, [&](std::size_t s, std::size_t c) {
-        return std::find(scale.members.begin(), scale.members.end(), std::pair(s, c)) != scale.members.end();
-    });
+    const Genome alone = only(genome, scale);
     const Profile profile = sample(alone, model.grid);
     if (is_flat(profile, alone))
         return std::nullopt;

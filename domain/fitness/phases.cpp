@@ -1,5 +1,7 @@
 #include "domain/fitness/phases.hpp"
 
+#include "domain/mwm/waves.hpp"
+
 #include <cmath>
 
 namespace rough {
@@ -19,6 +21,10 @@ std::vector<ga::Variable> phases_of(const Genome& genome, PhaseReach reach, Choo
     return variables;
 }
 
+bool is_macro(const Genome& genome, std::size_t s, std::size_t c, double length) {
+    return wave_length(genome.series[s], genome.series[s].chromosomes[c].n) >= length / 8;
+}
+
 } // namespace
 
 std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach) {
@@ -33,6 +39,16 @@ std::vector<ga::Variable> dominant_phase_variables(const Genome& genome, const D
 std::vector<ga::Variable> other_phase_variables(const Genome& genome, const Dominance& dominance,
                                                 PhaseReach reach) {
     return phases_of(genome, reach, [&](std::size_t s, std::size_t c) { return !dominance.at(s, c); });
+}
+
+std::vector<ga::Variable> macro_phases(const Genome& genome, double length, PhaseReach reach) {
+    return phases_of(genome, reach,
+                     [&](std::size_t s, std::size_t c) { return is_macro(genome, s, c, length); });
+}
+
+std::vector<ga::Variable> micro_phases(const Genome& genome, double length, PhaseReach reach) {
+    return phases_of(genome, reach,
+                     [&](std::size_t s, std::size_t c) { return !is_macro(genome, s, c, length); });
 }
 
 } // namespace rough

@@ -20,4 +20,10 @@ std::vector<ga::Variable> dominant_phase_variables(const Genome& genome, const D
 std::vector<ga::Variable> other_phase_variables(const Genome& genome, const Dominance& dominance,
                                                 PhaseReach reach);
 
+/// Those of macro-roughness, waves of at least an eighth of the profile's length (mm). Where the one ends
+/// and the other begins is our reading.
+std::vector<ga::Variable> macro_phases(const Genome& genome, double length, PhaseReach reach = {});
+/// Those of micro-roughness, the shorter waves.
+std::vector<ga::Variable> micro_phases(const Genome& genome, double length, PhaseReach reach = {});
+
 } // namespace rough

@@ -1,5 +1,8 @@
+#include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
+#include "domain/design/target_dominance.hpp"
 #include "domain/errors.hpp"
+#include "ga/pareto/ranking.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
@@ -207,4 +210,67 @@ TEST_CASE("what cannot be designed for together is refused") {
     CHECK_THROWS_WITH(DesignProblem(setup), Contains("Eq. 11"));
     setup.goals.clear();
     CHECK_THROWS_WITH(DesignProblem(setup), Contains("none given"));
+}
+
+TEST_CASE("with several goals each has an objective of its own, whose rows are its part of all") {
+    DesignSetup setup = drawn_setup();
+    Goal area = setup.goals[0];
+    area.quantity = Quantity::area_at_pressure;
+    area.y = Eigen::VectorXd::LinSpaced(area.points(), 0.05, 0.6);
+    setup.goals.push_back(area);
+    const DesignProblem problem(setup);
+    const Genome genome = shaped_start(setup, ga::Stream(3));
+    const auto outcome = problem.evaluate(genome);
+    const Eigen::VectorXd all = problem.sensitivity(genome, "similarity").residuals;
+    REQUIRE(all.size() == 40);
+    CHECK(problem.sensitivity(genome, "goal1").residuals == all.head(20));
+    CHECK(problem.sensitivity(genome, "goal2").residuals == all.tail(20));
+    CHECK(1 - outcome.misfits[0].cwiseAbs().maxCoeff() == Approx(1 - all.head(20).cwiseAbs().maxCoeff()));
+    CHECK(problem.objectives().back().name == "goal2");
+    CHECK(problem.objectives().back().fitness(outcome) == 1 - outcome.misfits[1].cwiseAbs().maxCoeff());
+}
+
+TEST_CASE("what is reduced to a goal keeps the chromosomes that follow it, one at least") {
+    DesignSetup setup = drawn_setup();
+    std::mt19937_64 random(34);
+    for (int scene = 0; scene < 5; ++scene) {
+        const Genome genome = testing::random_genome(random, 1, 1, 0.84942, setup.limits.shortest_wave);
+        const auto count = [](const Genome& g) {
+            std::size_t n = 0;
+            for (const Series& series : g.series)
+                n += series.chromosomes.size();
+            return n;
+        };
+        CHECK(count(reduced_to_goal(setup, genome, 0, -1.5)) == count(genome));
+        CHECK(count(reduced_to_goal(setup, genome, 0, 1)) == 1);
+        CHECK(count(reduced_to_goal(setup, genome, 0)) >= 1);
+        CHECK(macro_phases(genome, 0.84942).size() + micro_phases(genome, 0.84942).size() == count(genome));
+    }
+}
+TEST_CASE("compromises are better than each other in one goal or another, and within the limits") {
+    DesignSetup setup = drawn_setup();
+    Goal area = setup.goals[0];
+    area.quantity = Quantity::area_at_pressure;
+    area.y = Eigen::VectorXd::LinSpaced(area.points(), 0.05, 0.6);
+    setup.goals.push_back(area);
+    std::vector<Genome> genomes;
+    for (std::uint64_t key = 0; key < 30; ++key)
+        genomes.push_back(shaped_start(setup, ga::Stream(key % 25)));
+    const auto front = compromises(setup, genomes, 100, 1);
+    REQUIRE(front.size() > 1);
+    for (std::size_t i = 1; i < front.size(); ++i) {
+        CHECK(front[i].similarity[0] > front[i - 1].similarity[0]);
+        CHECK(front[i].similarity[1] < front[i - 1].similarity[1]);
+    }
+    const DesignSetup exact = as_reported(setup);
+    for (const Genome& genome : genomes) {
+        const auto each = similarities(exact, respond(exact, folded(genome), exact.model));
+        CHECK(std::none_of(front.begin(), front.end(),
+                           [&](const Compromise& one) { return ga::dominates(each, one.similarity); }));
+    }
+    const auto few = compromises(setup, genomes, 2, 1);
+    CHECK(few.front().similarity == front.front().similarity);
+    CHECK(few.back().similarity == front.back().similarity);
+    setup.limits.largest_height = 1e-9;
+    CHECK(compromises(setup, genomes, 100, 1).empty());
 }
