@@ -2,7 +2,7 @@
 # Installed where bash-completion looks; or type: source completion.bash
 
 _rugosa_words() { # the words of a help page that stand where subcommands or flags do
-    "$@" --help 2>/dev/null | sed -n 's/^  \(--[a-z][a-zA-Z-]*\).*/\1/p; s/^  \([a-z][a-z-]*\)  .*/\1/p'
+    "$@" --help 2>/dev/null | sed -n 's/^  \(--[a-zA-Z][a-zA-Z-]*\).*/\1/p; s/^  \([a-z][a-z-]*\)  .*/\1/p'
 }
 
 _rugosa() {
