@@ -4,9 +4,8 @@
 #include "apps/output.hpp"
 #include "apps/progress.hpp"
 #include "apps/settings.hpp"
+#include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
-
-#include <iostream>
 
 namespace app {
 
@@ -124,7 +123,7 @@ int chart(const Words& words) {
     rough::write_atomically(folder.path() / "growth-nodes.svg", svg_file(nodes_plot(data)));
     rough::write_atomically(folder.path() / "growth-contact.svg", svg_file(contact_plot(data)));
     rough::write_atomically(folder.path() / "chart.html", chart_page(data));
-    std::cout << data.runs.size() << " settings charted\n" << (folder.path() / "chart.html").string() << "\n";
+    say(std::to_string(data.runs.size()) + " settings charted\n" + (folder.path() / "chart.html").string());
     return 0;
 }
 

@@ -6,9 +6,9 @@
 #include "apps/settings.hpp"
 #include "apps/stability_page.hpp"
 #include "apps/stability_reference.hpp"
+#include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
 
-#include <iostream>
 #include <sstream>
 
 namespace app {
@@ -78,7 +78,7 @@ int stability(const Words& words) {
     const std::vector<StabilityCell> cells = table_of(only, progress);
     rough::write_atomically(folder.path() / "stability.csv", csv_of(cells));
     rough::write_atomically(folder.path() / "stability.html", stability_page(cells));
-    std::cout << summary_of(cells) << "\n" << (folder.path() / "stability.html").string() << "\n";
+    say(summary_of(cells) + "\n" + (folder.path() / "stability.html").string());
     for (const StabilityCell& cell : cells)
         if (cell.trial.outcome == Outcome::wrong)
             return 3;

@@ -40,7 +40,7 @@ bool running_index(const std::vector<Number>& column) {
     for (std::size_t i = 0; i < column.size(); ++i)
         if (column[i].value != column[0].value + static_cast<double>(i) || column[i].last_digit != 1)
             return false;
-    return column.size() > 1 && (column[0].value == 0 || column[0].value == 1);
+    return column.size() > 1;
 }
 
 /// Which columns hold what.
@@ -197,8 +197,9 @@ Points points_of(const std::vector<std::string>& lines, const ScanOptions& optio
     stand_up(table);
     const Layout layout = layout_of(table, header, options.spacing > 0, file);
     const Units units = units_of(header, layout, options, file, account);
-    const double spacing =
-        layout.x == no_column ? spacing_of(header, options, table.rows(), units.height, file) : 0;
+    const double spacing = layout.x == no_column ? spacing_of(header, options, table.rows(),
+                                                              header.x_unit.value_or(units.height), file)
+                                                 : 0;
     Points points = points_in_mm(table, header, layout, units, spacing);
     say_announced(table.announced, points.size(), account);
     if (table.announced == static_cast<long>(points.size()) && table.columns == 1)

@@ -91,6 +91,13 @@ std::vector<QuirkFile> columns() {
                  text += std::to_string(i + 1) + ";" + x_at(i, {}) + ";" + height_at(i, {}) + "\n";
              return text;
          }()},
+        {"a counter that goes on, before x",
+         [] {
+             std::string text = "Counter\tx (mm)\tAltitude (mm)\n";
+             for (std::size_t i = 0; i < quirk_heights.size(); ++i)
+                 text += std::to_string(i + 37) + "\t" + x_at(i, {}) + "\t" + height_at(i, {}) + "\n";
+             return text;
+         }()},
         {"a running index for x",
          [] {
              std::string text;
@@ -150,6 +157,9 @@ std::vector<QuirkFile> headers() {
         {"HFM export", "X;Y;valid\n[mm];[mm];[1/0]\n" + two_columns({.separator = ";", .behind = ";1"})},
         {"matrix text with a width",
          "# Channel: Main\n# Width: 4 \xC2\xB5m\n# Value units: nm\n" + one_column({.height_unit = 1e-6})},
+        {"SPIP's keys, the lengths' unit by its own",
+         "# x-pixels = 8\n# x-length = 4\n# x-unit = um\n# z-unit = nm\n" +
+             one_column({.height_unit = 1e-6})},
         {"pixel size and height factor",
          "pixel size = 0.5 um\nheight conversion factor (-> m) = 1e-6\n" + one_column({.height_unit = 1e-3})},
     };
