@@ -1,5 +1,6 @@
 #include "apps/commands.hpp"
 #include "apps/settings.hpp"
+#include "domain/design/pipelines.hpp"
 #include "domain/variants/paper.hpp"
 #include "ga/text/listing.hpp"
 
@@ -16,11 +17,18 @@ int operators(const Words& words) {
                    {}, {"operators"}))
         return 0;
     read_command_line(words, {});
+    rough::DesignSetup two_targets;
+    two_targets.goals.resize(2);
+    std::cout << ga::listing(rough::design_registry(two_targets));
+    const auto list = [](const std::string& title, const ga::Variants& variants) {
+        std::cout << "\n" << title << "\n";
+        for (const auto& [name, text] : variants)
+            std::cout << "  " << name << " = " << text << "\n";
+    };
+    list("variants of rugosa design and of experiments of kind variants", rough::design_variants());
     const rough::Vocabulary vocabulary{std::make_shared<rough::DominanceRule>(rough::Model{})};
-    std::cout << ga::listing(rough::paper_registry(vocabulary))
-              << "\nvariants, as they may stand in a pipeline\n";
-    for (const auto& [name, text] : rough::paper_variants(vocabulary))
-        std::cout << "  " << name << " = " << text << "\n";
+    list("variants of the paper's experiment, where sample, shape, fit and a second target are not to be had",
+         rough::paper_variants(vocabulary));
     return 0;
 }
 
