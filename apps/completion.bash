@@ -5,6 +5,10 @@ _rugosa_words() { # the words of a help page that stand where subcommands or fla
     "$@" --help 2>/dev/null | sed -n 's/^  \(--[a-zA-Z][a-zA-Z-]*\).*/\1/p; s/^  \([a-z][a-z-]*\)  .*/\1/p'
 }
 
+_rugosa_variants() { # of rugosa design, as the list of operators has them
+    "$1" operators 2>/dev/null | sed -n '/^variants of rugosa design/,/^$/s/^  \([a-z0-9-]*\) = .*/\1/p'
+}
+
 _rugosa() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     local command=("${COMP_WORDS[0]}") word
@@ -22,7 +26,7 @@ _rugosa() {
     --unit) COMPREPLY=($(compgen -W "m mm um nm A in" -- "$current")) ;;
     --quantity) COMPREPLY=($(compgen -W "stiffness area area-displacement load" -- "$current")) ;;
     --pictures) COMPREPLY=($(compgen -W "on off" -- "$current")) ;;
-    --variant) COMPREPLY=($(compgen -W "default in-line multistart plain sog gco cco esch crs2" -- "$current")) ;;
+    --variant) COMPREPLY=($(compgen -W "$(_rugosa_variants "${COMP_WORDS[0]}")" -- "$current")) ;;
     esac
     [ ${#COMPREPLY[@]} -gt 0 ] && return
     if [[ $current == -* ]]; then
