@@ -19,7 +19,7 @@ constexpr Index judged_refinement = 4;
 /// Refinement aims this far inside the limits on shape, so that it need not end on their edge.
 constexpr double limit_guard = 2e-3;
 /// A limit's excess in units of misfit.
-constexpr double limit_weight = 3;
+constexpr double limit_weight = 30;
 
 std::string goal_objective(std::size_t goal) { return "goal" + std::to_string(goal + 1); }
 

@@ -2,6 +2,7 @@
 
 #include "domain/design/archive.hpp"
 #include "domain/design/stored.hpp"
+#include "domain/design/within_limits.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/database.hpp"
 
@@ -39,6 +40,9 @@ std::vector<Answer> answers_of(const DesignSetup& setup, const std::vector<Genom
                      [&](std::size_t i) { answers[i] = answer_of(setup, genomes[i]); });
     return answers;
 }
+
+/// Share of the time that is kept for it.
+constexpr double share_for_limits = 0.1;
 
 /// The best answer, then the best of the way that differ from it and from each other.
 std::vector<Answer> alternatives(const DesignSetup& setup, const Answer& best, const Archive& archive,
@@ -137,6 +141,8 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     run.seed = options.seed;
     run.threads = options.threads;
     run.budget = {options.evaluations, options.seconds, options.stop};
+    if (setup.limits.any_shape())
+        run.budget.seconds *= 1 - share_for_limits;
     const std::string text = stage.text();
     if (!options.starts.empty() && makes_its_own_starts(text))
         throw InputError("design: the pipeline '" + text +
@@ -201,11 +207,18 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
         consider(population[i].genome);
     for (std::size_t i = 0; i < std::min(archive.best.size(), options.compared); ++i)
         consider(archive.best[i].genome);
-    const std::vector<Answer> answers = answers_of(setup, candidates, options.threads);
-    const auto best = std::max_element(answers.begin(), answers.end(), [](const Answer& a, const Answer& b) {
+    std::vector<Answer> answers = answers_of(setup, candidates, options.threads);
+    if (std::none_of(answers.begin(), answers.end(), [](const Answer& a) { return a.within_limits; })) {
+        run.budget = {std::numeric_limits<long>::max(), share_for_limits * options.seconds, options.stop};
+        if (const auto genome = brought_within(problem, candidates, run, result.counters)) {
+            answers.push_back(answer_of(setup, *genome));
+            result.notes.push_back("no answer of the pipeline held every limit; one was brought within them, "
+                                   "without its shortest waves where these were at fault");
+        }
+    }
+    result.best = *std::max_element(answers.begin(), answers.end(), [](const Answer& a, const Answer& b) {
         return std::pair(a.within_limits, a.judged()) < std::pair(b.within_limits, b.judged());
     });
-    result.best = *best;
     result.alternatives = alternatives(setup, result.best, archive, options);
     return result;
 }

@@ -1,0 +1,47 @@
+#include "domain/atomic_file.hpp"
+#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/mwm/waves.hpp"
+#include "tests/apps/program.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using app::testing::Ended;
+using app::testing::Folder;
+using app::testing::rugosa;
+using nlohmann::json;
+
+TEST_CASE("every variant's answer holds every limit, on a grid four times finer too") {
+    const Folder folder;
+    const double slope = 6e-4, height = 2e-4, radius = 5, wave = 0.04;
+    for (const std::string mode : {"", " --max-pressure 1.6e-4"})
+        for (const std::string variant :
+             {"default", "multistart", "plain", "sog", "gco", "cco", "esch", "crs2"}) {
+            const std::string words = "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 128 "
+                                      "--pictures off --seconds 1.5 --largest-slope 6e-4 --largest-height 2e-4 "
+                                      "--smallest-radius 5 --shortest-wave 0.04 --force --out r --variant " +
+                                      variant + mode;
+            const Ended ended = rugosa(words, folder.path());
+            INFO(variant << mode << ": " << ended.out << ended.err);
+            REQUIRE(ended.code == 0);
+            const json answer = json::parse(rough::read_whole(folder / "r/result.json"))["variants"][variant];
+            CHECK(answer["within_limits"] == true);
+            for (const json& margin : answer["margins"])
+                CHECK(margin["margin"].get<double>() >= 0);
+            for (const json& alternative : answer["alternatives"]) {
+                const rough::Genome genome = rough::genome_from_json(alternative["genome"], "genome");
+                const rough::Profile fine = sample(genome, rough::refined({128, 0.84942, false}, 4));
+                const rough::Index n = fine.nodes();
+                const Eigen::VectorXd steep =
+                    (fine.heights.tail(n - 1) - fine.heights.head(n - 1)) / fine.spacing;
+                const Eigen::VectorXd bend = (steep.tail(n - 2) - steep.head(n - 2)) / fine.spacing;
+                CHECK(steep.cwiseAbs().maxCoeff() <= slope);
+                CHECK(fine.heights.maxCoeff() - fine.heights.minCoeff() <= height);
+                CHECK(bend.cwiseAbs().maxCoeff() <= 1 / radius);
+                for (const rough::Series& series : genome.series)
+                    for (const rough::Chromosome& chromosome : series.chromosomes)
+                        CHECK(wave_length(series, chromosome.n) >= wave * (1 - 1e-9));
+            }
+        }
+}
