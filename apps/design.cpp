@@ -13,6 +13,7 @@
 #include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
+#include "ga/checkpoint.hpp"
 
 #include <omp.h>
 

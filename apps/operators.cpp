@@ -1,6 +1,7 @@
 #include "apps/commands.hpp"
 #include "apps/settings.hpp"
 #include "domain/design/pipelines.hpp"
+#include "domain/design/search.hpp"
 #include "domain/variants/paper.hpp"
 #include "ga/text/listing.hpp"
 

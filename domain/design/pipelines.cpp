@@ -1,5 +1,6 @@
 #include "domain/design/pipelines.hpp"
 
+#include "domain/design/search.hpp"
 #include "domain/design/target_dominance.hpp"
 
 namespace rough {

@@ -25,9 +25,4 @@ struct Shape : ga::Operator {
 /// `reduce goal1` and on, one a goal.
 ga::Registry<DesignProblem> design_registry(const DesignSetup& setup);
 
-/// The ways to search that have a name, as text: `default`, `in-line`, `multistart`, `plain`, `sog`, `gco`,
-/// `cco`, for two goals `mcco` and `nsga2`, `esch`, `crs2`. Those that do not begin with `shape` or `sample`
-/// work on the Sobol database.
-const ga::Variants& design_variants();
-
 } // namespace rough

@@ -1,10 +1,12 @@
 #include "domain/design/search.hpp"
 
 #include "domain/design/archive.hpp"
+#include "domain/design/pipelines.hpp"
 #include "domain/design/stored.hpp"
 #include "domain/design/within_limits.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/database.hpp"
+#include "ga/checkpoint.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,8 +1,18 @@
 #pragma once
 
 #include "domain/design/front.hpp"
-#include "domain/design/pipelines.hpp"
-#include "ga/checkpoint.hpp"
+#include "ga/context.hpp"
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <map>
+
+namespace ga {
+template <Problem P>
+class Checkpoints;
+}
 
 namespace rough {
 
@@ -53,8 +63,12 @@ struct SearchResult {
     std::vector<std::string> notes;   ///< remarks of stages
     std::string stopped;              ///< why the search ended before its pipeline; empty when it did not
     std::string pipeline;             ///< as it was run
-    /// How long, from where and by which pipeline to search.
 };
+
+/// The ways to search that have a name, as text: `default`, `in-line`, `multistart`, `plain`, `sog`, `gco`,
+/// `cco`, for two goals `mcco` and `nsga2`, `esch`, `crs2`. Those that do not begin with `shape` or `sample`
+/// work on the Sobol database.
+const std::map<std::string, std::string>& design_variants();
 
 /// The set-up as answers are reported under: solved throughout, to nine digits of a similarity by whatever
 /// solver on grids whose finer one has up to 16385 nodes, to the solver's tolerance on larger ones.
