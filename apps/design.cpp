@@ -239,7 +239,7 @@ int design(const Words& words) {
     run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
     run.verdict = verdict_of(run);
     run.seconds = schedule.spent();
-    if (run.found.stopped.empty())
+    if (run.found.stopped.empty() || (run.options.reach && run.found.best.judged() >= *run.options.reach))
         std::filesystem::remove(checkpoint);
 
     write_result(run, folder);

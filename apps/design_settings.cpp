@@ -100,7 +100,8 @@ std::vector<Setting> design_settings() {
         {"pipeline", "", "how to search: a pipeline as text, in place of a variant"},
         {"seconds", "", "wall time of the whole program [until the pipeline ends]"},
         {"reach-similarity", "",
-         "end as soon as an answer has this similarity on both grids; exit 3 if none has"},
+         "end as soon as an answer has this similarity on both grids, begin anew up to 8 times for it; exit "
+         "3 if none has"},
         {"alternatives", "3", "different answers to return"},
         {"out", "", "folder for the results [out/design, or out/design-2 and on]"},
         {"force", "", "write over an existing result", true},

@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::size_t remembered = 60; ///< individuals an archive keeps
 
+/// How often a pipeline that makes its own starts is begun for a similarity that is asked for.
+constexpr int attempts = 8;
 constexpr std::size_t shown_compromises = 24;
 constexpr Index exactly_reported = 16385;
 constexpr double reported_tolerance = 1e-10;
@@ -88,7 +90,10 @@ std::vector<Genome> database_for(const DesignSetup& setup, int threads) {
 }
 
 bool makes_its_own_starts(const std::string& pipeline) {
-    const auto first = pipeline.find_first_not_of(" \t\n");
+    const std::string begun = "restarts " + std::to_string(attempts) + " { ";
+    auto first = pipeline.find_first_not_of(" \t\n");
+    if (pipeline.compare(first, begun.size(), begun) == 0)
+        first += begun.size();
     return pipeline.compare(first, 6, "shape ") == 0 || pipeline.compare(first, 7, "sample ") == 0;
 }
 
@@ -119,8 +124,9 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     const DesignSetup& setup = problem.setup();
     const auto registry = design_registry(setup);
     ga::Parser<DesignProblem> parser(registry, design_variants());
-    const auto stage =
-        options.pipeline.empty() ? parser.variant(options.variant) : parser.parse(options.pipeline);
+    auto stage = options.pipeline.empty() ? parser.variant(options.variant) : parser.parse(options.pipeline);
+    if (options.reach && makes_its_own_starts(stage.text()))
+        stage = parser.parse("restarts " + std::to_string(attempts) + " { " + stage.text() + " }");
 
     Archive archive(remembered);
     std::vector<Genome> front; // the last that was ranked

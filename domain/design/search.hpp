@@ -35,7 +35,9 @@ struct SearchOptions {
     double seconds = std::numeric_limits<double>::infinity(); ///< of wall time, from the call
     long evaluations = std::numeric_limits<long>::max();      ///< curves and gradients
     const std::atomic<bool>* stop = nullptr;                  ///< somebody asks the search to end
-    std::optional<double> reach;  ///< ends when an answer has this similarity on both grids
+    /// Ends when an answer has this similarity on both grids; a pipeline that makes its own starts is begun
+    /// up to eight times for it.
+    std::optional<double> reach;
     std::size_t alternatives = 3; ///< different answers to return, the best among them
     /// Answers of the pipeline, and best ones of its way, compared on the finer grid at the end.
     std::size_t compared = 3;

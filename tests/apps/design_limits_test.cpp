@@ -15,11 +15,12 @@ using nlohmann::json;
 TEST_CASE("every variant's answer holds every limit, on a grid four times finer too") {
     const Folder folder;
     const double slope = 6e-4, height = 2e-4, radius = 5, wave = 0.04;
+    const std::vector<std::string> all{"default", "multistart", "plain", "sog", "gco", "cco", "esch", "crs2"};
+    const std::vector<std::string> few{"default", "sog", "gco"}; // Eq. 11 leaves amplitude no freedom
     for (const std::string mode : {"", " --max-pressure 1.6e-4"})
-        for (const std::string variant :
-             {"default", "multistart", "plain", "sog", "gco", "cco", "esch", "crs2"}) {
+        for (const std::string& variant : mode.empty() ? all : few) {
             const std::string words = "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 128 "
-                                      "--pictures off --seconds 1.5 --largest-slope 6e-4 --largest-height 2e-4 "
+                                      "--pictures off --largest-slope 6e-4 --largest-height 2e-4 "
                                       "--smallest-radius 5 --shortest-wave 0.04 --force --out r --variant " +
                                       variant + mode;
             const Ended ended = rugosa(words, folder.path());
