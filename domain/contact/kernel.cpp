@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace rough {
 
@@ -51,7 +52,9 @@ Eigen::VectorXd periodic_spectrum(Index nodes) {
     return spectrum;
 }
 
-Eigen::VectorXd influence_column(Kernel kernel, Index nodes, double datum, double strip_width) {
+namespace {
+
+Eigen::VectorXd computed_column(Kernel kernel, Index nodes, double datum, double strip_width) {
     Eigen::VectorXd column(nodes);
     switch (kernel) {
     case Kernel::free: {
@@ -79,6 +82,21 @@ Eigen::VectorXd influence_column(Kernel kernel, Index nodes, double datum, doubl
         break;
     }
     return column;
+}
+
+} // namespace
+
+Eigen::VectorXd influence_column(Kernel kernel, Index nodes, double datum, double strip_width) {
+    // A search asks for the same one again and again.
+    struct Last {
+        std::tuple<Kernel, Index, double, double> of;
+        Eigen::VectorXd column;
+    };
+    thread_local Last last;
+    const std::tuple asked(kernel, nodes, datum, strip_width);
+    if (last.column.size() == 0 || last.of != asked)
+        last = {asked, computed_column(kernel, nodes, datum, strip_width)};
+    return last.column;
 }
 
 } // namespace rough

@@ -1,5 +1,6 @@
 #include "domain/mwm/sampling.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,25 +8,32 @@ namespace rough {
 
 namespace {
 
-/// Fills cos(k i delta + phase) and sin(...) for i = 0..N-1. Two short tables and the addition theorem in
-/// place of a cosine a node; each value is a product of two correctly rounded tables, so errors do not build
-/// up along x.
-template <class Cosines, class Sines>
-void fill_wave(double step, double phase, Cosines&& cosines, Sines&& sines) {
+/// cos and sin of from + step * j, j = 0..count-1, doubled by the addition theorem: each value is a product
+/// of no more than 1 + log2(count) correctly rounded ones, so errors do not build up along x.
+struct Turns {
+    Eigen::ArrayXd cosines, sines;
+
+    Turns(double from, double step, Index count) : cosines(count), sines(count) {
+        cosines[0] = std::cos(from);
+        sines[0] = std::sin(from);
+        for (Index known = 1; known < count; known *= 2) {
+            const Index next = std::min(known, count - known);
+            const double turn = step * static_cast<double>(known), c = std::cos(turn), s = std::sin(turn);
+            cosines.segment(known, next) = c * cosines.head(next) - s * sines.head(next);
+            sines.segment(known, next) = s * cosines.head(next) + c * sines.head(next);
+        }
+    }
+};
+
+/// Calls use(start, count, c, s, fine): at node start + j, j < count, the wave's angle is that of (c, s) and
+/// of fine's j-th turn together.
+template <class Use>
+void along_wave(double step, double phase, Index nodes, Use use) {
     constexpr Index block = 32;
-    const Index nodes = cosines.size();
-    Eigen::Array<double, block, 1> fine_cos, fine_sin;
-    for (Index j = 0; j < block; ++j) {
-        fine_cos[j] = std::cos(step * static_cast<double>(j));
-        fine_sin[j] = std::sin(step * static_cast<double>(j));
-    }
-    for (Index start = 0; start < nodes; start += block) {
-        const Index count = std::min(block, nodes - start);
-        const double angle = step * static_cast<double>(start) + phase;
-        const double c = std::cos(angle), s = std::sin(angle);
-        cosines.segment(start, count) = c * fine_cos.head(count) - s * fine_sin.head(count);
-        sines.segment(start, count) = s * fine_cos.head(count) + c * fine_sin.head(count);
-    }
+    const Turns fine(0, step, std::min(block, nodes));
+    const Turns starts(phase, step * block, (nodes + block - 1) / block);
+    for (Index b = 0; b < starts.cosines.size(); ++b)
+        use(b * block, std::min(block, nodes - b * block), starts.cosines[b], starts.sines[b], fine);
 }
 
 } // namespace
@@ -38,21 +46,28 @@ Grid refined(const Grid& grid, Index refine) {
 
 Profile sample(const Genome& genome, const Grid& grid) {
     Profile profile{Eigen::VectorXd::Zero(grid.nodes), grid.spacing()};
-    Eigen::ArrayXd cosines(grid.nodes), sines(grid.nodes);
-    for (const Wave& wave : waves(genome)) {
-        fill_wave(wave.wave_number * profile.spacing, wave.phase + wave.wave_number * grid.from, cosines,
-                  sines);
-        profile.heights.array() += wave.offset - wave.amplitude * cosines; // Eq. 9
-    }
+    for (const Wave& wave : waves(genome)) // Eq. 9
+        along_wave(wave.wave_number * profile.spacing, wave.phase + wave.wave_number * grid.from, grid.nodes,
+                   [&](Index start, Index count, double c, double s, const Turns& fine) {
+                       profile.heights.segment(start, count).array() +=
+                           wave.offset - (wave.amplitude * c) * fine.cosines.head(count) +
+                           (wave.amplitude * s) * fine.sines.head(count);
+                   });
     return profile;
 }
 
 Eigen::MatrixXd wave_basis(const Genome& genome, const Grid& grid) {
     const auto all = waves(genome);
     Eigen::MatrixXd basis(grid.nodes, 2 * static_cast<Index>(all.size()));
-    for (Index c = 0; c < static_cast<Index>(all.size()); ++c) {
-        const double k = all[static_cast<std::size_t>(c)].wave_number;
-        fill_wave(k * grid.spacing(), k * grid.from, basis.col(2 * c).array(), basis.col(2 * c + 1).array());
+    for (Index w = 0; w < static_cast<Index>(all.size()); ++w) {
+        const double k = all[static_cast<std::size_t>(w)].wave_number;
+        along_wave(k * grid.spacing(), k * grid.from, grid.nodes,
+                   [&](Index start, Index count, double c, double s, const Turns& fine) {
+                       basis.col(2 * w).segment(start, count).array() =
+                           c * fine.cosines.head(count) - s * fine.sines.head(count);
+                       basis.col(2 * w + 1).segment(start, count).array() =
+                           s * fine.cosines.head(count) + c * fine.sines.head(count);
+                   });
     }
     return basis;
 }
