@@ -206,12 +206,13 @@ class Paper {
 
     Run run_pipeline(const Variant& variant, const RescaledProblem& problem,
                      const std::vector<ga::Observer<rough::Genome>>& observers,
-                     ga::Keeper<RescaledProblem>* keeper = nullptr) const {
+                     ga::Keeper<RescaledProblem>* keeper = nullptr, bool screening = false) const {
         ga::RunOptions options;
         options.variant = variant.name;
         options.seed = run_.seed;
         options.threads = run_.threads;
         options.budget.stop = &stop_;
+        options.screening = screening;
         return ga::run(variant.pipeline, problem, ga::population(genomes_), options, observers, keeper);
     }
 
@@ -234,8 +235,8 @@ class Paper {
                                                      description(problem), keeping_.resume);
         checkpoints.keep("stages", stages);
         checkpoints.keep("log", log.position);
-        const Run result =
-            run_pipeline(variant, problem, {recorder(stages), log.observer(problem)}, &checkpoints);
+        const Run result = run_pipeline(variant, problem, {recorder(stages), log.observer(problem)},
+                                        &checkpoints, settings_.is_on("paper.fidelity"));
         log.close();
         return told(variant, problem, result, std::move(stages));
     }
@@ -321,6 +322,9 @@ std::vector<Setting> paper_settings() {
          "Algorithm 1 compares curves at the same pressure, or at the same load step"},
         {"paper.phase-relative", "0.1", "how far refinement moves a phase, over its own value"},
         {"paper.phase-absolute", "0", "the same in rad, added"},
+        {"paper.fidelity", "off",
+         "on gives up evaluations on the way that can no longer be among those kept: same answers, fewer "
+         "seconds; stages then list only who had a chance"},
         {"database.pairs", "20", "Sobol pairs (H, gamma)"},
         {"database.phase-columns", "5", "Sobol phase columns"},
         {"database.H-from", "0.5", "lowest H"},

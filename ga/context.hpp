@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ga/demand.hpp"
 #include "ga/evaluator.hpp"
 
 #include <deque>
@@ -152,6 +153,20 @@ class Context {
     }
     /// None until something was scored.
     const std::optional<Individual<Genome>>& best() const { return best_; }
+
+    /// Whether `score` may leave out whom the stage after it would not keep anyway.
+    void screen(bool on) { screens_ = on; }
+    /// What the stage after the one that runs will keep.
+    void expect(std::optional<Demand> demand) { demand_ = std::move(demand); }
+    /// The same, where the run may make use of it.
+    std::optional<Demand> demand() const { return screens_ ? demand_ : std::nullopt; }
+
+    /// Notes how many `score` left out of the population that the stage after it gets.
+    void leave_out(std::size_t count) {
+        left_out_ = count;
+        counters().given_up += static_cast<long>(count);
+    }
+    std::size_t left_out() const { return left_out_; } ///< by the last `score`
 
     /// A remark for the run's result, under the path of the stage that runs.
     void note(const std::string& text) { notes_.push_back(path() + ": " + text); }
@@ -345,6 +360,9 @@ class Context {
     std::optional<Individual<Genome>> best_;
     std::vector<std::string> notes_;
     Keeper<P>* keeper_ = nullptr;
+    std::optional<Demand> demand_;
+    bool screens_ = false;
+    std::size_t left_out_ = 0;
     double earlier_seconds_ = 0;
     bool stop_kept_ = false;
 };

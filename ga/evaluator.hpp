@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace ga {
 
@@ -125,6 +126,19 @@ class Evaluator {
         prepaid_.at(print) = std::move(evaluation);
     }
 
+    /// Puts an evaluation that was given up aside, in case another objective wants it: the last few hundred.
+    void shelve(const Fingerprint& print, std::unique_ptr<Appraisal<Outcome>> work) {
+        constexpr std::size_t most = 256;
+        if (shelf_.size() >= most)
+            shelf_.clear();
+        shelf_[{print.low, print.high}] = std::move(work);
+    }
+    /// Takes it back; null where there is none.
+    std::unique_ptr<Appraisal<Outcome>> unshelve(const Fingerprint& print) {
+        const auto found = shelf_.extract({print.low, print.high});
+        return found.empty() ? nullptr : std::move(found.mapped());
+    }
+
   private:
     struct Request {
         Individual<Genome>* individual;
@@ -210,6 +224,7 @@ class Evaluator {
     Watch watch_;
     Memory<Outcome> memory_;
     Table<Evaluation<Outcome>> prepaid_;
+    std::map<std::pair<std::uint64_t, std::uint64_t>, std::unique_ptr<Appraisal<Outcome>>> shelf_;
     std::vector<Request> queue_;
     std::vector<Fresh> fresh_;
     std::size_t heaviest_ = 0;

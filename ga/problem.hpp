@@ -6,6 +6,8 @@
 
 #include <concepts>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -112,6 +114,26 @@ concept Bounded = requires(const P& problem, const typename P::Genome& genome) {
 template <class P>
 concept Sampled = requires(const P& problem, Stream& stream) {
     { problem.sample(stream) } -> std::same_as<typename P::Genome>;
+};
+
+/// An evaluation under way that may be given up when its fitness is sure to be too low.
+template <class Outcome>
+class Appraisal {
+  public:
+    virtual ~Appraisal() = default;
+    /// The fitness under the objective (a place in the problem's list) is no higher. Never rises.
+    virtual double bound(std::size_t objective) = 0;
+    /// Works on for a while.
+    virtual void advance() = 0;
+    /// What `evaluate` would give, bit for bit; nothing until the work is done.
+    virtual std::optional<Outcome> outcome() = 0;
+};
+
+/// Optional: evaluations that tell on the way how good they can still become. Null for a genome that cannot
+/// be appraised so. Called from several threads at once.
+template <class P>
+concept Appraises = Problem<P> && requires(const P& problem, const typename P::Genome& genome) {
+    { problem.appraise(genome) } -> std::same_as<std::unique_ptr<Appraisal<typename P::Outcome>>>;
 };
 
 /// The identity under which the genome's outcome is remembered.

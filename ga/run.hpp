@@ -10,7 +10,11 @@ struct RunOptions {
     std::uint64_t seed = 1;                          ///< of every random stream
     int threads = 0;                                 ///< 0: as many as OpenMP has; decides no result
     std::size_t memory_bytes = std::size_t{1} << 30; ///< for known outcomes; decides no result
-    Budget budget = {};                              ///< when to stop before the pipeline ends
+    /// Where `score` is followed by a stage that keeps the best or those above a threshold, evaluations of
+    /// the others are given up on the way if the problem can (Appraises). Same survivors, fewer seconds; what
+    /// observers see after such a score is the survivors' rivals only. Decides no survivor.
+    bool screening = false;
+    Budget budget = {}; ///< when to stop before the pipeline ends
 };
 
 /// What a run gives back.
@@ -71,6 +75,7 @@ requires(std::convertible_to<Pipeline, Stage<P>>) Result<G> run(const Pipeline& 
         next = std::max(next, individual.identity + 1);
     Evaluator<P> evaluator(problem, thread_count(options.threads), options.memory_bytes, options.budget);
     Context<P> context(evaluator, options.variant, options.seed, next, std::move(observers));
+    context.screen(options.screening);
     Result<G> result;
     try {
         std::optional<Population<G>> answer;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ga/screening.hpp"
 #include "ga/stage.hpp"
 
 namespace ga {
@@ -17,6 +18,11 @@ struct Score : Operator {
     template <Problem P>
     Population<typename P::Genome> operator()(Population<typename P::Genome> population,
                                               Context<P>& context) const {
+        context.leave_out(0);
+        if constexpr (Appraises<P>)
+            if (const auto demand = context.demand())
+                population =
+                    Screening<P>(context, context.objective_index(objective), *demand)(std::move(population));
         context.score(population, objective);
         return population;
     }

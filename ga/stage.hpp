@@ -13,7 +13,8 @@ struct Step {
     std::string text;                  ///< as pipelines write it
     std::function<void(Known&)> check; ///< what it needs and makes known
     std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply; ///< what it does
-    std::size_t reads_of_start = 0; ///< how many of the best at the start of its generation it reads
+    std::size_t reads_of_start = 0;    ///< how many of the best at the start of its generation it reads
+    std::optional<Demand> demand = {}; ///< whom it keeps of a scored population, where it says so
 };
 
 /// An operator is a small struct with
@@ -24,6 +25,8 @@ struct Step {
 /// deriving from this tag, which gives it `|`. One that reads the start of its generation says how much of it
 /// by
 ///     std::size_t reads_of_start() const;                        the best so many; everyone for all
+/// One that keeps a part of a scored population, whatever the others' fitness, says which by
+///     Demand demand() const;
 /// One that needs of a problem what no concept can tell has `template <Problem P> void check_problem()
 /// const`.
 struct Operator {};
@@ -72,7 +75,7 @@ class Stage {
                  [op](Population<Genome> population, Context<P>& context) {
                      return op(std::move(population), context);
                  },
-                 start_of(op)});
+                 start_of(op), demand_of(op)});
     }
     /// Operators joined by `|` before the problem was known.
     template <class A, class B>
@@ -108,6 +111,8 @@ class Stage {
     Population<Genome> operator()(Population<Genome> population, Context<P>& context) const {
         typename Context<P>::OpenFrame frame(context, std::move(population));
         while (frame->next < places_.size()) {
+            context.expect(frame->next + 1 < places_.size() ? places_[frame->next + 1].step.demand
+                                                            : std::nullopt);
             apply(places_[frame->next], *frame, context);
             ++frame->next;
             context.pause();
@@ -156,6 +161,13 @@ class Stage {
         context.show(frame.population);
     }
 
+    template <class Op>
+    static std::optional<Demand> demand_of(const Op& op) {
+        if constexpr (requires { op.demand(); })
+            return op.demand();
+        else
+            return std::nullopt;
+    }
     template <class Op>
     static std::size_t start_of(const Op& op) {
         if constexpr (requires { op.reads_of_start(); })

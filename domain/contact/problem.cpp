@@ -105,6 +105,17 @@ SingleFourierOperator single_fourier_operator(const ContactProblem& problem) {
     return operator_of<SingleFourierOperator>(problem);
 }
 
+LoadStep load_step(const ContactProblem& problem, double displacement, const StepSolution& found) {
+    LoadStep step;
+    step.displacement = displacement;
+    step.pressure = found.pressure.sum() / problem.elements * problem.pressure_unit;
+    step.tangent_stiffness = found.stiffness * problem.stiffness_unit;
+    step.kkt_residual = found.residual;
+    step.contact_nodes = static_cast<Index>(found.nodes.size());
+    step.contact_fraction = static_cast<double>(step.contact_nodes) / static_cast<double>(problem.nodes());
+    return step;
+}
+
 void check_stop(const ContactOptions& options) {
     if (options.stop && options.stop())
         throw NotConverged("stopped before the contact was solved");

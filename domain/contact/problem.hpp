@@ -47,6 +47,9 @@ struct StepSolution {
     double residual = 0;      ///< certificate
 };
 
+/// The same in MPa and mm; `displacement` is its own, mm.
+LoadStep load_step(const ContactProblem& problem, double displacement, const StepSolution& found);
+
 /// What a solver returns.
 struct Solution {
     std::vector<StepSolution> steps; ///< one an approach

@@ -22,15 +22,7 @@ ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& 
     curve.iterations = solution.iterations;
     for (std::size_t j = 0; j < solution.steps.size(); ++j) {
         StepSolution& found = solution.steps[j];
-        LoadStep step;
-        step.displacement = displacements[j];
-        step.pressure = found.pressure.sum() / problem.elements * problem.pressure_unit;
-        step.tangent_stiffness = found.stiffness * problem.stiffness_unit;
-        step.kkt_residual = found.residual;
-        step.contact_nodes = static_cast<Index>(found.nodes.size());
-        step.contact_fraction =
-            static_cast<double>(step.contact_nodes) / static_cast<double>(problem.nodes());
-        curve.steps.push_back(step);
+        curve.steps.push_back(load_step(problem, displacements[j], found));
         if (states) {
             // w = H_AA^-1 1 in MPa/mm, so that dP/dDelta = (delta/L) sum w
             const double tangent_unit = problem.stiffness_unit * problem.elements;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "domain/design/problem.hpp"
+#include "domain/fitness/stiffness_limits.hpp"
 
 namespace rough {
 
@@ -22,14 +23,5 @@ struct OutOfReach {
 /// - P(Delta) is convex from (0, 0) on, for the same reason, and no steeper than full contact.
 /// Nothing is found where a band allows a curve of that kind. The worst of each kind is returned.
 std::vector<OutOfReach> out_of_reach(const DesignSetup& setup);
-
-/// The stiffness of one node alone and of full contact on the grid, MPa/mm; infinite where the kernel is
-/// periodic.
-struct StiffnessLimits {
-    double least; ///< of one node alone, MPa/mm
-    double most;  ///< of full contact, MPa/mm
-};
-/// Of the model's grid and body.
-StiffnessLimits stiffness_limits(const Model& model);
 
 } // namespace rough

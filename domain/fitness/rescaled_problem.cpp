@@ -1,8 +1,14 @@
 #include "domain/fitness/rescaled_problem.hpp"
 
+#include "domain/contact/stepped.hpp"
 #include "domain/errors.hpp"
+#include "domain/fitness/similarity_bound.hpp"
+#include "domain/fitness/stiffness_limits.hpp"
 #include "domain/response/sensitivity.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -22,12 +28,77 @@ Genome at_scale_one(Genome genome) {
     return genome;
 }
 
+/// A grid this coarse tells full contact's stiffness from above, and at once.
+constexpr Index full_contact_nodes = 128;
+/// Beyond so many nodes the nested factor may not fit.
+constexpr Index most_appraised_nodes = 8192;
+
+double stiffest(Model model) {
+    model.grid.nodes = std::min(model.grid.nodes, full_contact_nodes);
+    return stiffness_limits(model).most;
+}
+
+/// One genome's load steps as far as they are solved.
+class Steps : public ga::Appraisal<RescaledResponse> {
+  public:
+    Steps(const RescaledProblem& problem, Genome shape, const Profile& profile,
+          std::vector<SimilarityBound> bounds)
+        : problem_(problem), shape_(std::move(shape)),
+          range_(displacement_range(profile, problem.model().body.kernel)),
+          contact_(profile, problem.model().body,
+                   step_displacements(profile, problem.model().body, problem.model().loading,
+                                      problem.model().contact),
+                   problem.model().contact),
+          similarity_(std::move(bounds)), at_once_(std::max<std::size_t>(1, count() / 20)) {
+        // Sooner than after a tenth of the steps hardly a curve can be told from another.
+        while (contact_.steps().size() < std::max<std::size_t>(2, count() / 10))
+            contact_.press();
+    }
+
+    double bound(std::size_t objective) override {
+        if (std::isinf(bound_[objective]))
+            judge(objective);
+        return bound_[objective];
+    }
+    void advance() override {
+        for (std::size_t i = 0; i < at_once_ && !contact_.done(); ++i)
+            contact_.press();
+        for (std::size_t objective = 0; objective < bound_.size(); ++objective)
+            if (std::isfinite(bound_[objective])) // somebody has asked for it
+                judge(objective);
+    }
+    std::optional<RescaledResponse> outcome() override {
+        if (!contact_.done())
+            return std::nullopt;
+        return contact_.is_own_choice()
+                   ? problem_.of_response(shape_, response_of(contact_.steps(), Solver::nested, range_))
+                   : problem_.evaluate(shape_);
+    }
+
+  private:
+    std::size_t count() const { return contact_.displacements().size(); }
+    void judge(std::size_t objective) {
+        double& bound = bound_[objective];
+        if (!contact_.done())
+            bound = std::min(bound, similarity_[objective](contact_.steps(), count()));
+    }
+
+    const RescaledProblem& problem_;
+    Genome shape_;
+    double range_;
+    SteppedContact contact_;
+    std::vector<SimilarityBound> similarity_; ///< of each objective
+    std::size_t at_once_;
+    std::vector<double> bound_ =
+        std::vector<double>(similarity_.size(), std::numeric_limits<double>::infinity());
+};
+
 } // namespace
 
 RescaledProblem::RescaledProblem(Model model, Target target, double max_pressure, double threshold,
                                  std::shared_ptr<ResponseMemory> memory, PhaseReach reach)
     : model_(std::move(model)), target_(std::move(target)), max_pressure_(max_pressure),
-      memory_(std::move(memory)), reach_(reach) {
+      memory_(std::move(memory)), reach_(reach), stiffest_(stiffest(model_)) {
     validate(target_);
     if (!(max_pressure > 0) || target_.highest_pressure() > max_pressure * (1 + 1e-9)) {
         std::ostringstream line;
@@ -61,15 +132,31 @@ const std::vector<Index>& RescaledProblem::points_of(const std::string& objectiv
 }
 
 RescaledResponse RescaledProblem::evaluate(const Genome& genome) const {
-    if (!memory_)
-        return rescaled(respond(at_scale_one(genome), model_), max_pressure_);
-    const std::string shape = shape_key(genome);
-    std::optional<Response> response = memory_->find(shape);
-    if (!response) {
-        response = respond(at_scale_one(genome), model_);
-        memory_->keep(shape, *response);
-    }
-    return rescaled(std::move(*response), max_pressure_);
+    if (memory_)
+        if (std::optional<Response> known = memory_->find(shape_key(genome)))
+            return rescaled(std::move(*known), max_pressure_);
+    return of_response(genome, respond(at_scale_one(genome), model_));
+}
+
+RescaledResponse RescaledProblem::of_response(const Genome& genome, Response response) const {
+    if (memory_)
+        memory_->keep(shape_key(genome), response);
+    return rescaled(std::move(response), max_pressure_);
+}
+
+std::unique_ptr<ga::Appraisal<RescaledResponse>> RescaledProblem::appraise(const Genome& genome) const {
+    const Solver solver = model_.contact.solver;
+    if (model_.accuracy > 0 || (solver != Solver::automatic && solver != Solver::nested) ||
+        model_.grid.nodes > most_appraised_nodes || (memory_ && memory_->find(shape_key(genome))))
+        return nullptr;
+    const Genome shape = at_scale_one(genome);
+    const Profile profile = sample(shape, model_.grid);
+    if (is_flat(profile, shape)) // evaluate says so
+        return nullptr;
+    std::vector<SimilarityBound> bounds;
+    for (const auto& [name, points] : points_)
+        bounds.emplace_back(target_, points, max_pressure_, stiffest_);
+    return std::make_unique<Steps>(*this, shape, profile, std::move(bounds));
 }
 
 Genome RescaledProblem::settled(Genome genome, const Outcome& outcome) const {

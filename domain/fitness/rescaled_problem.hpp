@@ -33,6 +33,12 @@ class RescaledProblem {
     /// The genome's response at scale 1, within the model's accuracy, and the scale that Eq. 11 gives it.
     /// Throws NotConverged.
     Outcome evaluate(const Genome& genome) const;
+    /// The outcome of a genome whose response at scale 1 this is.
+    Outcome of_response(const Genome& genome, Response response) const;
+    /// An evaluation that goes from one load step to the next and tells after each how similar the curve can
+    /// still be. Null where the response is known, where it need not be exact, or where another solver than
+    /// the nested factor is asked for.
+    std::unique_ptr<ga::Appraisal<Outcome>> appraise(const Genome& genome) const;
     /// similarity (Eq. 12 over all points), low, high
     const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
 
@@ -70,6 +76,7 @@ class RescaledProblem {
     double max_pressure_;
     std::shared_ptr<ResponseMemory> memory_;
     PhaseReach reach_;
+    double stiffest_; ///< no tangent is above it, MPa/mm
     std::vector<std::pair<std::string, std::vector<Index>>> points_;
     std::vector<ga::Objective<Outcome>> objectives_;
 };

@@ -14,13 +14,19 @@ namespace rough {
 namespace {
 
 Response from_curve(const ContactCurve& curve, double range) {
-    const auto count = static_cast<Index>(curve.steps.size());
-    Response response{range, {}, {}, {}, {}, {}, curve.solver};
+    return response_of(curve.steps, curve.solver, range);
+}
+
+} // namespace
+
+Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range) {
+    const auto count = static_cast<Index>(steps.size());
+    Response response{range, {}, {}, {}, {}, {}, solver};
     for (auto* column : {&response.displacement, &response.pressure, &response.contact_fraction,
                          &response.tangent_stiffness, &response.kkt_residual})
         column->resize(count);
     for (Index j = 0; j < count; ++j) {
-        const LoadStep& step = curve.steps[static_cast<std::size_t>(j)];
+        const LoadStep& step = steps[static_cast<std::size_t>(j)];
         response.displacement[j] = step.displacement;
         response.pressure[j] = step.pressure;
         response.contact_fraction[j] = step.contact_fraction;
@@ -29,8 +35,6 @@ Response from_curve(const ContactCurve& curve, double range) {
     }
     return response;
 }
-
-} // namespace
 
 double displacement_range(const Profile& profile, Kernel kernel) {
     if (profile.nodes() < 2)

@@ -27,6 +27,9 @@ struct Response {
     Index steps() const { return displacement.size(); } ///< how many load steps
 };
 
+/// The response whose rows are these load steps; `range` in mm.
+Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range);
+
 /// How a response changes with the heights, by the adjoint (no further solve).
 struct ResponseGradient {
     Eigen::MatrixXd pressure;             ///< dP_j/dZ_i, steps x N, MPa/mm; each row sums to zero

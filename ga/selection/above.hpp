@@ -30,6 +30,10 @@ struct Threshold : Operator {
     }
     void check(Known& known) const { known.need_score(text()); }
 
+    std::optional<Demand> demand() const {
+        return upwards ? std::optional(Demand{least.count, threshold}) : std::nullopt;
+    }
+
     template <Problem P>
     Population<typename P::Genome> operator()(Population<typename P::Genome> population,
                                               Context<P>& context) const {
@@ -42,8 +46,8 @@ struct Threshold : Operator {
         if (passed.size() >= std::max<std::size_t>(1, least.count))
             return passed;
         const std::string counted = std::to_string(passed.size()) + " of " +
-                                    std::to_string(population.size()) + (upwards ? " above " : " below ") +
-                                    number(threshold);
+                                    std::to_string(population.size() + context.left_out()) +
+                                    (upwards ? " above " : " below ") + number(threshold);
         Population<G> nearest = nearest_to_passing(population);
         if (nearest.empty())
             throw NothingLeft(context.path() + ": " + counted + "; expected one at least, or at_least=K");

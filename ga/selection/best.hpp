@@ -50,6 +50,8 @@ struct Best : Operator {
     std::string text() const { return "best " + std::to_string(n); }
     void check(Known& known) const { known.need_score(text()); }
 
+    Demand demand() const { return {.best = n}; }
+
     template <Problem P>
     Population<typename P::Genome> operator()(Population<typename P::Genome> population, Context<P>&) const {
         return best_of(population, n);

@@ -1,0 +1,124 @@
+#pragma once
+
+#include "ga/context.hpp"
+
+namespace ga {
+
+/// Leaves out of a population those whom the next stage would not keep, without evaluating them to the end:
+/// every evaluation tells how good it can still become (Appraises), the most promising are worked on first,
+/// and one that can no longer reach those already known is given up. Who is left, and with what fitness, is
+/// just what scoring everybody would have given the next stage; what was evaluated for it is not paid twice.
+/// The order of work depends on bounds alone, so the number of threads decides nothing.
+template <Appraises P>
+class Screening {
+  public:
+    using Genome = typename P::Genome;   ///< of the problem
+    using Outcome = typename P::Outcome; ///< of the problem
+
+    /// By this objective (a place in the problem's list), for a stage that keeps so many.
+    Screening(Context<P>& context, std::size_t objective, const Demand& demand)
+        : context_(context), which_(objective), objective_(context.problem().objectives()[objective]),
+          name_(objective_.name), floor_(demand) {}
+
+    /// The population without those given up, in its order.
+    Population<Genome> operator()(Population<Genome> population) {
+        std::vector<char> given_up(population.size(), 0);
+        for (std::size_t first = 0; first < population.size(); first += at_once)
+            screen(population, first, std::min(first + at_once, population.size()), given_up);
+        Population<Genome> left;
+        for (std::size_t i = 0; i < population.size(); ++i)
+            if (!given_up[i])
+                left.push_back(std::move(population[i]));
+        context_.leave_out(population.size() - left.size());
+        return left;
+    }
+
+  private:
+    /// Evaluations under way at a time, for their memory, and worked on between two looks at the floor.
+    static constexpr std::size_t at_once = 256, abreast = 8;
+
+    struct Candidate {
+        std::size_t place;
+        std::unique_ptr<Appraisal<Outcome>> work;
+        std::optional<Outcome> outcome = {};
+    };
+
+    void screen(const Population<Genome>& population, std::size_t first, std::size_t last,
+                std::vector<char>& given_up) {
+        std::vector<Candidate> open = begin(population, first, last);
+        const auto bound = [this](Candidate& one) { return one.work->bound(which_); };
+        while (!open.empty() && !context_.evaluator().watch().expired()) {
+            const std::size_t count = std::min(abreast, open.size());
+            std::partial_sort(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(count), open.end(),
+                              [&](Candidate& a, Candidate& b) {
+                                  const double x = bound(a), y = bound(b);
+                                  return x != y ? x > y : a.place < b.place;
+                              });
+            if (bound(open.front()) < floor_.value())
+                break;
+            parallel_for(count, context_.threads(), [&](std::size_t i) { work_on(open[i]); });
+            for (std::size_t i = 0; i < count; ++i)
+                if (open[i].outcome)
+                    take(population[open[i].place].genome, std::move(*open[i].outcome));
+            std::erase_if(open, [](const Candidate& one) { return !one.work || one.outcome; });
+        }
+        for (Candidate& one : open)
+            if (bound(one) < floor_.value()) {
+                given_up[one.place] = 1;
+                context_.evaluator().shelve(print_of(population[one.place]), std::move(one.work));
+            }
+    }
+
+    /// Whose fitness is known counts at once; whose evaluation cannot be appraised is left to `score`.
+    std::vector<Candidate> begin(const Population<Genome>& population, std::size_t first, std::size_t last) {
+        std::vector<Candidate> all;
+        for (std::size_t i = first; i < last; ++i) {
+            const auto& individual = population[i];
+            if (individual.fitness.known(name_))
+                offer(individual.fitness);
+            else if (const auto* known = context_.evaluator().memory().find(print_of(individual)))
+                offer(Evaluator<P>::judge(*known, objective_, name_));
+            else
+                all.push_back({i, context_.evaluator().unshelve(print_of(individual))});
+        }
+        parallel_for(all.size(), context_.threads(), [&](std::size_t i) {
+            try {
+                if (!all[i].work)
+                    all[i].work = context_.problem().appraise(population[all[i].place].genome);
+            } catch (const std::exception&) { // evaluate will say why
+            }
+        });
+        std::erase_if(all, [](const Candidate& one) { return !one.work; });
+        return all;
+    }
+
+    static void work_on(Candidate& one) {
+        try {
+            if (!(one.outcome = one.work->outcome()))
+                one.work->advance();
+        } catch (const std::exception&) { // evaluate will say why
+            one.work.reset();
+        }
+    }
+    Fingerprint print_of(const Individual<Genome>& individual) const {
+        return identify(context_.problem(), individual.genome);
+    }
+
+    void take(const Genome& genome, Outcome outcome) {
+        Evaluation<Outcome> evaluation(std::move(outcome));
+        offer(Evaluator<P>::judge(evaluation, objective_, name_));
+        context_.evaluator().prepay(identify(context_.problem(), genome), std::move(evaluation));
+    }
+    void offer(const Fitness& fitness) {
+        if (!fitness.has_failed())
+            floor_.offer(fitness.value());
+    }
+
+    Context<P>& context_;
+    std::size_t which_;
+    const Objective<Outcome>& objective_;
+    Name name_;
+    Floor floor_;
+};
+
+} // namespace ga

@@ -1,0 +1,125 @@
+#include "domain/contact/stepped.hpp"
+#include "domain/fitness/similarity_bound.hpp"
+#include "domain/fitness/stiffness_limits.hpp"
+#include "domain/mwm/database.hpp"
+#include "domain/response/similarity.hpp"
+#include "domain/variants/paper.hpp"
+#include "tests/domain/twenty_targets.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <numeric>
+
+using namespace rough;
+
+namespace {
+
+Model model_on(Kernel kernel, Index nodes) {
+    Model model;
+    model.grid.nodes = nodes;
+    model.grid.wraps = kernel == Kernel::periodic;
+    model.body.kernel = kernel;
+    model.body.strip_width = model.grid.length / 511;
+    model.loading.reach = kernel == Kernel::periodic ? 0.9 : 1;
+    return model;
+}
+
+} // namespace
+
+TEST_CASE("a curve pressed step by step is the nested solver's, bit for bit, and may be left at any step") {
+    std::mt19937_64 random(41);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
+        const Model model = model_on(kernel, 200);
+        const Profile profile = sample(testing::random_genome(random, 1, 1, 0.84942, 0.02), model.grid);
+        const auto displacements =
+            load_displacements(displacement_range(profile, kernel), model.loading, kernel);
+        const ContactCurve whole =
+            solve_contact(profile, model.body, displacements, {.solver = Solver::nested});
+        SteppedContact stepped(profile, model.body, displacements, {});
+        CHECK(stepped.is_own_choice());
+        while (!stepped.done()) {
+            stepped.press();
+            const LoadStep &one = stepped.steps().back(), &other = whole.steps[stepped.steps().size() - 1];
+            CHECK(one.displacement == other.displacement);
+            CHECK(one.pressure == other.pressure);
+            CHECK(one.tangent_stiffness == other.tangent_stiffness);
+            CHECK(one.kkt_residual == other.kkt_residual);
+            CHECK(one.contact_nodes == other.contact_nodes);
+        }
+    }
+}
+
+TEST_CASE("no curve is more similar than its first steps allow, on every kernel") {
+    std::mt19937_64 random(42);
+    const auto targets = testing::twenty_targets(RUGOSA_TEST_DATA);
+    constexpr double highest = 1.6e-4;
+    double gap_late = 0, gap_early = 0;
+    int curves = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        const auto kernel = static_cast<Kernel>(trial % 3);
+        const Model model = model_on(kernel, 120);
+        const Genome genome = testing::random_genome(random, 1 + trial % 2, 1, 0.84942, 0.01);
+        const Profile profile = sample(genome, model.grid);
+        SteppedContact contact(profile, model.body,
+                               load_displacements(displacement_range(profile, kernel), model.loading, kernel),
+                               {});
+        while (!contact.done())
+            contact.press();
+        const auto& steps = contact.steps();
+        const Curve curve = stretched(secant_stiffness(response_of(steps, Solver::nested, 1)),
+                                      highest / steps.back().pressure);
+        const double stiffest = stiffness_limits(model).most;
+        for (std::size_t t = 0; t < targets.size(); t += 3) {
+            std::vector<Index> points(20);
+            std::iota(points.begin(), points.end(), Index{0});
+            if (trial % 4 == 3)
+                points.erase(points.begin(), points.begin() + 10);
+            // Stiffness of the kernel's own size, or every point would be far away.
+            Target target = targets[t];
+            target.stiffness *= curve.at(highest) / target.stiffness[19];
+            const double similar = similarity(target, curve, points);
+            const SimilarityBound bound(target, points, highest, stiffest);
+            for (std::size_t j = 2; j < steps.size(); ++j) {
+                INFO("trial " << trial << ", target " << t << ", steps " << j);
+                const double most = bound({steps.begin(), steps.begin() + static_cast<long>(j)}, 20);
+                CHECK(most >= similar);
+                if (kernel == Kernel::free && (j == 3 || j == 19))
+                    (j == 3 ? gap_early : gap_late) += most - similar;
+            }
+            curves += kernel == Kernel::free;
+        }
+    }
+    CHECK(gap_late < 0.05 * curves); // a bound that tells nothing would pass the rest
+    CHECK(gap_late < 0.5 * gap_early);
+}
+
+TEST_CASE("the three best of the database and of the pairs are the same when the others are given up") {
+    Model model = model_on(Kernel::free, 128);
+    const auto genomes = sobol_database({.pairs = 10, .phase_columns = 3, .shortest = model.grid.spacing()});
+    const Vocabulary words{std::make_shared<DominanceRule>(model)};
+    using namespace ga;
+    const Stage<RescaledProblem> database = score() | best(3);
+    const Stage<RescaledProblem> pairs = pair(score("low") | above(0.95, at_least(5)),
+                                              score("high") | above(0.95, at_least(5)), words.unite()) |
+                                         score() | best(3);
+    long given_up = 0, asked = 0;
+    for (const Target& target : testing::twenty_targets(RUGOSA_TEST_DATA)) {
+        const RescaledProblem problem(model, target, 1.6e-4, 0.8e-4);
+        for (const auto& pipeline : {database, pairs}) {
+            const auto whole = ga::run(pipeline, problem, ga::population(genomes), {.threads = 1});
+            const auto screened =
+                ga::run(pipeline, problem, ga::population(genomes), {.threads = 2, .screening = true});
+            REQUIRE(whole.population.size() == screened.population.size());
+            for (std::size_t i = 0; i < whole.population.size(); ++i) {
+                const auto &one = whole.population[i], &other = screened.population[i];
+                CHECK(one.identity == other.identity);
+                CHECK(one.value() == other.value());
+                CHECK(one.genome.scale == other.genome.scale);
+                CHECK(shape_key(one.genome) == shape_key(other.genome));
+            }
+            given_up += screened.counters.given_up;
+            asked += whole.counters.asked;
+        }
+    }
+    CHECK(2 * given_up > asked); // most are
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "domain/fitness/model.hpp"
+#include "domain/response/similarity.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rough::testing {
+
+/// The paper's two targets, and the curves of 18 random genomes that are in no database: one or two series,
+/// waves down to the spacing of the paper's grid or to eight times it. Twenty points each, up to 1.6e-4 MPa.
+inline std::vector<Target> twenty_targets(const std::filesystem::path& data) {
+    constexpr double highest = 1.6e-4;
+    std::vector<Target> targets{read_target(data / "target_paper.csv"),
+                                read_target(data / "target_heldout.csv")};
+    const Model paper;
+    std::mt19937_64 random(60);
+    for (int i = 0; i < 18; ++i) {
+        const double shortest = paper.grid.spacing() * (i % 3 == 0 ? 1 : 8);
+        const Response response =
+            respond(random_genome(random, 1 + i % 2, 1, paper.grid.length, shortest), paper);
+        const Curve curve = stretched(secant_stiffness(response), highest / response.pressure.tail(1)[0]);
+        Target target{"random genome " + std::to_string(i + 1), Eigen::VectorXd(20), Eigen::VectorXd(20)};
+        for (Index k = 0; k < 20; ++k) {
+            target.pressure[k] = highest * static_cast<double>(k + 1) / 20;
+            target.stiffness[k] = curve.at(target.pressure[k]);
+        }
+        targets.push_back(target);
+    }
+    return targets;
+}
+
+} // namespace rough::testing
