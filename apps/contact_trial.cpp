@@ -10,16 +10,11 @@
 
 namespace app {
 
-namespace {
-
-/// Of this thread: what other work on the machine takes is not counted.
 double processor_seconds() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
-
-} // namespace
 
 const std::string& name_of(Outcome outcome) {
     static const std::array<std::string, 4> names{"solved", "refused", "not-converged", "wrong"};

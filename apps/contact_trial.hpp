@@ -26,6 +26,9 @@ struct ContactTrial {
     double kkt_residual() const; ///< the worst of the curve's steps
 };
 
+/// Processor time of this thread: what other work on the machine takes is not counted.
+double processor_seconds();
+
 /// Solves, and gives up after `limit` seconds.
 ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit);
 

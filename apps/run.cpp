@@ -1,4 +1,5 @@
 #include "apps/commands.hpp"
+#include "apps/economy_experiment.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/output.hpp"
@@ -75,31 +76,34 @@ nlohmann::json result_json(const PaperRun& run, const TargetRun& target) {
 /// What the experiment is of, before its keys are known.
 std::string kind_of(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
     std::vector<Setting> any = paper_settings();
-    for (const Setting& setting : variants_settings())
-        any.push_back(setting);
+    for (const auto& more : {variants_settings(), economy_settings()})
+        any.insert(any.end(), more.begin(), more.end());
     for (const char* section : {"experiment.*", "targets.*", "variants.*"})
         any.push_back({section, "", ""});
     return read_ini(file, any, overrides).text("experiment.kind");
 }
 
-int run_variants(const Words& given, const Settings& flags, const std::vector<std::string>& overrides) {
-    if (flags.is_on("resume"))
-        throw rough::InputError(
-            "--resume: given with an experiment of kind variants, which keeps no checkpoints");
+/// An experiment without checkpoints: what it gives is written as it ends, or as far as it came.
+template <class Run, class Write, class Page>
+int run_at_once(const Words& given, const Settings& flags, const std::vector<Setting>& known,
+                const std::vector<std::string>& overrides, Run work, Write write, Page page) {
     const std::filesystem::path file = flags.text("experiment");
-    const Settings settings = read_ini(file, variants_settings(), overrides);
+    const Settings settings = read_ini(file, known, overrides);
+    if (flags.is_on("resume"))
+        throw rough::InputError("--resume: given with an experiment of kind " +
+                                settings.text("experiment.kind") + ", which keeps no checkpoints");
     const OutputFolder output(flags.text("out"), file.stem().string(), flags.is_on("force"));
     const Interrupt interrupt;
     Progress progress;
-    Race race = run_race(settings, progress, interrupt.flag());
-    race.version = RUGOSA_VERSION;
-    race.command = "rugosa run";
+    auto result = work(settings, progress, interrupt.flag());
+    result.version = RUGOSA_VERSION;
+    result.command = "rugosa run";
     for (const auto& word : given)
-        race.command += " " + word;
-    write_race(race, output.path());
+        result.command += " " + word;
+    write(result, output.path());
     if (flags.one_of("pictures", {"on", "off"}) == 0)
-        rough::write_atomically(output.path() / "report.html", race_page(race));
-    say(output.path().string() + ": " + readable(race.seconds) + " s");
+        rough::write_atomically(output.path() / "report.html", page(result));
+    say(output.path().string() + ": " + readable(result.seconds) + " s");
     return interrupt.asked() ? exit_interrupted : 0;
 }
 
@@ -126,8 +130,12 @@ int run(const Words& given) {
             overrides.push_back("model." + flag.name + "=" + flags.text(flag.name));
 
     const std::filesystem::path file = flags.text("experiment");
-    if (kind_of(file, overrides) == "variants")
-        return run_variants(given, flags, overrides);
+    const std::string kind = kind_of(file, overrides);
+    if (kind == "variants")
+        return run_at_once(given, flags, variants_settings(), overrides, run_race, write_race, race_page);
+    if (kind == "economy")
+        return run_at_once(given, flags, economy_settings(), overrides, run_economy, write_economy,
+                           economy_page);
     const Settings settings = read_ini(file, paper_settings(), overrides);
     const bool resume = flags.is_on("resume");
     if (resume && !flags.has("out"))
