@@ -10,8 +10,11 @@ namespace ga {
 
 /// Whom a stage keeps of a scored population: those above a fitness, and the best in any case.
 struct Demand {
+    static constexpr std::size_t as_many_as_start = static_cast<std::size_t>(-1); ///< for `best`
+
     std::size_t best = 0;    ///< so many of the best
     double above = HUGE_VAL; ///< and everybody whose fitness is above this
+    bool with_start = false; ///< the generation's start competes for the best places, too
 };
 
 /// The fitness below which nobody is kept, as far as is known: that of the last of the best so far, or the

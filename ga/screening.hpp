@@ -16,12 +16,14 @@ class Screening {
     using Outcome = typename P::Outcome; ///< of the problem
 
     /// By this objective (a place in the problem's list), for a stage that keeps so many.
-    Screening(Context<P>& context, std::size_t objective, const Demand& demand)
+    Screening(Context<P>& context, std::size_t objective, Demand demand)
         : context_(context), which_(objective), objective_(context.problem().objectives()[objective]),
-          name_(objective_.name), floor_(demand) {}
+          name_(objective_.name), demand_(in_numbers(demand, context)), floor_(demand_) {}
 
     /// The population without those given up, in its order.
     Population<Genome> operator()(Population<Genome> population) {
+        if (demand_.with_start)
+            let_start_compete(population);
         std::vector<char> given_up(population.size(), 0);
         for (std::size_t first = 0; first < population.size(); first += at_once)
             screen(population, first, std::min(first + at_once, population.size()), given_up);
@@ -37,6 +39,10 @@ class Screening {
     /// Evaluations under way at a time, for their memory, and worked on between two looks at the floor.
     static constexpr std::size_t at_once = 256, abreast = 8;
 
+    /// Waking threads takes its time, more on a busy machine: work of less than this stays on one, which
+    /// decides no result. Seconds.
+    static constexpr double worth_waking = 1e-3;
+
     struct Candidate {
         std::size_t place;
         std::unique_ptr<Appraisal<Outcome>> work;
@@ -47,7 +53,9 @@ class Screening {
                 std::vector<char>& given_up) {
         std::vector<Candidate> open = begin(population, first, last);
         const auto bound = [this](Candidate& one) { return one.work->bound(which_); };
-        while (!open.empty() && !context_.evaluator().watch().expired()) {
+        const Watch& watch = context_.evaluator().watch();
+        double cost = 0; ///< seconds a piece of work took lately
+        while (!open.empty() && !watch.expired()) {
             const std::size_t count = std::min(abreast, open.size());
             std::partial_sort(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(count), open.end(),
                               [&](Candidate& a, Candidate& b) {
@@ -56,7 +64,13 @@ class Screening {
                               });
             if (bound(open.front()) < floor_.value())
                 break;
-            parallel_for(count, context_.threads(), [&](std::size_t i) { work_on(open[i]); });
+            const bool together = cost * static_cast<double>(count) > worth_waking;
+            parallel_for(count, together ? context_.threads() : 1, [&](std::size_t i) {
+                const double start = watch.seconds();
+                work_on(open[i]);
+                if (i == 0)
+                    cost = std::min(watch.seconds() - start, 2 * cost + worth_waking / 100);
+            });
             for (std::size_t i = 0; i < count; ++i)
                 if (open[i].outcome)
                     take(population[open[i].place].genome, std::move(*open[i].outcome));
@@ -69,6 +83,28 @@ class Screening {
             }
     }
 
+    static Demand in_numbers(Demand demand, const Context<P>& context) {
+        if (demand.best == Demand::as_many_as_start)
+            demand.best = context.generation_start().size();
+        return demand;
+    }
+
+    /// Those of the start that are not in the population any more. One that is there in another shape is left
+    /// to `score`, as it keeps its old self out.
+    void let_start_compete(const Population<Genome>& population) {
+        std::vector<Identity> present;
+        for (const auto& individual : population)
+            present.push_back(individual.identity);
+        std::sort(present.begin(), present.end());
+        for (const auto& old : context_.generation_start()) {
+            if (std::binary_search(present.begin(), present.end(), old.identity))
+                of_start_.push_back(old.identity);
+            else if (old.fitness.known(name_))
+                offer(old.fitness);
+        }
+        std::sort(of_start_.begin(), of_start_.end());
+    }
+
     /// Whose fitness is known counts at once; whose evaluation cannot be appraised is left to `score`.
     std::vector<Candidate> begin(const Population<Genome>& population, std::size_t first, std::size_t last) {
         std::vector<Candidate> all;
@@ -78,7 +114,7 @@ class Screening {
                 offer(individual.fitness);
             else if (const auto* known = context_.evaluator().memory().find(print_of(individual)))
                 offer(Evaluator<P>::judge(*known, objective_, name_));
-            else
+            else if (!std::binary_search(of_start_.begin(), of_start_.end(), individual.identity))
                 all.push_back({i, context_.evaluator().unshelve(print_of(individual))});
         }
         parallel_for(all.size(), context_.threads(), [&](std::size_t i) {
@@ -118,7 +154,9 @@ class Screening {
     std::size_t which_;
     const Objective<Outcome>& objective_;
     Name name_;
+    Demand demand_;
     Floor floor_;
+    std::vector<Identity> of_start_; ///< who is in the population and was at the start
 };
 
 } // namespace ga

@@ -28,6 +28,7 @@ struct Plus : Operator {
     /// What every operator has (Operator).
     std::string text() const { return mu > 0 ? "plus " + std::to_string(mu) : "plus"; }
     std::size_t reads_of_start() const { return everyone; }
+    Demand demand() const { return {.best = mu > 0 ? mu : Demand::as_many_as_start, .with_start = true}; }
     void check(Known& known) const {
         known.need_generation(text());
         known.need_score(text());

@@ -111,6 +111,24 @@ TEST_CASE("screening leaves the same survivors with the same fitness, for a part
     }
 }
 
+TEST_CASE("in a generation the start competes: children that cannot replace it are given up") {
+    const auto half_of_parents = transform("mix", [](const Penalties::Genome& g) {
+        Penalties::Genome mixed = g;
+        std::rotate(mixed.begin(), mixed.begin() + 7, mixed.end());
+        mixed[3] *= 1.3;
+        return mixed;
+    });
+    for (const std::size_t mu : {0, 20}) {
+        // Half of the children are new individuals, the others are parents in another shape.
+        const auto generations =
+            score() | best(40) |
+            repeat(4, tournament(2) | cross(uniform()) | half_of_parents | score() | plus(mu));
+        const Ran whole = run_with(generations, false), screened = run_with(generations, true);
+        CHECK(same(whole.result.population, screened.result.population));
+        CHECK(screened.read < whole.read);
+    }
+}
+
 TEST_CASE("screening does the same for any number of threads") {
     const auto pipeline = score() | best(7);
     const Ran one = run_with(pipeline, true, 3, 1);

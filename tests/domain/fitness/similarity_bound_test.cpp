@@ -33,8 +33,9 @@ TEST_CASE("a curve pressed step by step is the nested solver's, bit for bit, and
         const Profile profile = sample(testing::random_genome(random, 1, 1, 0.84942, 0.02), model.grid);
         const auto displacements =
             load_displacements(displacement_range(profile, kernel), model.loading, kernel);
-        const ContactCurve whole =
-            solve_contact(profile, model.body, displacements, {.solver = Solver::nested});
+        ContactOptions nested;
+        nested.solver = Solver::nested;
+        const ContactCurve whole = solve_contact(profile, model.body, displacements, nested);
         SteppedContact stepped(profile, model.body, displacements, {});
         CHECK(stepped.is_own_choice());
         while (!stepped.done()) {
