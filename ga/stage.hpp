@@ -65,17 +65,19 @@ class Stage {
             op.template check_problem<P>();
         if constexpr (Block<Op, P>)
             add(op.template step<P>());
-        else if constexpr (!std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>)
-            static_assert(
-                std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>,
-                "this operator needs what the problem or its genome does not have; see the constraints "
-                "of its operator()");
-        else
+        else if constexpr (!std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>) {
+            static_assert(std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>,
+                          "this operator needs what the problem or its genome does not have; the compiler "
+                          "names it below");
+            // No more callable here, where the compiler says which constraint is at fault.
+            using Answer = decltype(op(Population<Genome>(), std::declval<Context<P>&>()));
+        } else {
             add({op.text(), [op](Known& known) { op.check(known); },
                  [op](Population<Genome> population, Context<P>& context) {
                      return op(std::move(population), context);
                  },
                  start_of(op), demand_of(op)});
+        }
     }
     /// Operators joined by `|` before the problem was known.
     template <class A, class B>
