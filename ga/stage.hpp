@@ -70,7 +70,7 @@ class Stage {
                           "this operator needs what the problem or its genome does not have; the compiler "
                           "names it below");
             // No more callable here, where the compiler says which constraint is at fault.
-            using Answer = decltype(op(Population<Genome>(), std::declval<Context<P>&>()));
+            using Answer [[maybe_unused]] = decltype(op(Population<Genome>(), std::declval<Context<P>&>()));
         } else {
             add({op.text(), [op](Known& known) { op.check(known); },
                  [op](Population<Genome> population, Context<P>& context) {
