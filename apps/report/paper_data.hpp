@@ -78,10 +78,10 @@ struct PaperRun {
     std::string version, command; ///< the command that repeats the run, as typed
     std::uint64_t seed = 0;
     int threads = 0;
-    double seconds = 0; ///< wall time of the run without the page
-    rough::Model model;    ///< solved throughout: all that is said of an answer
-    rough::Model searched; ///< the same with the accuracy that the searches were allowed
-    double max_pressure = 0;                                                    ///< p_max
+    double seconds = 0;      ///< wall time of the run without the page
+    rough::Model model;      ///< solved throughout: all that is said of an answer
+    rough::Model searched;   ///< the same with the accuracy that the searches were allowed
+    double max_pressure = 0; ///< p_max
     rough::DominanceReading dominance = rough::DominanceReading::same_pressure; ///< reading of Algorithm 1
     rough::DatabaseLayout layout;
     std::vector<Answered> database; ///< pair by pair, each with every phase column
