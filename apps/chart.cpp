@@ -1,130 +1,100 @@
+#include "apps/chart_course.hpp"
+#include "apps/chart_growth.hpp"
+#include "apps/chart_left_out.hpp"
 #include "apps/chart_page.hpp"
+#include "apps/chart_plots.hpp"
 #include "apps/commands.hpp"
-#include "apps/model_settings.hpp"
+#include "apps/interrupt.hpp"
 #include "apps/output.hpp"
 #include "apps/progress.hpp"
 #include "apps/settings.hpp"
 #include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
+#include "domain/errors.hpp"
+
+#include <chrono>
 
 namespace app {
 
 namespace {
 
-using rough::Index;
-using rough::Solver;
-
 std::vector<Setting> chart_settings() {
     return {
         {"out", "", "folder to write [out/chart]"},
+        {"minutes", "10",
+         "begin nothing that would not end within so many; the coarsest grid is always done"},
         {"quick", "", "fewer and smaller grids: under a minute", true},
         {"force", "", "write over an existing chart", true},
     };
 }
 
-/// What is tried: how fine, and how long one curve may take.
-struct Extent {
-    std::vector<Index> nodes, growth_nodes;
-    std::vector<int> steps;         ///< besides 20, at one grid size
-    std::vector<double> tolerances; ///< of the iterative methods
-    Index most_for_nnls, most_for_truth;
-    double limit; ///< s
-};
-
-const Extent quick{{128, 512, 2048}, {256, 512, 1024, 2048}, {5, 80}, {1e-3, 1e-6}, 512, 16385, 3};
-const Extent whole{{128, 256, 512, 1024, 2048, 4096, 8192, 16384, 65536},
-                   {256, 512, 1024, 2048, 4096, 8192, 16384},
-                   {5, 10, 40, 80, 160},
-                   {1e-3, 1e-4, 1e-6, 1e-8},
-                   4096,
-                   32769,
-                   60};
-
-bool is_iterative(Solver method) { return method == Solver::polonsky_keer || method == Solver::active_set; }
-
-std::vector<ChartRun> runs_of(const ChartScene& scene, const ChartTruth& truth, const Extent& extent,
-                              Progress& progress) {
-    std::vector<ChartRun> runs;
-    for (std::size_t m = 0; m < solver_names().size(); ++m) {
-        const Solver method = static_cast<Solver>(m);
-        const std::vector<double> tolerances =
-            is_iterative(method) ? extent.tolerances : std::vector<double>{0};
-        for (const Index nodes : extent.nodes) {
-            if (method == Solver::nnls && nodes > extent.most_for_nnls)
-                continue;
-            progress.show(scene.name + ": " + solver_names()[m] + ", N = " + std::to_string(nodes));
-            for (const double tolerance : tolerances)
-                runs.push_back(run_chart(scene, &truth, method, nodes, 20, tolerance, extent.limit));
-            if (nodes != 512 && nodes != 2048)
-                continue;
-            for (const int steps : extent.steps)
-                runs.push_back(run_chart(scene, &truth, method, nodes, steps, is_iterative(method) ? 1e-6 : 0,
-                                         extent.limit));
+/// chart.csv as it grows, every few seconds.
+class GrowingTable {
+  public:
+    explicit GrowingTable(std::filesystem::path file) : file_(std::move(file)) {}
+    void grow(const ChartData& data) {
+        using namespace std::chrono_literals;
+        if (const auto now = std::chrono::steady_clock::now(); now - written_ > 3s) {
+            rough::write_atomically(file_, chart_csv(data));
+            written_ = now;
         }
     }
-    return runs;
-}
 
-std::vector<ChartRun> growth_of(const ChartScene& scene, const Extent& extent, Progress& progress) {
-    std::vector<ChartRun> runs;
-    for (const Solver method : {Solver::nested, Solver::nnls, Solver::polonsky_keer, Solver::active_set})
-        for (const Index nodes : extent.growth_nodes)
-            for (const double share : {0.25, 0.5, 1.0}) {
-                if (method == Solver::nnls && nodes > extent.most_for_nnls * 2)
-                    continue;
-                progress.show("growth: " + name_of(method) + ", N = " + std::to_string(nodes));
-                runs.push_back(run_chart(scene, nullptr, method, nodes, 20, is_iterative(method) ? 1e-6 : 0,
-                                         extent.limit, share));
-            }
-    return runs;
-}
+  private:
+    std::filesystem::path file_;
+    std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
+};
 
-ChartData charted(const Extent& extent, Progress& progress) {
-    ChartData data;
-    for (const ChartScene& scene : chart_scenes()) {
-        progress.show(scene.name + ": reference");
-        const ChartTruth truth = truth_of(scene, extent.most_for_truth);
-        data.scenes.emplace_back(scene.name, scene.words + "; measured against " + truth.origin);
-        for (ChartRun& run : runs_of(scene, truth, extent, progress))
-            data.runs.push_back(std::move(run));
-        if (scene.name == "mwm-rough")
-            data.growth = growth_of(scene, extent, progress);
-    }
-    return data;
+void write_pictures(const ChartData& data, const std::filesystem::path& folder) {
+    for (const ErrorKind& kind : error_kinds)
+        for (std::size_t scene = 0; scene < data.scenes.size(); ++scene)
+            rough::write_atomically(folder / (data.scenes[scene].name + "-" + kind.name + ".svg"),
+                                    svg_file(error_plot(data, scene, kind)));
+    for (const auto& [name, plot] : growth_plots(data))
+        rough::write_atomically(folder / ("growth-" + name + ".svg"), svg_file(plot));
 }
 
 } // namespace
 
 int chart(const Words& words) {
-    if (shows_help(words, "chart [--out DIR] [--quick]",
+    if (shows_help(words, "chart [--out DIR] [--minutes M] [--quick]",
                    "Charts the time of a pressure curve against its error for every contact solver, grid, "
                    "number of load\n"
-                   "steps and tolerance, on scenes with a known or a refined solution. Writes chart.csv, "
+                   "steps and tolerance, on scenes with a known or a refined solution: from coarse grids to "
+                   "fine, so that\n"
+                   "a chart that ends early has the same of every scene. Writes chart.csv (as it goes), "
                    "growth.csv,\n"
-                   "pictures (SVG) and chart.html, which says in words which method to take when.",
-                   chart_settings(), {"chart --quick --out out/chart"}))
+                   "pictures (SVG) and chart.html, which says in words which method to take when, and what "
+                   "was left out\n"
+                   "and why. Ctrl-C ends it with what there is.",
+                   chart_settings(), {"chart --quick --out out/chart", "chart --minutes 3 --out out/chart"}))
         return 0;
     const Settings settings = read_command_line(words, chart_settings());
+    const double minutes = settings.positive("minutes");
     const OutputFolder folder(settings.text("out"), "chart", settings.is_on("force"), "chart.csv");
-    Progress progress;
-    const ChartData data = charted(settings.is_on("quick") ? quick : whole, progress);
-    rough::write_atomically(folder.path() / "chart.csv", chart_csv(data.runs));
-    rough::write_atomically(folder.path() / "growth.csv", growth_csv(data.growth));
-    progress.show("pictures");
-    for (const auto& scene : data.scenes) {
-        const auto picture = [&](const char* kind, double ChartRun::*error, const char* label) {
-            rough::write_atomically(folder.path() / (scene.first + "-" + kind + ".svg"),
-                                    svg_file(chart_plot(data, scene.first, error, label)));
-        };
-        picture("pressure", &ChartRun::error_pressure, "Error of the pressure");
-        picture("stiffness", &ChartRun::error_stiffness, "Error of the stiffness");
-        picture("contact", &ChartRun::error_contact, "Error of the contact fraction");
+    const Interrupt interrupt;
+    GrowingTable table(folder.path() / "chart.csv");
+    ChartData data;
+    {
+        Progress progress;
+        data = charted(chart_scenes(), settings.is_on("quick") ? quick_extent() : whole_extent(),
+                       {60 * minutes, [&] { return interrupt.asked(); },
+                        [&](const ChartData& so_far, const std::string& where) {
+                            progress.show(where);
+                            table.grow(so_far);
+                        }});
+        if (data.runs.empty())
+            return exit_interrupted;
+        progress.show("pictures");
+        rough::write_atomically(folder.path() / "chart.csv", chart_csv(data));
+        rough::write_atomically(folder.path() / "growth.csv", growth_csv(data));
+        write_pictures(data, folder.path());
+        rough::write_atomically(folder.path() / "chart.html", chart_page(data));
     }
-    rough::write_atomically(folder.path() / "growth-nodes.svg", svg_file(nodes_plot(data)));
-    rough::write_atomically(folder.path() / "growth-contact.svg", svg_file(contact_plot(data)));
-    rough::write_atomically(folder.path() / "chart.html", chart_page(data));
-    say(std::to_string(data.runs.size()) + " settings charted\n" + (folder.path() / "chart.html").string());
-    return 0;
+    const std::string left_out = left_out_in_a_line(data);
+    say(std::to_string(data.runs.size()) + " settings charted" + (left_out.empty() ? "" : "; " + left_out) +
+        "\n" + (folder.path() / "chart.html").string());
+    return interrupt.asked() ? exit_interrupted : 0;
 }
 
 } // namespace app

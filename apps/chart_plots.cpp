@@ -1,24 +1,32 @@
-#include "apps/chart_page.hpp"
+#include "apps/chart_plots.hpp"
+
+#include "apps/chart_growth.hpp"
+#include "apps/chart_words.hpp"
+#include "apps/model_settings.hpp"
 
 #include <algorithm>
 #include <set>
 
 namespace app {
 
+using rough::Index;
+using rough::Solver;
+
 namespace {
 
+using Points = std::vector<std::pair<double, double>>;
+
 struct Look {
-    const char* method;
+    Solver method;
     Colour colour;
 };
-constexpr Look looks[] = {{"nested", Colour::blue},
-                          {"nnls", Colour::orange},
-                          {"polonsky-keer", Colour::green},
-                          {"active-set", Colour::purple}};
+constexpr std::array<Look, 4> looks{{{Solver::nested, Colour::blue},
+                                     {Solver::nnls, Colour::orange},
+                                     {Solver::polonsky_keer, Colour::green},
+                                     {Solver::active_set, Colour::purple}}};
 
 /// Points in order of x.
-Series line_of(const std::string& label, std::vector<std::pair<double, double>> points, Colour colour,
-               Style style, double width) {
+Series line_of(const std::string& label, Points points, Colour colour, Style style, double width) {
     std::sort(points.begin(), points.end());
     Series series{label, Eigen::VectorXd(static_cast<Eigen::Index>(points.size())), {}, colour, style, width};
     series.y.resize(series.x.size());
@@ -29,86 +37,103 @@ Series line_of(const std::string& label, std::vector<std::pair<double, double>> 
     return series;
 }
 
-/// Of (seconds, error), those that no other beats in both.
-std::vector<std::pair<double, double>> pareto(std::vector<std::pair<double, double>> points) {
+/// Of (seconds, error), those that no other beats in both; an error counts as smaller where it is by a
+/// twentieth, as methods that solve the same grid differ in their last digits.
+Points pareto(Points points) {
     std::sort(points.begin(), points.end());
-    std::vector<std::pair<double, double>> front;
+    Points front;
     for (const auto& point : points)
-        if (front.empty() || point.second < front.back().second)
+        if (front.empty() || point.second < 0.95 * front.back().second)
             front.push_back(point);
     return front;
 }
 
+Plot nodes_plot(const ChartData& data, std::size_t scene) {
+    Plot plot;
+    plot.alt =
+        "Time per curve against the number of nodes on " + data.scenes[scene].name + ", one line a method";
+    plot.title = data.scenes[scene].name + ", " + share_words(data.contact(scene)) + " in contact";
+    plot.x = {"Nodes N", true};
+    plot.y = {"Seconds per curve", true};
+    for (const Look& look : looks) {
+        Points points;
+        for (const ChartRun& run : data.runs)
+            if (run.setting.scene == scene && run.setting.method == look.method && run.setting.share == 1 &&
+                counts_for_growth(run))
+                points.emplace_back(static_cast<double>(run.setting.nodes), run.seconds);
+        plot.series.push_back(line_of(name_of(look.method), points, look.colour, Style::line_points, 1.5));
+    }
+    return plot;
+}
+
+/// The finest grid on which every method has runs for a fit over contact fractions.
+Index finest_shared(const ChartData& data) {
+    Index shared = 0;
+    for (const Index nodes : data.grids())
+        if (std::all_of(looks.begin(), looks.end(), [&](const Look& look) {
+                return std::count_if(data.runs.begin(), data.runs.end(), [&](const ChartRun& run) {
+                           return run.setting.nodes == nodes && run.setting.method == look.method &&
+                                  counts_for_growth(run);
+                       }) > static_cast<long>(data.scenes.size());
+            }))
+            shared = nodes;
+    return shared;
+}
+
+Plot contact_plot(const ChartData& data, Index nodes) {
+    Plot plot;
+    plot.alt = "Time per curve against the contact fraction, one colour a method";
+    plot.title = "Every scene, N = " + std::to_string(nodes);
+    plot.x = {"Contact fraction at the last step", true};
+    plot.y = {"Seconds per curve", true};
+    for (const Look& look : looks) {
+        Points points;
+        for (const ChartRun& run : data.runs)
+            if (run.setting.method == look.method && run.setting.nodes == nodes && counts_for_growth(run))
+                points.emplace_back(run.contact_fraction, run.seconds);
+        plot.series.push_back(line_of(name_of(look.method), points, look.colour, Style::points, 2));
+    }
+    return plot;
+}
+
 } // namespace
 
-Plot chart_plot(const ChartData& data, const std::string& scene, double ChartRun::*error,
-                const std::string& label) {
+Plot error_plot(const ChartData& data, std::size_t scene, const ErrorKind& kind) {
     Plot plot;
-    plot.alt = label + " against time per curve on the scene " + scene + ", one line a method";
-    plot.title = scene;
+    plot.alt = std::string(kind.label) + " against time per curve on the scene " + data.scenes[scene].name +
+               ", one line a method";
+    plot.title = data.scenes[scene].name;
     plot.x = {"Seconds per curve", true};
-    plot.y = {label, true};
-    std::vector<std::pair<double, double>> all;
+    plot.y = {kind.label, true};
+    Points all;
     for (const Look& look : looks) {
-        std::vector<std::pair<double, double>> points;
+        Points points;
         for (const ChartRun& run : data.runs)
-            if (run.scene == scene && run.method == look.method && run.outcome == Outcome::solved &&
-                run.*error > 0)
-                points.emplace_back(run.seconds, run.*error);
+            if (run.setting.scene == scene && run.setting.method == look.method && kind.compares(run) &&
+                run.*kind.value > 0)
+                points.emplace_back(run.seconds, run.*kind.value);
         all.insert(all.end(), points.begin(), points.end());
         plot.series.push_back(line_of("", points, look.colour, Style::points, 1.4));
-        plot.series.push_back(line_of(look.method, pareto(points), look.colour, Style::line, 1.5));
+        plot.series.push_back(line_of(name_of(look.method), pareto(points), look.colour, Style::line, 1.5));
     }
-    plot.series.push_back(line_of("Pareto front", pareto(all), Colour::text, Style::points, 3));
+    plot.series.push_back(line_of("", pareto(all), Colour::text, Style::points, 3));
     std::rotate(plot.series.begin(), plot.series.end() - 1, plot.series.end());
     return plot;
 }
 
-Plot nodes_plot(const ChartData& data) {
-    Plot plot;
-    plot.alt = "Time per curve against the number of nodes, one line a method";
-    plot.title = "Growth with the grid";
-    plot.x = {"Nodes N", true};
-    plot.y = {"Seconds per curve", true};
-    double most = 0;
-    for (const ChartRun& run : data.growth)
-        most = std::max(most, run.contact_fraction);
-    for (const Look& look : looks) {
-        std::vector<std::pair<double, double>> points;
-        for (const ChartRun& run : data.growth)
-            if (run.method == look.method && run.outcome == Outcome::solved &&
-                run.contact_fraction > 0.7 * most)
-                points.emplace_back(static_cast<double>(run.nodes), run.seconds);
-        plot.series.push_back(line_of(look.method, points, look.colour, Style::line_points, 1.5));
-    }
-    return plot;
-}
-
-Plot contact_plot(const ChartData& data) {
-    Plot plot;
-    plot.alt = "Time per curve against the contact fraction, one line a method";
-    plot.x = {"Contact fraction at the last step", true};
-    plot.y = {"Seconds per curve", true};
-    rough::Index shared = 0;
-    std::set<rough::Index> sizes;
-    for (const ChartRun& run : data.growth)
-        sizes.insert(run.nodes);
-    for (const rough::Index nodes : sizes)
-        if (std::all_of(std::begin(looks), std::end(looks), [&](const Look& look) {
-                return std::any_of(data.growth.begin(), data.growth.end(), [&](const ChartRun& run) {
-                    return run.nodes == nodes && run.method == look.method && run.outcome == Outcome::solved;
-                });
-            }))
-            shared = nodes;
-    plot.title = "Growth with contact, N = " + std::to_string(shared);
-    for (const Look& look : looks) {
-        std::vector<std::pair<double, double>> points;
-        for (const ChartRun& run : data.growth)
-            if (run.method == look.method && run.outcome == Outcome::solved && run.nodes == shared)
-                points.emplace_back(run.contact_fraction, run.seconds);
-        plot.series.push_back(line_of(look.method, points, look.colour, Style::line_points, 1.5));
-    }
-    return plot;
+std::vector<std::pair<std::string, Plot>> growth_plots(const ChartData& data) {
+    std::vector<std::size_t> scenes(data.scenes.size());
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+        scenes[k] = k;
+    const auto [fewest, most] =
+        std::minmax_element(scenes.begin(), scenes.end(),
+                            [&](std::size_t a, std::size_t b) { return data.contact(a) < data.contact(b); });
+    std::vector<std::pair<std::string, Plot>> plots;
+    plots.emplace_back("nodes-few", nodes_plot(data, *fewest));
+    plots.emplace_back("nodes-most", nodes_plot(data, *most));
+    if (const Index nodes = finest_shared(data); nodes > 0)
+        plots.emplace_back("contact", contact_plot(data, nodes));
+    return plots;
 }
 
 } // namespace app

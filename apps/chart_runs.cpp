@@ -1,10 +1,9 @@
 #include "apps/chart_runs.hpp"
 
-#include "apps/model_settings.hpp"
+#include "apps/report/compare.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace app {
 
@@ -45,56 +44,44 @@ void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, C
     run.error_stiffness = std::sqrt(by_stiffness / samples);
 }
 
-ChartRun run_chart(const ChartScene& scene, const ChartTruth* truth, rough::Solver method, rough::Index nodes,
-                   int steps, double tolerance, double limit, double share) {
-    const ContactScene contact{scene.name, scene.profile(nodes), scene.body,
-                               scene.displacements(steps, share)};
+std::optional<ChartRun> run_chart(const ChartScene& scene, const ChartTruth& truth,
+                                  const ChartSetting& setting, double limit,
+                                  const std::function<bool()>& stop) {
+    const ContactScene contact{scene.name, scene.profile(setting.nodes), scene.body,
+                               scene.displacements(setting.steps, setting.share)};
     rough::ContactOptions options;
-    options.solver = method;
-    if (tolerance > 0)
-        options.tolerance = tolerance;
-    ContactTrial trial = try_contact(contact, options, limit);
+    options.solver = setting.method;
+    if (setting.tolerance > 0)
+        options.tolerance = setting.tolerance;
+    double start = processor_seconds();
+    bool late = false;
+    options.stop = [&] {
+        late = processor_seconds() - start > limit;
+        return late || (stop && stop());
+    };
+    const ContactTrial trial = try_contact(contact, options);
     std::vector<double> times{trial.seconds};
-    const double enough = std::min(0.1, limit / 4);
-    for (double spent = trial.seconds; times.size() < 9 && spent + trial.seconds < enough;
-         spent += times.back())
-        times.push_back(try_contact(contact, options, limit).seconds);
-    std::nth_element(times.begin(), times.begin() + static_cast<long>(times.size() / 2), times.end());
+    const bool gave_up = late;
+    for (double spent = trial.seconds;
+         times.size() < most_repeats && spent + trial.seconds < seconds_of_repeats; spent += times.back()) {
+        start = processor_seconds();
+        times.push_back(try_contact(contact, options).seconds);
+    }
+    if (stop && stop())
+        return std::nullopt;
 
     ChartRun run;
-    run.scene = scene.name;
-    run.kernel = name_of(scene.body.kernel);
-    run.method = name_of(method);
-    run.nodes = nodes;
-    run.steps = steps;
-    run.tolerance = tolerance;
-    run.seconds = times[times.size() / 2];
+    run.setting = setting;
+    run.seconds = median(times);
     run.iterations = trial.curve.iterations;
     run.outcome = trial.outcome;
+    run.late = gave_up;
     if (trial.outcome == Outcome::solved) {
         run.contact_fraction = trial.curve.steps.back().contact_fraction;
-        if (truth)
-            measure_errors(trial.curve, *truth, run);
+        if (setting.share == 1 && setting.nodes <= truth.finest_judged)
+            measure_errors(trial.curve, truth, run);
     }
     return run;
-}
-
-std::string chart_csv(const std::vector<ChartRun>& runs) {
-    std::ostringstream out;
-    out.precision(6);
-    out << "scene,kernel,method,nodes,steps,tolerance,seconds,error_pressure,error_stiffness,error_contact,"
-           "iterations,outcome\n";
-    for (const ChartRun& run : runs) {
-        out << run.scene << "," << run.kernel << "," << run.method << "," << run.nodes << "," << run.steps
-            << "," << run.tolerance << "," << run.seconds;
-        for (const double error : {run.error_pressure, run.error_stiffness, run.error_contact}) {
-            out << ",";
-            if (error != ChartRun::unknown)
-                out << error;
-        }
-        out << "," << run.iterations << "," << name_of(run.outcome) << "\n";
-    }
-    return out.str();
 }
 
 } // namespace app

@@ -1,20 +1,21 @@
 #pragma once
 
+#include "apps/chart_plan.hpp"
 #include "apps/chart_scenes.hpp"
 #include "apps/contact_trial.hpp"
 
+#include <optional>
+
 namespace app {
 
-/// One method at one setting on one scene: what chart.csv has in a row.
+/// What became of a setting: a row of chart.csv.
 struct ChartRun {
-    std::string scene, kernel, method;
-    rough::Index nodes = 0;
-    int steps = 0;
-    double tolerance = 0; ///< 0 for the direct methods, which have none
-    double seconds = 0;   ///< of one curve, on one core: the median of a few
+    ChartSetting setting;
+    double seconds = 0; ///< of one curve, on one core: the median of a few
     double error_pressure = unknown, error_stiffness = unknown, error_contact = unknown;
     long iterations = 0;
     Outcome outcome = Outcome::solved;
+    bool late = false;           ///< given up at the limit
     double contact_fraction = 0; ///< at the last step
 
     static constexpr double unknown = -1;
@@ -25,10 +26,15 @@ struct ChartRun {
 /// mean squares.
 void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, ChartRun& run);
 
-/// Solves a few times and takes the median time; gives up after `limit` seconds.
-ChartRun run_chart(const ChartScene& scene, const ChartTruth* truth, rough::Solver method, rough::Index nodes,
-                   int steps, double tolerance, double limit, double share = 1);
+/// Solves a few times and takes the median time; gives up after `limit` seconds of processor time. Errors are
+/// known on grids that the truth resolves and at the scene's own last displacement. None where `stop` ended
+/// it.
+std::optional<ChartRun> run_chart(const ChartScene& scene, const ChartTruth& truth,
+                                  const ChartSetting& setting, double limit,
+                                  const std::function<bool()>& stop = {});
 
-std::string chart_csv(const std::vector<ChartRun>& runs);
+/// How long a curve is repeated, s, and how often at most.
+constexpr double seconds_of_repeats = 0.1;
+constexpr int most_repeats = 9;
 
 } // namespace app

@@ -3,7 +3,9 @@
 #include "domain/contact/exact.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <sstream>
 
 namespace app {
 
@@ -13,7 +15,7 @@ using Eigen::VectorXd;
 using rough::Index;
 
 constexpr double pi = std::numbers::pi;
-constexpr int points = 2000;
+constexpr int points = 20000;
 
 ChartTruth exact_curve(const std::function<rough::exact::Contact(double)>& contact, double widest,
                        double length) {
@@ -29,6 +31,7 @@ ChartTruth exact_curve(const std::function<rough::exact::Contact(double)>& conta
         truth.fraction[k] = 2 * a / length;
     }
     truth.origin = "the exact solution";
+    truth.finest_judged = std::numeric_limits<Index>::max();
     return truth;
 }
 
@@ -92,9 +95,11 @@ ChartScene brownian() {
                  numbers);
 }
 
-ChartTruth refined(const ChartScene& scene, Index nodes, int steps) {
+ChartTruth refined(const ChartScene& scene, Index nodes, int steps, const std::function<bool()>& stop) {
+    rough::ContactOptions options;
+    options.stop = stop;
     const rough::ContactCurve curve =
-        solve_contact(scene.profile(nodes), scene.body, scene.displacements(steps), {});
+        solve_contact(scene.profile(nodes), scene.body, scene.displacements(steps), options);
     ChartTruth truth;
     for (VectorXd* column : {&truth.displacement, &truth.pressure, &truth.stiffness, &truth.fraction})
         *column = VectorXd::Zero(steps + 1);
@@ -133,24 +138,26 @@ std::vector<ChartScene> chart_scenes() {
             brownian()};
 }
 
-ChartTruth truth_of(const ChartScene& scene, Index most_nodes) {
+ChartTruth truth_of(const ChartScene& scene, Index most_nodes, const std::function<bool()>& stop) {
     if (scene.exact)
         return scene.exact();
     constexpr int steps = 160;
-    constexpr double still = 1e-4;
+    constexpr double still = 1e-6;
     Index nodes = 2049;
-    ChartTruth truth = refined(scene, nodes, steps);
-    double moved = 1;
-    while (moved > still && 2 * (nodes - 1) + 1 <= most_nodes) {
+    ChartTruth truth = refined(scene, nodes, steps, stop);
+    for (double moved = 1; moved > still && 2 * (nodes - 1) + 1 <= most_nodes; truth.doubt = moved) {
         nodes = 2 * (nodes - 1) + 1;
-        const ChartTruth finer = refined(scene, nodes, steps);
+        ChartTruth finer = refined(scene, nodes, steps, stop);
         moved = std::sqrt(
             (truth.pressure.tail(steps).array() / finer.pressure.tail(steps).array() - 1).square().mean());
-        truth = finer;
+        truth = std::move(finer);
     }
-    truth.origin = "a grid of " + std::to_string(nodes) + " nodes, " + std::to_string(steps) +
-                   " load steps (the last refinement moved its pressures by " + std::to_string(100 * moved) +
-                   " %)";
+    std::ostringstream moved;
+    moved.precision(2);
+    moved << 100 * truth.doubt;
+    truth.origin = "a grid of " + std::to_string(nodes) + " nodes and " + std::to_string(steps) +
+                   " load steps, whose last refinement moved the pressures by " + moved.str() + " %";
+    truth.finest_judged = (nodes - 1) / 4;
     return truth;
 }
 

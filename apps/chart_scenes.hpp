@@ -9,11 +9,13 @@ namespace app {
 
 /// A curve so fine that other curves are measured against it: between its points it is linear.
 struct ChartTruth {
-    Eigen::VectorXd displacement; ///< mm, increasing from 0
-    Eigen::VectorXd pressure;     ///< MPa
-    Eigen::VectorXd stiffness;    ///< tangent, MPa/mm
-    Eigen::VectorXd fraction;     ///< of the length in contact
-    std::string origin;           ///< "exact", or how far it was refined
+    Eigen::VectorXd displacement;   ///< mm, increasing from 0
+    Eigen::VectorXd pressure;       ///< MPa
+    Eigen::VectorXd stiffness;      ///< tangent, MPa/mm
+    Eigen::VectorXd fraction;       ///< of the length in contact
+    std::string origin;             ///< "the exact solution", or how far it was refined
+    double doubt = 0;               ///< by how much the last refinement moved the pressures, relative
+    rough::Index finest_judged = 0; ///< grids of more nodes are too close to it to be judged by it
 };
 
 /// A profile known everywhere, to be sampled on any grid and pressed to a last displacement.
@@ -34,7 +36,7 @@ struct ChartScene {
 std::vector<ChartScene> chart_scenes();
 
 /// The exact curve, or that of ever finer grids (twice the nodes, at most `most_nodes`) until pressures
-/// move by less than 1e-4 of themselves (root mean square).
-ChartTruth truth_of(const ChartScene& scene, rough::Index most_nodes);
+/// move by less than 1e-6 of themselves (root mean square). Throws rough::NotConverged when `stop` says so.
+ChartTruth truth_of(const ChartScene& scene, rough::Index most_nodes, const std::function<bool()>& stop = {});
 
 } // namespace app

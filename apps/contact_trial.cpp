@@ -28,13 +28,8 @@ double ContactTrial::kkt_residual() const {
     return worst;
 }
 
-ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
+ContactTrial try_contact(const ContactScene& scene, const rough::ContactOptions& options) {
     const double spent = processor_seconds();
-    const auto elapsed = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-    bool late = false;
-    options.stop = [&] { return late = elapsed() > limit; };
     ContactTrial trial;
     try {
         trial.curve = solve_contact(scene.profile, scene.body, scene.displacements, options);
@@ -43,9 +38,20 @@ ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions option
         trial.message = error.what();
     } catch (const rough::NotConverged& error) {
         trial.outcome = Outcome::not_converged;
-        trial.message = late ? "stopped after " + std::to_string(std::lround(limit)) + " s" : error.what();
+        trial.message = error.what();
     }
     trial.seconds = processor_seconds() - spent;
+    return trial;
+}
+
+ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    bool late = false;
+    options.stop = [&] { return late = std::chrono::duration<double>(Clock::now() - start).count() > limit; };
+    ContactTrial trial = try_contact(scene, options);
+    if (late && trial.outcome == Outcome::not_converged)
+        trial.message = "stopped after " + std::to_string(std::lround(limit)) + " s";
     return trial;
 }
 

@@ -29,7 +29,10 @@ struct ContactTrial {
 /// Processor time of this thread: what other work on the machine takes is not counted.
 double processor_seconds();
 
-/// Solves, and gives up after `limit` seconds.
+/// Solves, by the options as they are.
+ContactTrial try_contact(const ContactScene& scene, const rough::ContactOptions& options);
+
+/// Solves, and gives up after `limit` seconds by the wall's clock.
 ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit);
 
 /// The tolerance that a method's results are held to: 1e-9 for the direct ones, ten times their own for the

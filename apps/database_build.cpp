@@ -72,12 +72,6 @@ rough::GenomeStore opened(const Settings& settings) {
     return rough::GenomeStore::create(file, setup);
 }
 
-std::string duration(double seconds) {
-    const long whole = std::lround(seconds);
-    return whole < 120 ? std::to_string(whole) + " s"
-                       : std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
-}
-
 } // namespace
 
 int database_build(const Words& words) {
@@ -112,13 +106,13 @@ int database_build(const Words& words) {
         const double rate = static_cast<double>(stored - before) / seconds();
         const double left = static_cast<double>(options.genomes - std::min(stored, options.genomes)) / rate;
         progress.show(std::to_string(stored) + " of " + std::to_string(options.genomes) + " genomes, " +
-                      duration(left) + " left");
+                      duration_words(left) + " left");
         return !interrupt.asked();
     };
     rough::build(store, options);
     const std::uint64_t stored = store.stored();
     say(store.file().string() + ": " + std::to_string(stored) + " genomes stored, " +
-        std::to_string(stored - before) + " of them in the last " + duration(seconds()));
+        std::to_string(stored - before) + " of them in the last " + duration_words(seconds()));
     return interrupt.asked() ? exit_interrupted : 0;
 }
 

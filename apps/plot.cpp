@@ -138,7 +138,8 @@ void write_plot(std::ostream& out, const Plot& plot, const fs::path& picture) {
             << (guide.across ? " to graph 1, first " : ", graph 0 to first ") << guide.at
             << (guide.across ? "" : ", graph 1") << " nohead lw 1 dt 2 lc rgb '"
             << gnuplot_colour(Colour::faint) << "'\n";
-    out << "plot " << (drawings.empty() ? "[0:1] [0:1] NaN notitle" : drawings) << "\nunset output\n";
+    out << (drawings.empty() ? "unset logscale\nplot [0:1] [0:1] NaN notitle" : "plot " + drawings)
+        << "\nunset output\n";
 }
 
 } // namespace

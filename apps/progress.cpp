@@ -2,6 +2,7 @@
 
 #include "apps/voice.hpp"
 
+#include <cmath>
 #include <iostream>
 #include <unistd.h>
 
@@ -27,6 +28,12 @@ void Progress::show(const std::string& text) {
               << " s  " << text << std::flush;
     shown_ = true;
     last_ = now;
+}
+
+std::string duration_words(double seconds) {
+    const long whole = std::lround(seconds);
+    return whole < 120 ? std::to_string(whole) + " s"
+                       : std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
 }
 
 } // namespace app

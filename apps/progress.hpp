@@ -23,4 +23,7 @@ class Progress {
     Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
+/// "45 s", or "12 min 5 s" from two minutes on.
+std::string duration_words(double seconds);
+
 } // namespace app

@@ -1,0 +1,59 @@
+#include "apps/chart_data.hpp"
+
+#include "apps/model_settings.hpp"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace app {
+
+const ChartRun* ChartData::at(const ChartSetting& setting) const {
+    const auto found =
+        std::find_if(runs.begin(), runs.end(), [&](const ChartRun& run) { return run.setting == setting; });
+    return found == runs.end() ? nullptr : &*found;
+}
+
+const ChartRun* ChartData::solved(const ChartSetting& setting) const {
+    const ChartRun* run = at(setting);
+    return run && run->outcome == Outcome::solved ? run : nullptr;
+}
+
+double ChartData::contact(std::size_t scene) const {
+    double fraction = 0;
+    for (const ChartRun& run : runs)
+        if (run.setting.scene == scene && run.setting.share == 1 && run.outcome == Outcome::solved)
+            fraction = run.contact_fraction;
+    return fraction;
+}
+
+std::vector<rough::Index> ChartData::grids() const {
+    std::set<rough::Index> grids;
+    for (const ChartRun& run : runs)
+        grids.insert(run.setting.nodes);
+    return {grids.begin(), grids.end()};
+}
+
+std::string chart_csv(const ChartData& data) {
+    std::ostringstream out;
+    out.precision(6);
+    out << "scene,kernel,method,nodes,steps,tolerance,seconds,error_pressure,error_stiffness,error_contact,"
+           "iterations,outcome\n";
+    for (const ChartRun& run : data.runs) {
+        const ChartSetting& setting = run.setting;
+        if (setting.share < 1)
+            continue;
+        const ChartedScene& scene = data.scenes[setting.scene];
+        out << scene.name << "," << scene.kernel << "," << name_of(setting.method) << "," << setting.nodes
+            << "," << setting.steps << "," << setting.tolerance << "," << run.seconds;
+        for (const double error : {run.error_pressure, run.error_stiffness, run.error_contact}) {
+            out << ",";
+            if (error != ChartRun::unknown)
+                out << error;
+        }
+        out << "," << run.iterations << "," << name_of(run.outcome) << "\n";
+    }
+    return out.str();
+}
+
+} // namespace app

@@ -1,0 +1,43 @@
+#include "apps/chart_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace app {
+
+std::string number(double value, int digits) {
+    std::ostringstream out;
+    out.precision(digits);
+    out << value;
+    return out.str();
+}
+
+std::string time_words(double seconds) {
+    return seconds < 1e-3 ? number(1e6 * seconds, 3) + " µs"
+           : seconds < 1  ? number(1e3 * seconds, 3) + " ms"
+                          : number(seconds, 3) + " s";
+}
+
+std::string share_words(double share) { return number(100 * share) + " %"; }
+
+std::string tolerance_word(double tolerance) {
+    return "1e" + std::to_string(std::lround(std::log10(tolerance)));
+}
+
+std::string range_words(const std::vector<double>& values) {
+    if (values.empty())
+        return "";
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const std::string low = number(*least), high = number(*most);
+    return low == high ? low : low + " to " + high;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (std::size_t k = 0; k < words.size(); ++k)
+        text += (k == 0 ? "" : k + 1 == words.size() ? " and " : ", ") + words[k];
+    return text;
+}
+
+} // namespace app
