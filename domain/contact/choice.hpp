@@ -14,7 +14,7 @@ struct SolverChoice {
 
 /// Between the nested factor and the active set, by predicted memory and cost. The model is fixed and knows
 /// no clock, so that the same problem is solved by the same method everywhere; the contact set's size is that
-/// of a grid of at most 512 nodes, scaled.
+/// of a grid of at most 2048 nodes, scaled.
 SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options);
 
 /// Refuses the nested solver before it begins where its factor is predicted not to fit. Throws InputError.

@@ -1,0 +1,142 @@
+// Fits the cost model of domain/contact/choice.cpp, and judges the choices made by it. The first argument
+// seeds the profiles.
+
+#include "domain/contact/problem.hpp"
+#include "tests/domain/contact/scenes.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <random>
+#include <string>
+
+using namespace rough;
+
+namespace {
+
+/// Of this thread: what other work on the machine takes is not counted.
+double processor_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// The least of three, or of one where it takes long.
+double least_seconds(const std::function<void()>& work) {
+    double least = HUGE_VAL;
+    for (int k = 0; k < 3 && (k == 0 || least < 0.3); ++k) {
+        const double start = processor_seconds();
+        work();
+        least = std::min(least, processor_seconds() - start);
+    }
+    return least;
+}
+
+struct Measured {
+    double nodes, steps, contact;         ///< contact: nodes at the last step
+    double nested, active_set, automatic; ///< s; nested 0 where it would take too long
+
+    double transforms() const { return steps * nodes * std::log2(2 * nodes); }
+    double faster() const { return nested > 0 ? std::min(nested, active_set) : active_set; }
+    bool is_near_crossing() const {
+        return nested > 0 && std::abs(std::log(nested / active_set)) < std::log(7.0);
+    }
+};
+
+Profile random_profile(std::mt19937_64& random, Index nodes, double shortest, bool periodic) {
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const double length = 0.84942, H = 0.5 + uniform(random), gamma = 1.4 + 0.6 * uniform(random);
+    nlohmann::json series{{"A", 1}, {"H", H}, {"gamma", gamma}, {"lambda", length}};
+    for (int n = 1; std::pow(gamma, 1 - n) >= shortest; ++n)
+        series["chromosomes"].push_back({{"n", n}, {"phases", {6.283185 * uniform(random)}}});
+    return scenes::profile_of({{"series", {series}}}, nodes, length, periodic);
+}
+
+Measured measured(const Profile& profile, Kernel kernel, int steps, double reach) {
+    constexpr double most_contact = 5000;
+    Body body;
+    body.kernel = kernel;
+    body.datum = body.strip_width = 0.84942;
+    body.strip_width /= 511;
+    const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
+    const auto displacements = scenes::load_steps(
+        profile, steps, reach * std::min(1.0, largest_displacement(profile, body) / range));
+    Measured m{static_cast<double>(profile.nodes()), static_cast<double>(steps), 0, 0, 0, 0};
+    ContactCurve curve;
+    const auto seconds = [&](Solver solver) {
+        ContactOptions options;
+        options.solver = solver;
+        return least_seconds([&] { curve = solve_contact(profile, body, displacements, options); });
+    };
+    m.active_set = seconds(Solver::active_set);
+    m.contact = static_cast<double>(curve.steps.back().contact_nodes);
+    if (m.contact <= most_contact)
+        m.nested = seconds(Solver::nested);
+    m.automatic = seconds(Solver::automatic);
+    return m;
+}
+
+/// What each term takes, ns, by least relative error over the curves near the crossing.
+template <typename Terms>
+void print_fit(const char* what, const std::vector<Measured>& runs, double Measured::*seconds, Terms terms) {
+    std::vector<Eigen::VectorXd> rows;
+    for (const Measured& run : runs)
+        if (run.is_near_crossing())
+            rows.push_back(terms(run) / (run.*seconds * 1e9));
+    Eigen::MatrixXd matrix(static_cast<Index>(rows.size()), rows.front().size());
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        matrix.row(static_cast<Index>(k)) = rows[k];
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(matrix.rows());
+    const Eigen::VectorXd found = matrix.colPivHouseholderQr().solve(ones);
+    std::printf("%s:", what);
+    for (const double value : found)
+        std::printf(" %.3g", value);
+    std::printf(" ns; off by %.2g (root mean square of %ld curves)\n",
+                std::sqrt((matrix * found - ones).squaredNorm() / static_cast<double>(matrix.rows())),
+                static_cast<long>(matrix.rows()));
+}
+
+void print_choices(const std::vector<Measured>& runs, double nodes) {
+    double sum = 0, worst = 0, count = 0;
+    for (const Measured& run : runs)
+        if (run.nodes == nodes) {
+            const double loss = run.automatic / run.faster();
+            sum += std::log(loss);
+            worst = std::max(worst, loss);
+            ++count;
+        }
+    std::printf("N = %g: auto takes %.3g times as long as the faster (geometric mean), %.3g at worst of %g\n",
+                nodes, std::exp(sum / count), worst, count);
+}
+
+} // namespace
+
+int main(int count, char** words) {
+    std::mt19937_64 random(count > 1 ? std::stoul(words[1]) : 1);
+    const std::vector<Index> grids{512, 768, 1024, 2048, 4096, 8192, 16384, 65536};
+    std::vector<Measured> runs;
+    for (const Index nodes : grids)
+        for (const double shortest : {1.0, 1 / 8.0, 1 / 64.0, 1 / 511.0})
+            for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
+                for (const double reach : {0.1, 0.4, 0.9}) {
+                    const int steps = std::array{5, 20, 80}[runs.size() % 7 % 3];
+                    const Profile profile =
+                        random_profile(random, nodes, shortest, kernel == Kernel::periodic);
+                    runs.push_back(measured(profile, kernel, steps, reach));
+                }
+    print_fit("nested, of steps N log2 2N, steps m^2, m^3/6", runs, &Measured::nested,
+              [](const Measured& run) {
+                  const double m = run.contact;
+                  return Eigen::VectorXd(Eigen::Vector3d(run.transforms(), run.steps * m * m, m * m * m / 6));
+              });
+    print_fit("active set, of steps N log2 2N", runs, &Measured::active_set, [](const Measured& run) {
+        return Eigen::VectorXd(Eigen::VectorXd::Constant(1, run.transforms()));
+    });
+    for (const Index nodes : grids)
+        print_choices(runs, static_cast<double>(nodes));
+}
