@@ -1,8 +1,8 @@
-#include "apps/chart_course.hpp"
-#include "apps/chart_growth.hpp"
-#include "apps/chart_left_out.hpp"
-#include "apps/chart_page.hpp"
-#include "apps/chart_plots.hpp"
+#include "apps/chart/course.hpp"
+#include "apps/chart/growth.hpp"
+#include "apps/chart/left_out.hpp"
+#include "apps/chart/page.hpp"
+#include "apps/chart/plots.hpp"
 #include "apps/commands.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/output.hpp"
@@ -34,6 +34,8 @@ class GrowingTable {
     explicit GrowingTable(std::filesystem::path file) : file_(std::move(file)) {}
     void grow(const ChartData& data) {
         using namespace std::chrono_literals;
+        if (data.runs.empty())
+            return;
         if (const auto now = std::chrono::steady_clock::now(); now - written_ > 3s) {
             rough::write_atomically(file_, chart_csv(data));
             written_ = now;
@@ -83,8 +85,10 @@ int chart(const Words& words) {
                             progress.show(where);
                             table.grow(so_far);
                         }});
-        if (data.runs.empty())
+        if (data.runs.empty()) {
+            say("interrupted before the first curve: nothing written");
             return exit_interrupted;
+        }
         progress.show("pictures");
         rough::write_atomically(folder.path() / "chart.csv", chart_csv(data));
         rough::write_atomically(folder.path() / "growth.csv", growth_csv(data));

@@ -1,8 +1,8 @@
-#include "apps/chart_course.hpp"
-#include "apps/chart_growth.hpp"
-#include "apps/chart_left_out.hpp"
-#include "apps/chart_pace.hpp"
-#include "apps/chart_page.hpp"
+#include "apps/chart/course.hpp"
+#include "apps/chart/growth.hpp"
+#include "apps/chart/left_out.hpp"
+#include "apps/chart/pace.hpp"
+#include "apps/chart/page.hpp"
 #include "tests/apps/program.hpp"
 
 #include <catch2/catch.hpp>
@@ -78,22 +78,30 @@ TEST_CASE("no error is told of a grid that the reference does not resolve") {
     CHECK(run_chart(scene, truth, nested(1024, 5), 10)->error_pressure == ChartRun::unknown);
 }
 
-TEST_CASE("the growth of cost is fitted as a power of nodes and contact fraction") {
+TEST_CASE("the growth of cost is found again: powers of an iterative method, terms of a direct one") {
     std::vector<ChartRun> runs;
     for (const Index nodes : {600, 2000, 5000})
         for (const double fraction : {0.1, 0.3}) {
+            const double n = static_cast<double>(nodes), m = fraction * n;
             ChartRun run;
-            run.setting = usual_setting(0, Solver::nested, nodes);
             run.contact_fraction = fraction;
-            run.seconds = 2e-9 * std::pow(nodes, 2.5) * std::pow(fraction, 1.5);
+            run.setting = usual_setting(0, Solver::active_set, nodes);
+            run.seconds = 2e-9 * std::pow(n, 1.3) * std::pow(fraction, 0.2);
+            runs.push_back(run);
+            run.setting = usual_setting(0, Solver::nested, nodes);
+            run.seconds = 3e-8 * n * std::log2(2 * n) + 1e-11 * m * m * m;
             runs.push_back(run);
         }
-    const Growth growth = fitted_growth(Solver::nested, runs);
-    CHECK(growth.factor == Approx(2e-9));
-    CHECK(growth.by_nodes == Approx(2.5));
-    CHECK(growth.by_contact == Approx(1.5));
-    CHECK(growth.spread == Approx(1));
-    CHECK(fitted_growth(Solver::nnls, runs).factor == 0);
+    const Growth active_set = fitted_growth(Solver::active_set, runs),
+                 direct = fitted_growth(Solver::nested, runs);
+    CHECK(active_set.coefficients[0] == Approx(2e-9));
+    CHECK(active_set.coefficients[1] == Approx(1.3));
+    CHECK(active_set.coefficients[2] == Approx(0.2));
+    CHECK(active_set.spread == Approx(1));
+    CHECK(direct.coefficients[0] == Approx(3e-8));
+    CHECK(direct.coefficients[1] == Approx(1e-11));
+    CHECK(direct.law == "30 ns N log<sub>2</sub> 2N + 0.01 ns m<sup>3</sup>");
+    CHECK(fitted_growth(Solver::nnls, runs).coefficients.size() == 0);
 }
 
 TEST_CASE("a chart is planned from coarse grids to fine, each setting over all scenes before the next") {

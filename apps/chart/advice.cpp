@@ -1,6 +1,6 @@
-#include "apps/chart_advice.hpp"
+#include "apps/chart/advice.hpp"
 
-#include "apps/chart_words.hpp"
+#include "apps/chart/words.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/report/compare.hpp"
 

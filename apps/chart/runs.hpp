@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/chart_plan.hpp"
-#include "apps/chart_scenes.hpp"
+#include "apps/chart/plan.hpp"
+#include "apps/chart/scenes.hpp"
 #include "apps/contact_trial.hpp"
 
 #include <optional>

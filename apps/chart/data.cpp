@@ -1,4 +1,4 @@
-#include "apps/chart_data.hpp"
+#include "apps/chart/data.hpp"
 
 #include "apps/model_settings.hpp"
 

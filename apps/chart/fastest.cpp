@@ -1,6 +1,6 @@
-#include "apps/chart_fastest.hpp"
+#include "apps/chart/fastest.hpp"
 
-#include "apps/chart_words.hpp"
+#include "apps/chart/words.hpp"
 #include "apps/model_settings.hpp"
 
 #include <algorithm>
@@ -88,9 +88,11 @@ Table fastest_by_grid(const ChartData& data) {
             std::string cell = runs.empty() ? "not tried" : "";
             if (!runs.empty())
                 cell = name_of(runs[0]->setting.method) + ", " + time_words(runs[0]->seconds);
-            if (runs.size() > 1)
-                cell += "<span class=\"rule\">" + name_of(runs[1]->setting.method) + " " +
-                        number(runs[1]->seconds / runs[0]->seconds, 3) + " times</span>";
+            if (runs.size() > 1) {
+                const double longer = runs[1]->seconds / runs[0]->seconds;
+                cell += "<span class=\"rule\">" + name_of(runs[1]->setting.method) +
+                        (longer < same_time ? " alike" : " " + number(longer) + " times") + "</span>";
+            }
             row.push_back(cell);
         }
         row.push_back(overtaken_at(data, scene));

@@ -1,4 +1,4 @@
-#include "apps/chart_runs.hpp"
+#include "apps/chart/runs.hpp"
 
 #include "apps/report/compare.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/chart_data.hpp"
+#include "apps/chart/data.hpp"
 #include "apps/report/page.hpp"
 
 namespace app {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/chart_plan.hpp"
+#include "apps/chart/plan.hpp"
 
 #include <map>
 #include <tuple>

@@ -1,4 +1,4 @@
-#include "apps/chart_scenes.hpp"
+#include "apps/chart/scenes.hpp"
 
 #include "domain/contact/exact.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/chart_data.hpp"
+#include "apps/chart/data.hpp"
 #include "apps/report/page.hpp"
 
 namespace app {
@@ -8,7 +8,7 @@ namespace app {
 /// What of the plan was not tried, in one line for the end; "" where all was.
 std::string left_out_in_a_line(const ChartData& data);
 
-/// The same in full, with what was stopped at the limit: a row a method and reason.
+/// The same in full, and with what was stopped at the limit: a row a method and reason.
 Table left_out_table(const ChartData& data);
 
 } // namespace app

@@ -1,6 +1,6 @@
-#include "apps/chart_course.hpp"
+#include "apps/chart/course.hpp"
 
-#include "apps/chart_pace.hpp"
+#include "apps/chart/pace.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/progress.hpp"
 #include "domain/errors.hpp"

@@ -1,7 +1,7 @@
-#include "apps/chart_plots.hpp"
+#include "apps/chart/plots.hpp"
 
-#include "apps/chart_growth.hpp"
-#include "apps/chart_words.hpp"
+#include "apps/chart/growth.hpp"
+#include "apps/chart/words.hpp"
 #include "apps/model_settings.hpp"
 
 #include <algorithm>

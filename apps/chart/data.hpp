@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/chart_runs.hpp"
+#include "apps/chart/runs.hpp"
 
 namespace app {
 

@@ -1,6 +1,6 @@
-#include "apps/chart_pace.hpp"
+#include "apps/chart/pace.hpp"
 
-#include "apps/chart_runs.hpp"
+#include "apps/chart/runs.hpp"
 
 #include <algorithm>
 #include <cmath>

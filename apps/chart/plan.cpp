@@ -1,4 +1,4 @@
-#include "apps/chart_plan.hpp"
+#include "apps/chart/plan.hpp"
 
 #include "apps/model_settings.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/chart_plots.hpp"
+#include "apps/chart/plots.hpp"
 #include "apps/report/page.hpp"
 
 namespace app {

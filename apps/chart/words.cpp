@@ -1,4 +1,4 @@
-#include "apps/chart_words.hpp"
+#include "apps/chart/words.hpp"
 
 #include <algorithm>
 #include <cmath>

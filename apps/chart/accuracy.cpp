@@ -1,7 +1,7 @@
-#include "apps/chart_accuracy.hpp"
+#include "apps/chart/accuracy.hpp"
 
-#include "apps/chart_plots.hpp"
-#include "apps/chart_words.hpp"
+#include "apps/chart/plots.hpp"
+#include "apps/chart/words.hpp"
 #include "apps/report/compare.hpp"
 
 #include <algorithm>
@@ -89,8 +89,7 @@ Table what_limits(const ChartData& data) {
             for (ChartSetting setting : {base, finer(), looser(), more_steps()}) {
                 setting.scene = scene;
                 const ChartRun* run = data.at(setting);
-                row.push_back(
-                    run && run->*(kind->value) != ChartRun::unknown ? share_words(run->*(kind->value)) : "–");
+                row.push_back(run && kind->compares(*run) ? share_words(run->*(kind->value)) : "–");
             }
             table.rows.push_back(row);
         }

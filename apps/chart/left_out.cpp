@@ -1,6 +1,6 @@
-#include "apps/chart_left_out.hpp"
+#include "apps/chart/left_out.hpp"
 
-#include "apps/chart_words.hpp"
+#include "apps/chart/words.hpp"
 #include "apps/model_settings.hpp"
 
 #include <map>
