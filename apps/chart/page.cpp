@@ -95,7 +95,7 @@ std::string chart_page(const ChartData& data) {
         "Errors are root mean squares: of the relative error of the pressure over the load steps, at the "
         "same displacement; of the relative error of the tangent stiffness at 20 pressures, linear "
         "between the load steps; of the error of the contact fraction over the load steps. Times are "
-        "those of one core, medians of a few solutions, certificates included.");
+        "those of one core, the least of a few solutions, certificates included.");
     return page.html();
 }
 

@@ -11,7 +11,7 @@ namespace app {
 /// What became of a setting: a row of chart.csv.
 struct ChartRun {
     ChartSetting setting;
-    double seconds = 0; ///< of one curve, on one core: the median of a few
+    double seconds = 0; ///< of one curve, on one core: the least of a few
     double error_pressure = unknown, error_stiffness = unknown, error_contact = unknown;
     long iterations = 0;
     Outcome outcome = Outcome::solved;
@@ -26,9 +26,9 @@ struct ChartRun {
 /// mean squares.
 void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, ChartRun& run);
 
-/// Solves a few times and takes the median time; gives up after `limit` seconds of processor time. Errors are
-/// known on grids that the truth resolves and at the scene's own last displacement. None where `stop` ended
-/// it.
+/// Solves a few times and takes the least time, as other work on the machine only adds to it; gives up after
+/// `limit` seconds of processor time. Errors are known on grids that the truth resolves and at the scene's
+/// own last displacement. None where `stop` ended it.
 std::optional<ChartRun> run_chart(const ChartScene& scene, const ChartTruth& truth,
                                   const ChartSetting& setting, double limit,
                                   const std::function<bool()>& stop = {});

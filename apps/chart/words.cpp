@@ -14,9 +14,9 @@ std::string number(double value, int digits) {
 }
 
 std::string time_words(double seconds) {
-    return seconds < 1e-3 ? number(1e6 * seconds, 3) + " µs"
-           : seconds < 1  ? number(1e3 * seconds, 3) + " ms"
-                          : number(seconds, 3) + " s";
+    return seconds < 1e-3 ? number(1e6 * seconds, 3) + "\u00a0µs"
+           : seconds < 1  ? number(1e3 * seconds, 3) + "\u00a0ms"
+                          : number(seconds, 3) + "\u00a0s";
 }
 
 std::string share_words(double share) { return number(100 * share) + " %"; }
