@@ -58,8 +58,7 @@ class Course {
                 truths_.emplace_back(); // nothing will be measured against it
             }
             const ChartTruth& truth = truths_.back();
-            data_.scenes.push_back(
-                {scene.name, scene.words, name_of(scene.body.kernel), truth.origin, truth.doubt});
+            data_.scenes.push_back({scene.name, scene.words, name_of(scene.body.kernel), truth.origin});
         }
         solving_since_ = spent();
     }

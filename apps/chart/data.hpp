@@ -7,7 +7,6 @@ namespace app {
 struct ChartedScene {
     std::string name, words, kernel;
     std::string reference; ///< what it is measured against
-    double doubt = 0;      ///< relative, of the reference's pressures
 };
 
 /// Why a setting was not tried.

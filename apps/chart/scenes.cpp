@@ -1,11 +1,11 @@
 #include "apps/chart/scenes.hpp"
 
+#include "apps/chart/words.hpp"
 #include "domain/contact/exact.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
 namespace app {
 
@@ -143,20 +143,19 @@ ChartTruth truth_of(const ChartScene& scene, Index most_nodes, const std::functi
         return scene.exact();
     constexpr int steps = 160;
     constexpr double still = 1e-6;
-    Index nodes = 2049;
+    Index nodes = (most_nodes - 1) / 16 + 1;
     ChartTruth truth = refined(scene, nodes, steps, stop);
-    for (double moved = 1; moved > still && 2 * (nodes - 1) + 1 <= most_nodes; truth.doubt = moved) {
-        nodes = 2 * (nodes - 1) + 1;
+    double moved = 1;
+    while (moved > still && 4 * (nodes - 1) + 1 <= most_nodes) {
+        nodes = 4 * (nodes - 1) + 1;
         ChartTruth finer = refined(scene, nodes, steps, stop);
         moved = std::sqrt(
             (truth.pressure.tail(steps).array() / finer.pressure.tail(steps).array() - 1).square().mean());
         truth = std::move(finer);
     }
-    std::ostringstream moved;
-    moved.precision(2);
-    moved << 100 * truth.doubt;
     truth.origin = "a grid of " + std::to_string(nodes) + " nodes and " + std::to_string(steps) +
-                   " load steps, whose last refinement moved the pressures by " + moved.str() + " %";
+                   " load steps, whose pressures a grid of a quarter of the nodes misses by " +
+                   share_words(moved);
     truth.finest_judged = (nodes - 1) / 4;
     return truth;
 }

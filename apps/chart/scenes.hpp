@@ -14,7 +14,6 @@ struct ChartTruth {
     Eigen::VectorXd stiffness;      ///< tangent, MPa/mm
     Eigen::VectorXd fraction;       ///< of the length in contact
     std::string origin;             ///< "the exact solution", or how far it was refined
-    double doubt = 0;               ///< by how much the last refinement moved the pressures, relative
     rough::Index finest_judged = 0; ///< grids of more nodes are too close to it to be judged by it
 };
 
@@ -35,7 +34,7 @@ struct ChartScene {
 /// hertz, westergaard, mwm-smooth, mwm-rough and fractional-brownian.
 std::vector<ChartScene> chart_scenes();
 
-/// The exact curve, or that of ever finer grids (twice the nodes, at most `most_nodes`) until pressures
+/// The exact curve, or that of ever finer grids (four times the nodes, at most `most_nodes`) until pressures
 /// move by less than 1e-6 of themselves (root mean square). Throws rough::NotConverged when `stop` says so.
 ChartTruth truth_of(const ChartScene& scene, rough::Index most_nodes, const std::function<bool()>& stop = {});
 
