@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace app {
 
@@ -38,9 +39,9 @@ Index finest_common(const ChartData& data, Solver method, Solver other) {
 std::string against(const ChartData& data, Solver method, Solver other) {
     std::string text;
     const Index finest = finest_common(data, method, other);
-    for (const Index nodes : {Index{512}, finest}) {
+    for (const Index nodes : std::set<Index>{512, finest}) {
         const std::string range = range_words(ratios(data, method, other, nodes));
-        if (!range.empty() && (nodes == 512 || finest != 512))
+        if (!range.empty())
             text += (text.empty() ? "" : ", ") + range + " times as long as " + name_of(other) +
                     " at N = " + std::to_string(nodes);
     }

@@ -82,7 +82,7 @@ Table fastest_by_grid(const ChartData& data) {
                 {false, true}};
     for (const Index nodes : grids)
         table.header.push_back("N = " + std::to_string(nodes));
-    table.header.push_back("Active-set overtakes nested at");
+    table.header.push_back("Active-set overtakes at");
     for (std::size_t scene = 0; scene < data.scenes.size(); ++scene) {
         std::vector<std::string> row{data.scenes[scene].name, share_words(data.contact(scene))};
         for (const Index nodes : grids) {

@@ -47,7 +47,7 @@ struct Observed {
     }
 };
 
-std::string nanoseconds(double seconds) { return number(1e9 * seconds) + " ns"; }
+std::string nanoseconds(double seconds) { return number(1e9 * seconds, 3) + " ns"; }
 
 Growth by_terms(const Observed& runs, const ArrayXd& contact_term, const std::string& contact_word) {
     MatrixXd terms(runs.seconds.size(), 2);

@@ -3,6 +3,7 @@
 #include "apps/chart/words.hpp"
 #include "apps/model_settings.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -44,6 +45,18 @@ std::string left_out_in_a_line(const ChartData& data) {
                 " (" + why(data, reason) + ")";
     }
     return line;
+}
+
+std::string early_end(const ChartData& data) {
+    const auto first = std::find_if(data.left_out.begin(), data.left_out.end(), [](const LeftOut& each) {
+        return each.why == LeftOutFor::time || each.why == LeftOutFor::interrupt;
+    });
+    return first == data.left_out.end()
+               ? ""
+               : "<b>This chart ended early</b>, on grids of " + std::to_string(first->setting.nodes) +
+                     " nodes, as " +
+                     (first->why == LeftOutFor::time ? "its time was over" : "it was interrupted") +
+                     ". What follows holds for what was measured.";
 }
 
 Table left_out_table(const ChartData& data) {

@@ -49,6 +49,8 @@ Figure figure_of(const ChartData& data, const ErrorKind& kind) {
 std::string chart_page(const ChartData& data) {
     Page page("Speed against accuracy",
               "Which contact method to take when: time of one pressure curve on one core against its error.");
+    if (const std::string words = early_end(data); !words.empty())
+        page.prose(words);
     page.section("Which method when");
     page.prose(words_of_auto(data));
     page.prose(words_of_nested_and_active_set(data));

@@ -152,6 +152,7 @@ TEST_CASE("a chart without time left has the coarsest grid of every scene, and s
     const std::string page = chart_page(data);
     CHECK_THAT(page, Catch::Contains("N = 64 and 128 on every scene"));
     CHECK_THAT(page, Catch::Contains("the chart's time was over"));
+    CHECK_THAT(page, Catch::Contains("<b>This chart ended early</b>, on grids of 64 nodes"));
     CHECK_THAT(words.back(), Catch::StartsWith(std::to_string(data.runs.size()) + " of "));
 }
 
@@ -218,7 +219,8 @@ TEST_CASE("the chart's page says which method to take, and its table has a row a
     CHECK(std::count(table.begin(), table.end(), '\n') == 5);
     const std::string page = chart_page(data);
     CHECK_THAT(page, Catch::Contains("<b>If in doubt take auto</b>"));
-    CHECK_THAT(page, Catch::Contains("times as long as nested at N = 512"));
+    CHECK_THAT(page, Catch::Contains("times as long as nested at N = 512."));
+    CHECK_THAT(page, !Catch::Contains("ended early"));
     CHECK_THAT(page, Catch::Contains("<svg"));
 }
 
