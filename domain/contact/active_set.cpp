@@ -53,35 +53,38 @@ class ActiveSet {
     long applies() const { return solver_.applies(); }
 
   private:
-    /// Starts from the step before, moved along its tangent, or from a coarser grid's pressures, whichever
-    /// leaves the smaller residual.
+    /// Starts from the step before, moved along its tangent or by what a coarser grid's pressures have grown
+    /// since (never less, as no node's pressure falls with the load), whichever leaves the smaller residual.
     void start(double approach, const std::optional<Eigen::VectorXd>& guess) {
+        Loaded grown(guess ? problem_.nodes() : 0);
+        if (guess)
+            grown.pressure =
+                last_guess_ ? (load_.pressure + (*guess - *last_guess_).cwiseMax(0)).eval() : *guess;
+        KnownProduct grown_product = product_;
+        last_guess_ = guess;
         load_.pressure += (approach - approach_) * tangent_.pressure;
         approach_ = approach;
         solver_.load(load_, product_, rough_accuracy * approach);
         stale_ = false;
         if (!guess)
             return;
-        Loaded other(problem_.nodes());
-        other.pressure = *guess;
-        KnownProduct other_product = product_;
-        solver_.load(other, other_product, rough_accuracy * approach);
-        const double a = residual(load_, approach), b = residual(other, approach);
-        if (b > a)
+        solver_.load(grown, grown_product, rough_accuracy * approach);
+        const double left = residual(grown, approach);
+        if (left > residual(load_, approach))
             return;
-        load_ = std::move(other);
-        product_ = std::move(other_product);
+        load_ = std::move(grown);
+        product_ = std::move(grown_product);
         for (Index i = 0; i < problem_.nodes(); ++i)
             load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
         set_.collect();
         // The guess errs in its pressures more than in its set: those first.
-        improve(approach, loosening * b);
+        improve(approach, loosening * left);
     }
 
     void improve(double approach, double target) {
         solver_.improve(
-            set_, [&](Index i) { return approach - problem_.gap[i]; }, load_,
-            [&](double largest, double) { return largest <= target * approach; }, most_iterations);
+            set_, [&](Index i) { return approach - problem_.gap[i]; }, load_, Enough{target * approach},
+            most_iterations);
         stale_ = true;
     }
 
@@ -154,6 +157,7 @@ class ActiveSet {
     Loaded load_, tangent_;
     KnownProduct product_; ///< of load_
     Eigen::ArrayXd depth_;
+    std::optional<Eigen::VectorXd> last_guess_; ///< the coarser grid's pressures at the step before
     double approach_ = 0;
     bool stale_ = true; ///< the displacement off the contact set
 };

@@ -112,7 +112,7 @@ void SetSolver::multiply(SingleFourierOperator& matrix, const std::vector<int>& 
 }
 
 bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                        const std::function<bool(double, double)>& enough, long most) {
+                        const Enough& enough, long most) {
     const auto& nodes = set.nodes();
     const Index m = static_cast<Index>(nodes.size());
     if (m == 0)
@@ -134,9 +134,12 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
         double rz = 1;
         for (bool first = true;; first = false, ++iteration) {
             const double largest = r.cwiseAbs().maxCoeff();
+            solved = largest <= enough.residual;
+            if (solved)
+                break;
             multiply(inverse_, nodes, r, scale > 0 ? scale : 1, z);
             const double energy = r.dot(z);
-            solved = std::isfinite(energy) && enough(largest, energy);
+            solved = std::isfinite(energy) && enough.energy && enough.energy(energy);
             if (solved || iteration >= most || !progress || !(energy > 0) || largest <= single_depth * scale)
                 break;
             deflation.purge(z);
@@ -166,12 +169,11 @@ void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry
         if (!set.holds(i))
             w.pressure[i] = 0;
     load(w);
+    const Enough enough =
+        each_entry ? Enough{0.1 * tolerance}
+                   : Enough{0, [&](double energy) { return energy <= 0.5 * tolerance * w.pressure.sum(); }};
     improve(
-        set, [](Index) { return 1.0; }, w,
-        [&](double largest, double energy) {
-            return each_entry ? largest <= 0.1 * tolerance : energy <= 0.5 * tolerance * w.pressure.sum();
-        },
-        most_iterations);
+        set, [](Index) { return 1.0; }, w, enough, most_iterations);
     if (tolerance < single_stiffness)
         load(w);
 }

@@ -43,6 +43,12 @@ struct KnownProduct {
     double blur = 0;              ///< largest error of an entry
 };
 
+/// When an improvement may end: at the residual or, where it is asked for, at a small enough energy.
+struct Enough {
+    double residual = 0;                     ///< largest |b - H x| on A
+    std::function<bool(double)> energy = {}; ///< of the error: r' M^-1 r, M being the preconditioner
+};
+
 /// Conjugate gradients for H_AA x = b on a fixed contact set A, H applied by FFT, preconditioned by the
 /// inverse of the circulant nearest to H (T. Chan 1988), restricted to A. Its search directions are products
 /// in single precision; the residual they improve is taken afresh in double precision before they could blur
@@ -57,11 +63,10 @@ class SetSolver {
     /// The same with an error of at most `accuracy` at each node: from the product that is known, by that of
     /// what has changed since in single precision, where this is good enough.
     void load(Loaded& x, KnownProduct& known, double accuracy);
-    /// Improves x until `enough(largest |b - H x| on A, energy estimate of the error)` says so;
-    /// x.displacement is then up to date on A only. Returns false where `most` iterations were not enough or
-    /// rounding stops it.
+    /// Improves x until it is good enough; x.displacement is then up to date on A only. Returns false where
+    /// `most` iterations were not enough or rounding stops it.
     bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                 const std::function<bool(double, double)>& enough, long most);
+                 const Enough& enough, long most);
     /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
     /// entries.
     void tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);

@@ -81,8 +81,7 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
         for (const int i : set.nodes())
             largest = std::max(largest, std::abs(right[i]));
         solver.improve(
-            set, [&](Index i) { return right[i]; }, z,
-            [&](double residual, double) { return residual <= tolerance * largest; }, most_iterations);
+            set, [&](Index i) { return right[i]; }, z, Enough{tolerance * largest}, most_iterations);
         area.fraction[j] = count / static_cast<double>(n);
         area.by_displacement[j] = rate * per_mm;
         area.by_height.row(j) = per_mm * (z.pressure - off.pressure).transpose();

@@ -192,7 +192,7 @@ TEST_CASE("the circulant preconditioner keeps iterations on a fixed set from gro
         SetSolver solver(problem);
         Loaded w(nodes);
         const bool solved = solver.improve(
-            set, [](Index) { return 1.0; }, w, [](double largest, double) { return largest < 1e-8; }, 100);
+            set, [](Index) { return 1.0; }, w, Enough{1e-8}, 100);
         CHECK(solved);
         CHECK(solver.applies() <= 22);
     }
