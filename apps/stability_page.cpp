@@ -38,7 +38,7 @@ Table by_method(const std::vector<StabilityCell>& cells) {
         table.header.push_back(name_of(outcome));
         table.numeric.push_back(true);
     }
-    table.header.push_back("unsolved though there is a solution");
+    table.header.emplace_back("unsolved though there is a solution");
     table.numeric.push_back(true);
     for (const std::string& method : solver_names()) {
         std::vector<std::string> row{method};
