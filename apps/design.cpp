@@ -82,11 +82,8 @@ json front_json(const std::vector<rough::Compromise>& front) {
 }
 
 json design_json(const DesignRun& run) {
-    json result = model_json(run.searched.model);
-    result["version"] = run.version;
-    result["command"] = run.command;
-    result["seed"] = run.options.seed;
-    result["threads"] = run.options.threads > 0 ? run.options.threads : omp_get_max_threads();
+    const int threads = run.options.threads > 0 ? run.options.threads : omp_get_max_threads();
+    json result = head_json(run.searched.model, {run.version, run.command, run.options.seed, threads});
     result["max_pressure_MPa"] = run.setup.max_pressure ? json(*run.setup.max_pressure) : json();
     result["target"] = goal_json(run.setup.goals.front());
     for (const rough::Goal& goal : run.setup.goals)
@@ -98,17 +95,8 @@ json design_json(const DesignRun& run) {
         result["out_of_reach"].push_back(
             {{"reason", reason.reason}, {"at", reason.at}, {"highest_similarity", reason.bound}});
 
-    VariantRun variant;
-    variant.name = run.options.variant;
-    variant.stages = run.stages;
-    variant.notes = run.found.notes;
-    variant.answer.genome = run.found.best.genome;
+    VariantRun variant = variant_run(run.options.variant, run.found, run.stages, run.seconds);
     variant.answer.response = respond(run.setup, run.found.best.genome, run.setup.model).responses.front();
-    variant.similarity = run.found.best.similarity;
-    variant.similarity_refined = run.found.best.similarity_refined;
-    variant.seconds = run.seconds;
-    variant.curves = run.found.counters.evaluations;
-    variant.gradients = run.found.counters.gradients;
     json answer = variant_json(variant, loaded_models(run.searched));
     answer["pipeline"] = run.found.pipeline;
     answer["stopped"] = run.found.stopped;

@@ -3,6 +3,7 @@
 #include "apps/contact_trial.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/recorder.hpp"
+#include "apps/result.hpp"
 #include "domain/design/search.hpp"
 #include "domain/economy/accuracy.hpp"
 #include "domain/economy/economy.hpp"
@@ -175,18 +176,13 @@ class Economy {
         options.threads = run_.threads;
         options.evaluations = settings_.whole("economy.design-budget", 10, 1000000000);
         options.stop = &stop_;
-        VariantRun& answer = run_.design;
+        std::vector<StageRecord> stages;
         const auto start = std::chrono::steady_clock::now();
-        const rough::SearchResult found = rough::search(setup, options, {recorder(answer.stages)});
-        answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        answer.name = options.variant;
-        answer.notes = found.notes;
-        answer.answer.genome = found.best.genome;
-        answer.similarity = found.best.similarity;
-        answer.similarity_refined = found.best.similarity_refined;
-        answer.curves = found.counters.evaluations;
-        answer.gradients = found.counters.gradients;
-        answer.answer.response = respond(setup, found.best.genome, rough::exactly(model_)).responses.front();
+        const rough::SearchResult found = rough::search(setup, options, {recorder(stages)});
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        run_.design = variant_run(options.variant, found, std::move(stages), took.count());
+        run_.design.answer.response =
+            respond(setup, found.best.genome, rough::exactly(model_)).responses.front();
         make_budget();
     }
 

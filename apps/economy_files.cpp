@@ -43,11 +43,7 @@ std::string budget_csv(const EconomyRun& run) {
 }
 
 json result_json(const EconomyRun& run) {
-    json result = model_json(run.setup.model);
-    result["version"] = run.version;
-    result["command"] = run.command;
-    result["seed"] = run.seed;
-    result["threads"] = run.threads;
+    json result = head_json(run.setup.model, {run.version, run.command, run.seed, run.threads});
     result["seconds"] = run.seconds;
     result["savings"] = json::array();
     for (const SavingRow& row : run.savings)

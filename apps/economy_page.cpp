@@ -1,4 +1,5 @@
 #include "apps/economy_experiment.hpp"
+#include "apps/report/compare.hpp"
 #include "apps/report/page.hpp"
 #include "apps/units.hpp"
 
@@ -9,13 +10,6 @@
 namespace app {
 
 namespace {
-
-double median_of(std::vector<double> values) {
-    if (values.empty())
-        return unset;
-    std::sort(values.begin(), values.end());
-    return 0.5 * (values[values.size() / 2] + values[(values.size() - 1) / 2]);
-}
 
 std::string percent(double part) { return readable(100 * part, 3) + " %"; }
 
@@ -32,7 +26,7 @@ Series median_line(const EconomyRun& run, const std::string& label, Colour colou
     Eigen::Index i = 0;
     for (const auto& [accuracy, values] : by_accuracy) {
         line.x[i] = accuracy;
-        line.y[i++] = median_of(values);
+        line.y[i++] = median(values);
     }
     return line;
 }
@@ -90,7 +84,7 @@ void add_savings(Page& page, const EconomyRun& run) {
         }
         const auto count = static_cast<double>(rows.size());
         table.rows.push_back({readable(accuracy), std::to_string(rows.size()), percent(covered / count),
-                              percent(within / count), readable(worst, 3), readable(median_of(savings), 3)});
+                              percent(within / count), readable(worst, 3), readable(median(savings), 3)});
     }
     page.table(table);
 }

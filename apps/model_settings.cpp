@@ -10,7 +10,7 @@ namespace {
 
 rough::Model model_on(rough::Grid grid, const Settings& settings, const std::string& prefix) {
     rough::Model model;
-    model.body.kernel = static_cast<rough::Kernel>(settings.one_of(prefix + "kernel", kernel_names()));
+    model.body.kernel = static_cast<rough::Kernel>(settings.one_of(prefix + "kernel", rough::kernel_names()));
     const bool periodic = model.body.kernel == rough::Kernel::periodic;
     grid.wraps = periodic;
     model.grid = grid;
@@ -46,17 +46,11 @@ rough::Model model_from(const Settings& settings, double length, const std::stri
 
 } // namespace
 
-const std::vector<std::string>& kernel_names() {
-    static const std::vector<std::string> names{"free", "periodic", "strip"};
-    return names;
-}
-
 const std::vector<std::string>& solver_names() {
     static const std::vector<std::string> names{"auto", "nested", "nnls", "polonsky-keer", "active-set"};
     return names;
 }
 
-const std::string& name_of(rough::Kernel kernel) { return kernel_names()[static_cast<std::size_t>(kernel)]; }
 const std::string& name_of(rough::Solver solver) { return solver_names()[static_cast<std::size_t>(solver)]; }
 
 std::vector<Setting> model_settings(const std::string& prefix) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/settings.hpp"
+#include "domain/contact/kernel.hpp"
 #include "domain/fitness/model.hpp"
 
 namespace app {
@@ -21,9 +22,7 @@ rough::Model model_from(const Settings& settings, const std::string& prefix = ""
 rough::Model model_from(const Settings& settings, double length);
 rough::Model model_from(const Settings& settings, const rough::Profile& scan, const std::string& prefix = "");
 
-const std::vector<std::string>& kernel_names(); ///< in the order of rough::Kernel
 const std::vector<std::string>& solver_names(); ///< in the order of rough::Solver
-const std::string& name_of(rough::Kernel kernel);
 const std::string& name_of(rough::Solver solver);
 
 } // namespace app

@@ -11,6 +11,21 @@ namespace app {
 
 using nlohmann::json;
 
+VariantRun variant_run(const std::string& name, const rough::SearchResult& found,
+                       std::vector<StageRecord> stages, double seconds) {
+    VariantRun run;
+    run.name = name;
+    run.stages = std::move(stages);
+    run.notes = found.notes;
+    run.answer.genome = found.best.genome;
+    run.similarity = found.best.similarity;
+    run.similarity_refined = found.best.similarity_refined;
+    run.seconds = seconds;
+    run.curves = found.counters.evaluations;
+    run.gradients = found.counters.gradients;
+    return run;
+}
+
 json variant_json(const VariantRun& variant, const std::vector<rough::Model>& loaded) {
     json stages = json::array();
     for (const StageRecord& stage : variant.stages) {
@@ -55,6 +70,15 @@ json model_json(const rough::Model& model) {
         result["datum_mm"] = model.body.datum;
     if (model.body.kernel == rough::Kernel::strip)
         result["strip_width_mm"] = model.body.strip_width;
+    return result;
+}
+
+json head_json(const rough::Model& model, const Origin& origin) {
+    json result = model_json(model);
+    result["version"] = origin.version;
+    result["command"] = origin.command;
+    result["seed"] = origin.seed;
+    result["threads"] = origin.threads;
     return result;
 }
 

@@ -60,11 +60,7 @@ std::vector<std::string> taken_overrides(Words& words) {
 }
 
 nlohmann::json result_json(const PaperRun& run, const TargetRun& target) {
-    nlohmann::json result = model_json(run.searched);
-    result["version"] = run.version;
-    result["command"] = run.command;
-    result["seed"] = run.seed;
-    result["threads"] = run.threads;
+    nlohmann::json result = head_json(run.searched, {run.version, run.command, run.seed, run.threads});
     result["max_pressure_MPa"] = run.max_pressure;
     result["threshold_MPa"] = target.p_bar;
     result["target"] = target_json(target.target);

@@ -3,6 +3,7 @@
 #include "apps/design_settings.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/recorder.hpp"
+#include "apps/report/compare.hpp"
 #include "apps/result.hpp"
 #include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
@@ -23,11 +24,6 @@ using Clock = std::chrono::steady_clock;
 using nlohmann::json;
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-double median_of(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values.empty() ? NAN : 0.5 * (values[values.size() / 2] + values[(values.size() - 1) / 2]);
-}
 
 std::string trimmed(const std::string& text) {
     const auto from = text.find_first_not_of(" \t"), to = text.find_last_not_of(" \t");
@@ -119,15 +115,11 @@ double median_when(const RaceVariant& variant, Reached reached) {
                 best = spent.similarity;
         values.push_back(std::isnan(best) ? -1 : best);
     }
-    return median_of(values);
+    return median(values);
 }
 
 json race_json(const Race& race, const RaceTarget& target) {
-    json result = model_json(target.setup.model);
-    result["version"] = race.version;
-    result["command"] = race.command;
-    result["seed"] = race.seed;
-    result["threads"] = race.threads;
+    json result = head_json(target.setup.model, {race.version, race.command, race.seed, race.threads});
     result["budget"] = race.budget;
     result["max_pressure_MPa"] = target.setup.max_pressure ? json(*target.setup.max_pressure) : json();
     const rough::Goal& goal = target.setup.goals.front();
@@ -136,16 +128,7 @@ json race_json(const Race& race, const RaceTarget& target) {
         if (variant.runs.empty())
             continue;
         const RaceRun& middle = variant.median_run();
-        VariantRun shown;
-        shown.name = variant.name;
-        shown.stages = middle.stages;
-        shown.notes = middle.found.notes;
-        shown.answer.genome = middle.found.best.genome;
-        shown.similarity = middle.found.best.similarity;
-        shown.similarity_refined = middle.found.best.similarity_refined;
-        shown.seconds = middle.seconds;
-        shown.curves = middle.found.counters.evaluations;
-        shown.gradients = middle.found.counters.gradients;
+        const VariantRun shown = variant_run(variant.name, middle.found, middle.stages, middle.seconds);
         json one = variant_json(shown, loaded_models(target.setup));
         one["pipeline"] = middle.found.pipeline;
         one["median_judged"] = variant.median_judged();
@@ -169,7 +152,7 @@ double RaceVariant::median_judged() const {
     std::vector<double> values;
     for (const RaceRun& run : runs)
         values.push_back(run.found.best.judged());
-    return median_of(values);
+    return median(values);
 }
 
 const RaceRun& RaceVariant::median_run() const {

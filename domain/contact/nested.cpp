@@ -15,6 +15,7 @@ constexpr double rounding = 1e-13;
 constexpr double tolerance = 1e-9;
 constexpr int most_rounds = 200;
 constexpr std::size_t least_batch = 64;
+
 } // namespace
 
 NestedContact::NestedContact(const ContactProblem& problem, const ContactOptions& options)

@@ -1,5 +1,6 @@
 #include "domain/database/setup.hpp"
 
+#include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 
 namespace rough {
 namespace {
-
-constexpr std::array<const char*, 3> kernels{"free", "periodic", "strip"}; // in the order of Kernel
 
 std::string text(double value) {
     char digits[32];
@@ -53,7 +52,7 @@ Fields fields(const Model& model) {
     const Body& body = model.body;
     Fields all{{"nodes", std::to_string(model.grid.nodes)},
                {"length_mm", text(model.grid.length)},
-               {"kernel", kernels[static_cast<std::size_t>(body.kernel)]},
+               {"kernel", name_of(body.kernel)},
                {"effective_modulus_MPa", text(body.effective_modulus)},
                {"steps", std::to_string(model.loading.steps)},
                {"reach", text(model.loading.reach)}};
@@ -84,6 +83,7 @@ DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
     const Reader read(fields, where);
     DatabaseSetup setup;
     Model& model = setup.model;
+    const auto& kernels = kernel_names();
     const auto kernel = std::find(kernels.begin(), kernels.end(), read.text("kernel"));
     if (kernel == kernels.end())
         throw InputError(where + ": kernel is '" + read.text("kernel") +

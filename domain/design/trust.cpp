@@ -1,5 +1,6 @@
 #include "domain/design/trust.hpp"
 
+#include "domain/contact/kernel.hpp"
 #include "domain/design/starts.hpp"
 #include "ga/parallel.hpp"
 
@@ -57,10 +58,6 @@ Model with_kernel(Model model, Kernel kernel) {
     if (kernel == Kernel::free && !(model.body.datum > 0))
         model.body.datum = model.grid.length;
     return model;
-}
-
-const char* name_of(Kernel kernel) {
-    return kernel == Kernel::free ? "free" : kernel == Kernel::periodic ? "periodic" : "strip";
 }
 
 void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,

@@ -9,10 +9,9 @@ namespace ga {
 /// A population in four numbers.
 struct Summary {
     std::size_t individuals = 0; ///< scored or not
-    /// fitness among the scored that have not failed; none where there are none
-    std::optional<double> best,
-        median;           ///< fitness among the scored that have not failed; none where there are none
-    double diversity = 0; ///< share of different genomes, in (0, 1]
+    std::optional<double> best;  ///< fitness among the scored that have not failed; none where there are none
+    std::optional<double> median; ///< of the same
+    double diversity = 0;         ///< share of different genomes, in (0, 1]
 };
 
 /// Of a population under the objective it was last scored by.

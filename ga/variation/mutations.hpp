@@ -166,6 +166,19 @@ auto& places(G& genome) {
 template <class G>
 concept Ordered = std::same_as<G, Permutation> || Discrete<G> || std::same_as<G, std::vector<double>>;
 
+/// change(i, j) at chance of each gene i, with another gene j drawn for it; true if there was any.
+template <class Genes, class Change>
+bool with_another(const Genes& genes, const Chance& chance, Stream& stream, Change change) {
+    bool changed = false;
+    if (genes.size() < 2)
+        return false;
+    chance.each(genes.size(), stream, [&](std::size_t i) {
+        change(i, (i + 1 + stream.below(genes.size() - 1)) % genes.size());
+        changed = true;
+    });
+    return changed;
+}
+
 /// Exchanges the gene with another one.
 struct Swap {
     ///@{
@@ -176,17 +189,11 @@ struct Swap {
     requires Ordered<typename P::Genome>
     bool operator()(const P&, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
         auto& genes = places(genome);
-        bool changed = false;
-        if (genes.size() < 2)
-            return false;
-        chance.each(genes.size(), stream, [&](std::size_t i) {
-            const std::size_t j = (i + 1 + stream.below(genes.size() - 1)) % genes.size();
+        return with_another(genes, chance, stream, [&](std::size_t i, std::size_t j) {
             const auto kept = genes[i];
             genes[i] = genes[j];
             genes[j] = kept;
-            changed = true;
         });
-        return changed;
     }
     ///@}
 };
@@ -201,16 +208,10 @@ struct Reverse {
     requires Ordered<typename P::Genome>
     bool operator()(const P&, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
         auto& genes = places(genome);
-        bool changed = false;
-        if (genes.size() < 2)
-            return false;
-        chance.each(genes.size(), stream, [&](std::size_t i) {
-            const std::size_t j = (i + 1 + stream.below(genes.size() - 1)) % genes.size();
+        return with_another(genes, chance, stream, [&](std::size_t i, std::size_t j) {
             const auto at = [&](std::size_t k) { return genes.begin() + static_cast<std::ptrdiff_t>(k); };
             std::reverse(at(std::min(i, j)), at(std::max(i, j) + 1));
-            changed = true;
         });
-        return changed;
     }
     ///@}
 };

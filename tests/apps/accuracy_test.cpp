@@ -2,12 +2,13 @@
 #include "domain/fitness/rescaled_problem.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 using app::testing::Ended;
 using app::testing::Folder;
+using app::testing::result_in;
 using app::testing::rugosa;
 using nlohmann::json;
 
@@ -17,10 +18,6 @@ namespace {
 const std::string paper = "run '" RUGOSA_SOURCE "/experiments/paper.ini' --pictures off --nodes 1025 "
                           "--set database.pairs=3 --set database.phase-columns=2 --set "
                           "database.shortest=0.1 --set paper.sweep-points=0 ";
-
-json result_in(const std::filesystem::path& folder) {
-    return json::parse(rough::read_whole(folder / "result.json"));
-}
 
 rough::Model model_of(const json& result) {
     rough::Model model;

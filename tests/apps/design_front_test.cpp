@@ -2,12 +2,13 @@
 #include "domain/design/front.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 using app::testing::Ended;
 using app::testing::Folder;
+using app::testing::result_in;
 using app::testing::rugosa;
 using nlohmann::json;
 
@@ -36,7 +37,7 @@ TEST_CASE("two targets give a front whose similarities follow from its genomes, 
         folder.path());
     INFO(ended.out << ended.err);
     REQUIRE(ended.code == 0);
-    const json result = json::parse(rough::read_whole(folder / "r/result.json"));
+    const json result = result_in(folder / "r");
     const json& front = result["variants"]["pipeline"]["front"];
     REQUIRE(front.size() > 1);
     rough::DesignSetup setup;
@@ -70,7 +71,7 @@ TEST_CASE("the two-target variants answer by name, and are refused with one targ
         const Ended ended = rugosa(words + variant + " --out " + variant, folder.path());
         INFO(ended.out << ended.err);
         REQUIRE(ended.code == 0);
-        const json result = json::parse(rough::read_whole(folder / (variant + "/result.json")));
+        const json result = result_in(folder / variant);
         CHECK(result["variants"][variant]["genome"]["series"].size() >= 1);
         CHECK(result["targets"].size() == 2);
         const Ended single =

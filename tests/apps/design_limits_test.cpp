@@ -3,12 +3,13 @@
 #include "domain/mwm/sampling.hpp"
 #include "domain/mwm/waves.hpp"
 #include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 using app::testing::Ended;
 using app::testing::Folder;
+using app::testing::result_in;
 using app::testing::rugosa;
 using nlohmann::json;
 
@@ -26,7 +27,7 @@ TEST_CASE("every variant's answer holds every limit, on a grid four times finer 
             const Ended ended = rugosa(words, folder.path());
             INFO(variant << mode << ": " << ended.out << ended.err);
             REQUIRE(ended.code == 0);
-            const json answer = json::parse(rough::read_whole(folder / "r/result.json"))["variants"][variant];
+            const json answer = result_in(folder / "r")["variants"][variant];
             CHECK(answer["within_limits"] == true);
             for (const json& margin : answer["margins"])
                 CHECK(margin["margin"].get<double>() >= 0);

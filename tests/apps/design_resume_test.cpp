@@ -1,12 +1,14 @@
 #include "domain/atomic_file.hpp"
 #include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 using app::testing::Ended;
 using app::testing::Folder;
+using app::testing::result_in;
 using app::testing::rugosa;
+using app::testing::timeless;
 using nlohmann::json;
 
 namespace {
@@ -16,21 +18,13 @@ const std::string words =
     "--largest-slope 0.5 --pipeline 'shape 12 | score | best 4 | refine lm 6 | repeat 12 { tournament 2 | "
     "cross uniform | mutate 0.1 | score | refine lm 6 | elite 1 } | best 2 | score judged'";
 
-/// Without what a clock or the command line decides.
-json result_in(const std::filesystem::path& folder) {
-    json result = json::parse(rough::read_whole(folder / "result.json"));
-    result["variants"]["pipeline"].erase("seconds");
-    result.erase("command");
-    return result;
-}
-
 } // namespace
 
 TEST_CASE("a design killed at any moment goes on to the very result of an uninterrupted one") {
     const Folder folder;
     REQUIRE(rugosa(words + " --out whole", folder.path()).code == 0);
     CHECK_FALSE(std::filesystem::exists(folder / "whole/checkpoint.cbor"));
-    const json whole = result_in(folder / "whole");
+    const json whole = timeless(result_in(folder / "whole"));
     int kept = 0;
     for (const char* seconds : {"0.05", "0.3", "0.6", "1.2"}) {
         const std::string out = std::string("killed") + seconds;
@@ -41,7 +35,7 @@ TEST_CASE("a design killed at any moment goes on to the very result of an uninte
         const Ended ended = rugosa(words + " --out " + out + " --resume", folder.path());
         INFO(ended.err);
         REQUIRE(ended.code == 0);
-        CHECK(result_in(folder / out) == whole);
+        CHECK(timeless(result_in(folder / out)) == whole);
     }
     CHECK(kept > 0);
 }
@@ -60,7 +54,7 @@ TEST_CASE("a design out of time goes on where it stopped, and a set-up that is a
     CHECK(homeless.code == 2);
     CHECK_THAT(homeless.err, Catch::Contains("--out"));
     REQUIRE(rugosa(words + " --out cut --resume", folder.path()).code == 0);
-    CHECK(result_in(folder / "cut") == result_in(folder / "whole"));
+    CHECK(result_in(folder / "cut") == timeless(result_in(folder / "whole")));
 }
 
 TEST_CASE(
@@ -70,7 +64,7 @@ TEST_CASE(
         "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 64 --pictures off "
         "--pipeline 'sample 3 | score | refine lm 2' --reach-similarity ";
     REQUIRE(rugosa(asked + "0.99999 --out missed", folder.path()).code == 3);
-    const json missed = json::parse(rough::read_whole(folder / "missed/result.json"))["variants"]["pipeline"];
+    const json missed = result_in(folder / "missed")["variants"]["pipeline"];
     CHECK(missed["stages"].back()["path"] == "pipeline/restarts.1");
     const auto begun = [&](const json& stage) { return stage["path"] == "pipeline/restarts.1/sample.1"; };
     CHECK(std::count_if(missed["stages"].begin(), missed["stages"].end(), begun) == 8);

@@ -1,32 +1,21 @@
 #include "domain/design/problem.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 using app::testing::Ended;
 using app::testing::Folder;
+using app::testing::result_in;
 using app::testing::rugosa;
+using app::testing::timeless;
 using nlohmann::json;
 
 namespace {
 
 const std::string drawn = "design --target '" RUGOSA_TEST_DATA "/target_paper.csv'";
 const std::string brief = " --pictures off --pipeline 'shape 6 | score | best 2 | refine lm 8 | best 2'";
-
-json result_in(const std::filesystem::path& folder) {
-    return json::parse(rough::read_whole(folder / "result.json"));
-}
-
-/// Without what a clock or the command line decides.
-json timeless(json result) {
-    for (auto& variant : result["variants"])
-        variant.erase("seconds");
-    result.erase("threads");
-    result.erase("command");
-    return result;
-}
 
 rough::DesignSetup setup_of(const json& result) {
     rough::DesignSetup setup;
@@ -216,7 +205,7 @@ TEST_CASE("a design begins from a database's nearest curves and is better than t
     INFO(ended.out << ended.err);
     REQUIRE(ended.code == 0);
     CHECK_THAT(ended.out, Catch::Contains("2000 stored curves screened"));
-    const json result = json::parse(rough::read_whole(folder / "r" / "result.json"));
+    const json result = result_in(folder / "r");
     CHECK(result["variants"]["in-line"]["similarity"].get<double>() > stored);
     for (const std::string words :
          {"--database none.db", "--database g.db --steps 10", "--database g.db --variant default"}) {

@@ -1,12 +1,13 @@
 #include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <set>
 
 using app::testing::Ended;
 using app::testing::Folder;
+using app::testing::result_in;
 using app::testing::rugosa;
 using nlohmann::json;
 
@@ -23,7 +24,7 @@ TEST_CASE("the economy experiment charts every kind of scene, searches both ways
     const Ended ended = rugosa(small + "--pictures off --out e", folder.path());
     INFO(ended.err);
     REQUIRE(ended.code == 0);
-    const json result = json::parse(rough::read_whole(folder / "e/result.json"));
+    const json result = result_in(folder / "e");
     CHECK(result["accuracy"] == 0.01);
     REQUIRE(result["savings"].size() == 16); // smooth, rough; free, strip; light, full; two accuracies
     for (const json& row : result["savings"]) {
@@ -54,10 +55,8 @@ TEST_CASE("the paper's answers are the same with fidelity, and fewer genomes sta
     REQUIRE(rugosa(coarse + "--out whole", folder.path()).code == 0);
     REQUIRE(rugosa(coarse + "--set paper.fidelity=on --out screened", folder.path()).code == 0);
     for (const char* place : {"", "heldout/"}) {
-        const json whole =
-            json::parse(rough::read_whole(folder / ("whole/" + std::string(place) + "result.json")));
-        const json screened =
-            json::parse(rough::read_whole(folder / ("screened/" + std::string(place) + "result.json")));
+        const json whole = result_in(folder / ("whole/" + std::string(place)));
+        const json screened = result_in(folder / ("screened/" + std::string(place)));
         for (const auto& [name, variant] : whole["variants"].items()) {
             INFO(place << name);
             const json& other = screened["variants"][name];

@@ -1,15 +1,17 @@
 #include "domain/fitness/rescaled_problem.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <set>
 
 using app::testing::Ended;
 using app::testing::Folder;
+using app::testing::result_in;
 using app::testing::rugosa;
+using app::testing::timeless;
 using nlohmann::json;
 
 namespace {
@@ -17,19 +19,6 @@ namespace {
 const std::string paper = "run '" RUGOSA_SOURCE "/experiments/paper.ini'";
 const std::string coarse =
     " --pictures off --set model.nodes=64 --set database.pairs=6 --set paper.sweep-points=2";
-
-json result_in(const std::filesystem::path& folder) {
-    return json::parse(rough::read_whole(folder / "result.json"));
-}
-
-/// Without what a clock or the command line decides.
-json timeless(json result) {
-    for (auto& variant : result["variants"])
-        variant.erase("seconds");
-    result.erase("threads");
-    result.erase("command");
-    return result;
-}
 
 } // namespace
 

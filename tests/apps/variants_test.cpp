@@ -1,10 +1,11 @@
 #include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 using app::testing::Ended;
 using app::testing::Folder;
+using app::testing::result_in;
 using app::testing::rugosa;
 using nlohmann::json;
 
@@ -17,7 +18,7 @@ TEST_CASE("ways to search are compared on the same targets with the same budget 
     INFO(ended.err);
     REQUIRE(ended.code == 0);
     for (const char* place : {"r", "r/heldout"}) {
-        const json result = json::parse(rough::read_whole(folder / place / "result.json"));
+        const json result = result_in(folder / place);
         CHECK(result["variants"].size() == 9);
         for (const auto& [name, variant] : result["variants"].items()) {
             INFO(place << " " << name);

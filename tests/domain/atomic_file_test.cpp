@@ -1,24 +1,13 @@
 #include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
+#include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <cstdlib>
-#include <filesystem>
-
 namespace fs = std::filesystem;
+using rough::testing::Folder;
 
 namespace {
-/// A folder of its own that goes when the test ends.
-struct Folder {
-    fs::path path;
-    Folder() {
-        std::string name = (fs::temp_directory_path() / "rugosa-XXXXXX").string();
-        path = mkdtemp(name.data());
-    }
-    ~Folder() { fs::remove_all(path); }
-};
-
 long entries(const fs::path& folder) {
     return std::distance(fs::directory_iterator(folder), fs::directory_iterator{});
 }
@@ -26,33 +15,33 @@ long entries(const fs::path& folder) {
 
 TEST_CASE("a file written atomically holds exactly the content, also in place of an older one") {
     const Folder folder;
-    const fs::path file = folder.path / "curve.csv";
+    const fs::path file = folder / "curve.csv";
     const std::string bytes("old\0\r\n\xff and long", 17);
     rough::write_atomically(file, bytes);
     CHECK(rough::read_whole(file) == bytes);
     rough::write_atomically(file, "");
     CHECK(rough::read_whole(file).empty());
-    CHECK(entries(folder.path) == 1);
+    CHECK(entries(folder.path()) == 1);
 }
 
 TEST_CASE("a place that cannot be written is refused in one line and nothing is left there") {
     const Folder folder;
-    const fs::path missing = folder.path / "missing" / "a.csv";
+    const fs::path missing = folder / "missing" / "a.csv";
     CHECK_THROWS_AS(rough::write_atomically(missing, "x"), rough::InputError);
-    fs::create_directory(folder.path / "taken");
+    fs::create_directory(folder / "taken");
     try {
-        rough::write_atomically(folder.path / "taken", "x");
+        rough::write_atomically(folder / "taken", "x");
         FAIL("a folder was replaced by a file");
     } catch (const rough::InputError& refusal) {
         const std::string line = refusal.what();
         CHECK(line.find("taken") != std::string::npos);
         CHECK(line.find('\n') == std::string::npos);
     }
-    CHECK(entries(folder.path) == 1);
+    CHECK(entries(folder.path()) == 1);
 }
 
 TEST_CASE("reading a missing file or a folder is refused with its name") {
     const Folder folder;
-    CHECK_THROWS_WITH(rough::read_whole(folder.path / "none.txt"), Catch::Contains("none.txt"));
-    CHECK_THROWS_AS(rough::read_whole(folder.path), rough::InputError);
+    CHECK_THROWS_WITH(rough::read_whole(folder / "none.txt"), Catch::Contains("none.txt"));
+    CHECK_THROWS_AS(rough::read_whole(folder.path()), rough::InputError);
 }

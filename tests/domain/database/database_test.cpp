@@ -6,6 +6,7 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/response/curve.hpp"
+#include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -14,17 +15,9 @@
 
 using namespace rough;
 namespace fs = std::filesystem;
+using rough::testing::Folder;
 
 namespace {
-
-struct Folder {
-    fs::path path;
-    Folder() {
-        std::string name = (fs::temp_directory_path() / "rugosa-XXXXXX").string();
-        path = mkdtemp(name.data());
-    }
-    ~Folder() { fs::remove_all(path); }
-};
 
 DatabaseSetup small_setup() {
     DatabaseSetup setup;
@@ -100,7 +93,7 @@ TEST_CASE("a set-up survives being written as text, for every kernel") {
 TEST_CASE("a database holds the genomes of its law and their responses to the bit") {
     const Folder folder;
     const DatabaseSetup setup = small_setup();
-    GenomeStore store = GenomeStore::create(folder.path / "genomes.db", setup);
+    GenomeStore store = GenomeStore::create(folder / "genomes.db", setup);
     build(store, {.genomes = 30, .batch = 8});
     CHECK(store.stored() == 30);
     for (const std::uint64_t index : {0, 7, 8, 29}) {
@@ -119,17 +112,17 @@ TEST_CASE("a database holds the genomes of its law and their responses to the bi
 TEST_CASE("a build that was stopped goes on where it ended, in any pieces, to the same database") {
     const Folder folder;
     const DatabaseSetup setup = small_setup();
-    GenomeStore whole = GenomeStore::create(folder.path / "whole.db", setup);
+    GenomeStore whole = GenomeStore::create(folder / "whole.db", setup);
     build(whole, {.genomes = 50, .batch = 10});
     {
-        GenomeStore pieces = GenomeStore::create(folder.path / "pieces.db", setup);
+        GenomeStore pieces = GenomeStore::create(folder / "pieces.db", setup);
         build(pieces, {.genomes = 25, .batch = 10});
         int batches = 0;
         build(pieces, {.genomes = 50, .batch = 10, .go_on = [&](std::uint64_t) { return ++batches < 2; }});
         CHECK(pieces.stored() == 40);
         CHECK(pieces.take(50, 10)); // a builder that dies with its batch
     }
-    GenomeStore pieces = GenomeStore::open(folder.path / "pieces.db");
+    GenomeStore pieces = GenomeStore::open(folder / "pieces.db");
     build(pieces, {.genomes = 50, .batch = 10});
     CHECK(pieces.stored() == 50);
     CHECK(pieces.curves().pressure == whole.curves().pressure);
@@ -139,8 +132,8 @@ TEST_CASE("a build that was stopped goes on where it ended, in any pieces, to th
 TEST_CASE("two builders of one file share the work and store each genome once") {
     const Folder folder;
     const DatabaseSetup setup = small_setup();
-    GenomeStore one = GenomeStore::create(folder.path / "genomes.db", setup);
-    GenomeStore two = GenomeStore::create(folder.path / "genomes.db", setup);
+    GenomeStore one = GenomeStore::create(folder / "genomes.db", setup);
+    GenomeStore two = GenomeStore::create(folder / "genomes.db", setup);
     const auto first = one.take(40, 10), second = two.take(40, 10);
     REQUIRE((first && second));
     CHECK(first->first == 0);
@@ -160,7 +153,7 @@ TEST_CASE("two builders of one file share the work and store each genome once") 
 
 TEST_CASE("a database of another set-up is refused with the difference named, and stays as it was") {
     const Folder folder;
-    const fs::path file = folder.path / "genomes.db";
+    const fs::path file = folder / "genomes.db";
     GenomeStore::create(file, small_setup());
     const std::string before = read_whole(file);
     DatabaseSetup other = small_setup();
@@ -179,25 +172,25 @@ TEST_CASE("a database of another set-up is refused with the difference named, an
 
 TEST_CASE("what is no genome database is refused") {
     const Folder folder;
-    CHECK_THROWS_WITH(GenomeStore::open(folder.path / "none.db"), Catch::Contains("none.db"));
-    write_atomically(folder.path / "text.db", std::string(5000, 'x'));
-    CHECK_THROWS_WITH(GenomeStore::open(folder.path / "text.db"), Catch::Contains("no genome database"));
-    Sqlite(folder.path / "other.db", Sqlite::Access::create).run("CREATE TABLE t(a)");
-    CHECK_THROWS_WITH(GenomeStore::open(folder.path / "other.db"), Catch::Contains("no genome database"));
-    CHECK_THROWS_WITH(GenomeStore::create(folder.path / "other.db", small_setup()),
+    CHECK_THROWS_WITH(GenomeStore::open(folder / "none.db"), Catch::Contains("none.db"));
+    write_atomically(folder / "text.db", std::string(5000, 'x'));
+    CHECK_THROWS_WITH(GenomeStore::open(folder / "text.db"), Catch::Contains("no genome database"));
+    Sqlite(folder / "other.db", Sqlite::Access::create).run("CREATE TABLE t(a)");
+    CHECK_THROWS_WITH(GenomeStore::open(folder / "other.db"), Catch::Contains("no genome database"));
+    CHECK_THROWS_WITH(GenomeStore::create(folder / "other.db", small_setup()),
                       Catch::Contains("no genome database"));
-    write_atomically(folder.path / "empty.db", "");
-    CHECK_FALSE(GenomeStore::begun(folder.path / "empty.db"));
-    CHECK_FALSE(GenomeStore::begun(folder.path / "none.db"));
-    CHECK_NOTHROW(GenomeStore::create(folder.path / "empty.db", small_setup()));
-    CHECK(GenomeStore::begun(folder.path / "empty.db"));
-    CHECK_THROWS_AS(GenomeStore::create(folder.path / "missing" / "a.db", small_setup()), InputError);
+    write_atomically(folder / "empty.db", "");
+    CHECK_FALSE(GenomeStore::begun(folder / "empty.db"));
+    CHECK_FALSE(GenomeStore::begun(folder / "none.db"));
+    CHECK_NOTHROW(GenomeStore::create(folder / "empty.db", small_setup()));
+    CHECK(GenomeStore::begun(folder / "empty.db"));
+    CHECK_THROWS_AS(GenomeStore::create(folder / "missing" / "a.db", small_setup()), InputError);
 }
 
 TEST_CASE("screening by Eq. 11 finds the genomes that similarity ranks first, on any number of threads") {
     const Folder folder;
     const DatabaseSetup setup = small_setup();
-    GenomeStore store = GenomeStore::create(folder.path / "genomes.db", setup);
+    GenomeStore store = GenomeStore::create(folder / "genomes.db", setup);
     build(store, {.genomes = 200});
     const double max_pressure = 1.6e-4;
     const auto factor = [&](std::uint64_t g) { return max_pressure / store.response(g).pressure[7]; };
@@ -236,7 +229,7 @@ TEST_CASE("screening by Eq. 11 finds the genomes that similarity ranks first, on
 TEST_CASE("screening with free amplitude finds a stored genome at the amplitude that its curve was given") {
     const Folder folder;
     const DatabaseSetup setup = small_setup();
-    GenomeStore store = GenomeStore::create(folder.path / "genomes.db", setup);
+    GenomeStore store = GenomeStore::create(folder / "genomes.db", setup);
     build(store, {.genomes = 200});
     const StoredCurves curves = store.curves(true);
     for (const auto quantity :
@@ -261,7 +254,7 @@ TEST_CASE("screening with free amplitude finds a stored genome at the amplitude 
 TEST_CASE("stored starts meet a design's goals at their amplitude, and another model's are refused") {
     const Folder folder;
     const DatabaseSetup setup = small_setup();
-    GenomeStore store = GenomeStore::create(folder.path / "genomes.db", setup);
+    GenomeStore store = GenomeStore::create(folder / "genomes.db", setup);
     build(store, {.genomes = 100});
     DesignSetup design;
     design.model = setup.model;

@@ -21,6 +21,16 @@ DesignSetup drawn_setup(Index nodes = 128) {
     return setup;
 }
 
+/// The same with a contact area at each of the target's pressures beside it.
+DesignSetup drawn_with_area() {
+    DesignSetup setup = drawn_setup();
+    Goal area = setup.goals[0];
+    area.quantity = Quantity::area_at_pressure;
+    area.y = Eigen::VectorXd::LinSpaced(area.points(), 0.05, 0.6);
+    setup.goals.push_back(area);
+    return setup;
+}
+
 /// Whatever has a corner: contact sets, extreme nodes, which segment of a curve serves a point, the band.
 std::vector<double> corners(const DesignSetup& setup, const Genome& genome, Index refine) {
     const Model model = refined(setup.model, refine);
@@ -213,11 +223,7 @@ TEST_CASE("what cannot be designed for together is refused") {
 }
 
 TEST_CASE("with several goals each has an objective of its own, whose rows are its part of all") {
-    DesignSetup setup = drawn_setup();
-    Goal area = setup.goals[0];
-    area.quantity = Quantity::area_at_pressure;
-    area.y = Eigen::VectorXd::LinSpaced(area.points(), 0.05, 0.6);
-    setup.goals.push_back(area);
+    DesignSetup setup = drawn_with_area();
     const DesignProblem problem(setup);
     const Genome genome = shaped_start(setup, ga::Stream(3));
     const auto outcome = problem.evaluate(genome);
@@ -247,12 +253,9 @@ TEST_CASE("what is reduced to a goal keeps the chromosomes that follow it, one a
         CHECK(macro_phases(genome, 0.84942).size() + micro_phases(genome, 0.84942).size() == count(genome));
     }
 }
+
 TEST_CASE("compromises are better than each other in one goal or another, and within the limits") {
-    DesignSetup setup = drawn_setup();
-    Goal area = setup.goals[0];
-    area.quantity = Quantity::area_at_pressure;
-    area.y = Eigen::VectorXd::LinSpaced(area.points(), 0.05, 0.6);
-    setup.goals.push_back(area);
+    DesignSetup setup = drawn_with_area();
     std::vector<Genome> genomes;
     for (std::uint64_t key = 0; key < 30; ++key)
         genomes.push_back(shaped_start(setup, ga::Stream(key % 25)));

@@ -9,6 +9,25 @@ using namespace rough;
 
 namespace {
 
+struct Pressed {
+    Profile profile;
+    Body body;
+    std::vector<double> displacements;
+};
+
+/// A random profile of so many nodes, to be pressed to `reach` of its height.
+Pressed random_scene(std::mt19937_64& random, Kernel kernel, Index nodes, double shortest, double reach) {
+    Pressed scene;
+    scene.body.kernel = kernel;
+    scene.body.strip_width = 0.002;
+    const Grid grid{nodes, 0.84942, kernel == Kernel::periodic};
+    scene.profile = sample(testing::random_genome(random, 1, 1, 0.84942, shortest), grid);
+    Loading loading;
+    loading.reach = reach;
+    scene.displacements = step_displacements(scene.profile, scene.body, loading);
+    return scene;
+}
+
 ContactCurve pressed(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
     ContactOptions options;
     options.states = true;
@@ -24,14 +43,8 @@ TEST_CASE(
     int steps = 0;
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
         for (int scene = 0; scene < 5; ++scene) {
-            Body body;
-            body.kernel = kernel;
-            body.strip_width = 0.002;
-            const Grid grid{256, 0.84942, kernel == Kernel::periodic};
-            const Profile profile = sample(testing::random_genome(random, 1, 1, 0.84942, 0.02), grid);
-            Loading loading;
-            loading.reach = 0.9;
-            const auto curve = pressed(profile, body, step_displacements(profile, body, loading));
+            const auto [profile, body, displacements] = random_scene(random, kernel, 256, 0.02, 0.9);
+            const auto curve = pressed(profile, body, displacements);
             const SmoothArea area = smooth_area(profile, body, curve);
             for (std::size_t j = 0; j < curve.steps.size(); ++j) {
                 const auto& nodes = curve.states[j].nodes;
@@ -53,14 +66,10 @@ TEST_CASE("the derivatives of a smooth contact fraction follow differences in he
     std::mt19937_64 random(42);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
         for (int scene = 0; scene < 3; ++scene) {
-            Body body;
-            body.kernel = kernel;
-            body.strip_width = 0.002;
-            const Grid grid{128, 0.84942, kernel == Kernel::periodic};
-            const Profile profile = sample(testing::random_genome(random, 1, 1, 0.84942, 0.05), grid);
-            Loading loading;
-            loading.reach = 0.8;
-            const std::vector<double> displacements = step_displacements(profile, body, loading);
+            const Pressed pressing = random_scene(random, kernel, 128, 0.05, 0.8);
+            const Profile& profile = pressing.profile;
+            const Body& body = pressing.body;
+            const std::vector<double>& displacements = pressing.displacements;
             const SmoothArea area = smooth_area(profile, body, pressed(profile, body, displacements));
             Eigen::VectorXd direction(profile.nodes());
             std::normal_distribution<double> normal;
