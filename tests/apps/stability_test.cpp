@@ -19,7 +19,7 @@ TEST_CASE("no solver claims a wrong curve, and the automatic and nested ones sol
             options.solver = static_cast<rough::Solver>(method);
             app::ContactTrial trial = try_contact(scene, options, 30);
             reference.judge(trial, app::promised_tolerance(trial.curve, options));
-            INFO(scene.name << ", " << app::name_of(scene.body.kernel) << ", " << app::solver_names()[method]
+            INFO(scene.name << ", " << rough::name_of(scene.body.kernel) << ", " << app::solver_names()[method]
                             << ": " << trial.message);
             CHECK(trial.outcome != app::Outcome::wrong);
             const bool direct =
