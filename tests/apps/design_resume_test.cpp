@@ -54,7 +54,7 @@ TEST_CASE("a design out of time goes on where it stopped, and a set-up that is a
     CHECK(homeless.code == 2);
     CHECK_THAT(homeless.err, Catch::Contains("--out"));
     REQUIRE(rugosa(words + " --out cut --resume", folder.path()).code == 0);
-    CHECK(result_in(folder / "cut") == timeless(result_in(folder / "whole")));
+    CHECK(timeless(result_in(folder / "cut")) == timeless(result_in(folder / "whole")));
 }
 
 TEST_CASE(
