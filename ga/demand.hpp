@@ -29,6 +29,12 @@ class Floor {
         best_.insert(std::upper_bound(best_.begin(), best_.end(), fitness, std::greater<>()), fitness);
         best_.resize(std::min(best_.size(), demand_.best));
     }
+    /// Whether one of this fitness would be kept, besides so many others who are better.
+    bool would_keep(double fitness, std::size_t better) const {
+        const auto known = std::lower_bound(best_.begin(), best_.end(), fitness, std::greater<>());
+        return fitness >= demand_.above ||
+               better + static_cast<std::size_t>(known - best_.begin()) < demand_.best;
+    }
     /// Nobody below it is kept.
     double value() const {
         return best_.size() < demand_.best ? -HUGE_VAL

@@ -46,38 +46,50 @@ class Screening {
     struct Candidate {
         std::size_t place;
         std::unique_ptr<Appraisal<Outcome>> work;
+        double bound = HUGE_VAL;
         std::optional<Outcome> outcome = {};
+
+        /// Less promising; of equals the later.
+        bool operator<(const Candidate& other) const {
+            return bound != other.bound ? bound < other.bound : place > other.place;
+        }
     };
 
     void screen(const Population<Genome>& population, std::size_t first, std::size_t last,
                 std::vector<char>& given_up) {
-        std::vector<Candidate> open = begin(population, first, last);
-        const auto bound = [this](Candidate& one) { return one.work->bound(which_); };
+        std::vector<Candidate> open = begin(population, first, last), chosen; // open: a heap
+        std::make_heap(open.begin(), open.end());
         const Watch& watch = context_.evaluator().watch();
         double cost = 0; ///< seconds a piece of work took lately
-        while (!open.empty() && !watch.expired()) {
-            const std::size_t count = std::min(abreast, open.size());
-            std::partial_sort(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(count), open.end(),
-                              [&](Candidate& a, Candidate& b) {
-                                  const double x = bound(a), y = bound(b);
-                                  return x != y ? x > y : a.place < b.place;
-                              });
-            if (bound(open.front()) < floor_.value())
+        while (!watch.expired()) {
+            // Those who would be kept if everybody were as good as they can still be.
+            while (!open.empty() && chosen.size() < abreast &&
+                   floor_.would_keep(open.front().bound, chosen.size())) {
+                std::pop_heap(open.begin(), open.end());
+                chosen.push_back(std::move(open.back()));
+                open.pop_back();
+            }
+            if (chosen.empty())
                 break;
-            const bool together = cost * static_cast<double>(count) > worth_waking;
-            parallel_for(count, together ? context_.threads() : 1, [&](std::size_t i) {
+            const bool together = cost * static_cast<double>(chosen.size()) > worth_waking;
+            parallel_for(chosen.size(), together ? context_.threads() : 1, [&](std::size_t i) {
                 const double start = watch.seconds();
-                work_on(open[i]);
+                work_on(chosen[i]);
                 if (i == 0)
                     cost = std::min(watch.seconds() - start, 2 * cost + worth_waking / 100);
             });
-            for (std::size_t i = 0; i < count; ++i)
-                if (open[i].outcome)
-                    take(population[open[i].place].genome, std::move(*open[i].outcome));
-            std::erase_if(open, [](const Candidate& one) { return !one.work || one.outcome; });
+            for (Candidate& one : chosen) {
+                if (one.outcome) {
+                    take(population[one.place].genome, std::move(*one.outcome));
+                } else if (one.work) {
+                    open.push_back(std::move(one));
+                    std::push_heap(open.begin(), open.end());
+                }
+            }
+            chosen.clear();
         }
         for (Candidate& one : open)
-            if (bound(one) < floor_.value()) {
+            if (one.bound < floor_.value()) {
                 given_up[one.place] = 1;
                 context_.evaluator().shelve(print_of(population[one.place]), std::move(one.work));
             }
@@ -121,6 +133,8 @@ class Screening {
             try {
                 if (!all[i].work)
                     all[i].work = context_.problem().appraise(population[all[i].place].genome);
+                if (all[i].work)
+                    all[i].bound = all[i].work->bound(which_);
             } catch (const std::exception&) { // evaluate will say why
             }
         });
@@ -128,10 +142,12 @@ class Screening {
         return all;
     }
 
-    static void work_on(Candidate& one) {
+    void work_on(Candidate& one) const {
         try {
-            if (!(one.outcome = one.work->outcome()))
-                one.work->advance();
+            if ((one.outcome = one.work->outcome()))
+                return;
+            one.work->advance();
+            one.bound = one.work->bound(which_);
         } catch (const std::exception&) { // evaluate will say why
             one.work.reset();
         }

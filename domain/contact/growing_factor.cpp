@@ -263,18 +263,18 @@ void GrowingFactor::back_substitute(Eigen::VectorXd& x) const {
     }
 }
 
-void GrowingFactor::pressures(double approach, Eigen::VectorXd& p) const {
+void GrowingFactor::pressures(double approach, Eigen::VectorXd& p) {
     const auto padded = static_cast<Index>(one_.size());
-    p = approach * Eigen::Map<const Eigen::VectorXd>(one_.data(), padded) -
-        Eigen::Map<const Eigen::VectorXd>(gap_image_.data(), padded);
-    back_substitute(p);
-    p.conservativeResize(size());
+    padded_ = approach * Eigen::Map<const Eigen::VectorXd>(one_.data(), padded) -
+              Eigen::Map<const Eigen::VectorXd>(gap_image_.data(), padded);
+    back_substitute(padded_);
+    p = padded_.head(size());
 }
 
-void GrowingFactor::tangent(Eigen::VectorXd& w) const {
-    w = Eigen::Map<const Eigen::VectorXd>(one_.data(), static_cast<Index>(one_.size()));
-    back_substitute(w);
-    w.conservativeResize(size());
+void GrowingFactor::tangent(Eigen::VectorXd& w) {
+    padded_ = Eigen::Map<const Eigen::VectorXd>(one_.data(), static_cast<Index>(one_.size()));
+    back_substitute(padded_);
+    w = padded_.head(size());
 }
 
 double GrowingFactor::stiffness() const {

@@ -26,9 +26,9 @@ class GrowingFactor {
     void remove(const std::vector<Index>& positions);
 
     /// p = L^-T (approach z - v), size() entries
-    void pressures(double approach, Eigen::VectorXd& p) const;
+    void pressures(double approach, Eigen::VectorXd& p);
     /// w = H_AA^-1 1, size() entries
-    void tangent(Eigen::VectorXd& w) const;
+    void tangent(Eigen::VectorXd& w);
     /// sum of w
     double stiffness() const;
     /// bytes of a factor of so many rows
@@ -50,6 +50,7 @@ class GrowingFactor {
     std::vector<int> nodes_;
     std::vector<AlignedBuffer<double>> panels_;              ///< panel b: 8 (b + 1) columns of 8 rows
     std::vector<double> inverse_diagonal_, one_, gap_image_; ///< 1/L_ii, z, v, padded to whole panels
+    Eigen::VectorXd padded_;                                 ///< for substitution
 };
 
 } // namespace rough

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 namespace rough {
 
@@ -94,15 +95,18 @@ Eigen::VectorXd computed_column(Kernel kernel, Index nodes, double datum, double
 } // namespace
 
 Eigen::VectorXd influence_column(Kernel kernel, Index nodes, double datum, double strip_width) {
-    // A search asks for the same one again and again.
-    struct Last {
+    // A search asks for the same one again and again, or for a fine and a coarse grid's in turn.
+    struct Known {
         std::tuple<Kernel, Index, double, double> of;
         Eigen::VectorXd column;
     };
-    thread_local Last last;
+    thread_local Known last, before;
     const std::tuple asked(kernel, nodes, datum, strip_width);
-    if (last.column.size() == 0 || last.of != asked)
-        last = {asked, computed_column(kernel, nodes, datum, strip_width)};
+    if (last.column.size() == 0 || last.of != asked) {
+        std::swap(last, before);
+        if (last.column.size() == 0 || last.of != asked)
+            last = {asked, computed_column(kernel, nodes, datum, strip_width)};
+    }
     return last.column;
 }
 

@@ -19,8 +19,8 @@ constexpr std::size_t least_batch = 64;
 } // namespace
 
 NestedContact::NestedContact(const ContactProblem& problem, const ContactOptions& options)
-    : problem_(problem), options_(options), factor_(problem.column, problem.gap),
-      fourier_(fourier_operator(problem)), touching_(static_cast<std::size_t>(problem.nodes()), 0) {}
+    : problem_(problem), options_(options), factor_(problem.column, problem.gap), direct_(problem.column),
+      touching_(static_cast<std::size_t>(problem.nodes()), 0) {}
 
 StepSolution NestedContact::press(double approach) {
     Certificate certificate;
@@ -42,11 +42,15 @@ StepSolution NestedContact::press(double approach) {
 }
 
 const double* NestedContact::displacement() {
-    double* p = fourier_.input();
+    if (direct_.pays(factor_.nodes().size()))
+        return direct_.apply(factor_.nodes(), pressure_);
+    if (!fourier_)
+        fourier_.emplace(fourier_operator(problem_));
+    double* p = fourier_->input();
     std::fill_n(p, problem_.nodes(), 0.0);
     for (Index k = 0; k < factor_.size(); ++k)
         p[factor_.nodes()[static_cast<std::size_t>(k)]] = pressure_[k];
-    return fourier_.apply();
+    return fourier_->apply();
 }
 
 /// Removes nodes under tension until none is left; the factor keeps its head.

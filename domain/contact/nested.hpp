@@ -1,7 +1,10 @@
 #pragma once
 
+#include "domain/contact/direct.hpp"
 #include "domain/contact/growing_factor.hpp"
 #include "domain/contact/problem.hpp"
+
+#include <optional>
 
 namespace rough {
 
@@ -28,7 +31,8 @@ class NestedContact {
     const ContactProblem& problem_;
     const ContactOptions& options_;
     GrowingFactor factor_;
-    FourierOperator fourier_;
+    DirectOperator direct_;                  ///< while contact is slight
+    std::optional<FourierOperator> fourier_; ///< beyond
     std::vector<char> touching_;
     Eigen::VectorXd pressure_;
     Eigen::ArrayXd depth_;

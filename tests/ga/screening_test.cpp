@@ -75,9 +75,10 @@ struct Ran {
 };
 
 template <class Pipeline>
-Ran run_with(const Pipeline& pipeline, bool screening, std::uint64_t seed = 0, int threads = 1) {
+Ran run_with(const Pipeline& pipeline, bool screening, std::uint64_t seed = 0, int threads = 1,
+             std::size_t n = 600) {
     const Penalties problem;
-    auto result = run(pipeline, problem, start(600, seed), {.threads = threads, .screening = screening});
+    auto result = run(pipeline, problem, start(n, seed), {.threads = threads, .screening = screening});
     return {std::move(result), problem.read};
 }
 
@@ -150,6 +151,29 @@ TEST_CASE("an evaluation given up under one objective goes on from there under a
     CHECK(screened.read < whole.read);
 }
 
+TEST_CASE("nobody is worked on who is sure not to be kept, not even to keep others company") {
+    // One whose penalties read so far leave it above the last that is kept must be read on; no other.
+    const auto least_work = [](std::uint64_t seed, double last_kept) {
+        long read = 0;
+        for (const auto& individual : start(250, seed)) {
+            const auto& genome = individual.genome;
+            double bound = 0;
+            if (genome.front() < 0)
+                continue; // fails before it is read
+            for (std::size_t i = 0; i < genome.size() && (genome.back() > 0.99 || bound >= last_kept); ++i) {
+                bound -= genome[i];
+                ++read;
+            }
+        }
+        return read;
+    };
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        const Ran best5 = run_with(score() | best(5), true, seed, 1, 250);
+        CHECK(best5.read == least_work(seed, best5.result.population.back().value()));
+        CHECK(run_with(score() | above(-1.5), true, seed, 1, 250).read == least_work(seed, -1.5));
+    }
+}
+
 TEST_CASE("without a stage behind that keeps a part, everybody is scored") {
     const auto pipeline = score() | tournament(2, 600);
     const Ran whole = run_with(pipeline, false), screened = run_with(pipeline, true);
@@ -168,4 +192,15 @@ TEST_CASE("the floor is that of the last of the best, or the threshold where tha
     floor.offer(0.8);
     CHECK(floor.value() == 0.5);
     CHECK(Floor({.above = 0.5}).value() == 0.5);
+}
+
+TEST_CASE("one is kept if too few are known or hoped to be better, or above the threshold") {
+    Floor floor({.best = 3, .above = 0.9});
+    floor.offer(0.5);
+    CHECK(floor.would_keep(0.4, 1));
+    CHECK_FALSE(floor.would_keep(0.4, 2));
+    CHECK(floor.would_keep(0.6, 2));
+    CHECK_FALSE(floor.would_keep(0.6, 3));
+    CHECK(floor.would_keep(0.9, 7));
+    CHECK_FALSE(Floor({.above = 0.5}).would_keep(0.4, 0));
 }

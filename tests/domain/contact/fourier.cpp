@@ -1,8 +1,11 @@
 #include "domain/contact/fourier.hpp"
 
+#include "domain/contact/direct.hpp"
 #include "domain/contact/kernel.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <algorithm>
 
 using namespace rough;
 
@@ -32,6 +35,18 @@ TEST_CASE("every path of applying the influence matrix gives its direct sums", "
                 5e-6 * direct.cwiseAbs().maxCoeff());
             CHECK((apply(FourierOperator::toeplitz(column)) - direct).cwiseAbs().maxCoeff() < 1e-14 * scale);
             CHECK((SplitOperator(column).apply(p) - direct).cwiseAbs().maxCoeff() < 1e-14 * scale);
+            std::vector<int> some;
+            Eigen::VectorXd on_some(nodes), elsewhere = Eigen::VectorXd::Zero(nodes);
+            for (int i = 0; i < nodes; i += 1 + i % 3) {
+                on_some[static_cast<Index>(some.size())] = elsewhere[i] = p[i];
+                some.push_back(i);
+            }
+            std::reverse(some.begin(), some.end()); // in any order
+            on_some.head(static_cast<Index>(some.size())).reverseInPlace();
+            CHECK((Eigen::Map<const Eigen::VectorXd>(DirectOperator(column).apply(some, on_some), nodes) -
+                   SplitOperator(column).apply(elsewhere))
+                      .cwiseAbs()
+                      .maxCoeff() < 1e-14 * scale);
             if (kernel == Kernel::periodic)
                 CHECK((apply(FourierOperator::circulant(nodes, periodic_spectrum(nodes))) - direct)
                           .cwiseAbs()
