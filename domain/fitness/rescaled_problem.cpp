@@ -2,6 +2,7 @@
 
 #include "domain/contact/stepped.hpp"
 #include "domain/errors.hpp"
+#include "domain/fitness/foretold.hpp"
 #include "domain/fitness/similarity_bound.hpp"
 #include "domain/fitness/stiffness_limits.hpp"
 #include "domain/response/sensitivity.hpp"
@@ -49,6 +50,9 @@ class Steps : public ga::Appraisal<RescaledResponse> {
                    step_displacements(profile, problem.model().body, problem.model().loading,
                                       problem.model().contact),
                    problem.model().contact),
+          foretold_(problem.outlook() == Outlook::foretold
+                        ? foretold_secants(profile, problem.model(), contact_.displacements())
+                        : std::vector<double>()),
           similarity_(std::move(bounds)), at_once_(std::max<std::size_t>(1, count() / 20)) {
         // Sooner than after a tenth of the steps hardly a curve can be told from another.
         while (contact_.steps().size() < std::max<std::size_t>(2, count() / 10))
@@ -80,13 +84,14 @@ class Steps : public ga::Appraisal<RescaledResponse> {
     void judge(std::size_t objective) {
         double& bound = bound_[objective];
         if (!contact_.done())
-            bound = std::min(bound, similarity_[objective](contact_.steps(), count()));
+            bound = std::min(bound, similarity_[objective](contact_.steps(), count(), foretold_));
     }
 
     const RescaledProblem& problem_;
     Genome shape_;
     double range_;
     SteppedContact contact_;
+    std::vector<double> foretold_;            ///< secant stiffness of each step, or nothing
     std::vector<SimilarityBound> similarity_; ///< of each objective
     std::size_t at_once_;
     std::vector<double> bound_ =
@@ -96,9 +101,9 @@ class Steps : public ga::Appraisal<RescaledResponse> {
 } // namespace
 
 RescaledProblem::RescaledProblem(Model model, Target target, double max_pressure, double threshold,
-                                 std::shared_ptr<ResponseMemory> memory, PhaseReach reach)
+                                 std::shared_ptr<ResponseMemory> memory, PhaseReach reach, Outlook outlook)
     : model_(std::move(model)), target_(std::move(target)), max_pressure_(max_pressure),
-      memory_(std::move(memory)), reach_(reach), stiffest_(stiffest(model_)) {
+      memory_(std::move(memory)), reach_(reach), outlook_(outlook), stiffest_(stiffest(model_)) {
     validate(target_);
     if (!(max_pressure > 0) || target_.highest_pressure() > max_pressure * (1 + 1e-9)) {
         std::ostringstream line;

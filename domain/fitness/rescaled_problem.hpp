@@ -17,6 +17,12 @@ struct RescaledResponse {
     Response response; ///< of the genome at scale 1
 };
 
+/// By what a genome's evaluation under way is judged (`appraise`).
+enum class Outlook {
+    proven,   ///< what its first load steps leave possible: an exact bound
+    foretold, ///< also a coarse grid's curve, within margins that are an estimate
+};
+
 /// The paper's problem: find the genome whose K(p), rescaled by Eq. 11 so that its last load step lies at
 /// p_max, is similar to the target. Amplitude is no gene here: `settled` sets it.
 class RescaledProblem {
@@ -28,7 +34,8 @@ class RescaledProblem {
     /// p_max]. Throws InputError if the target reaches beyond max_pressure or one of its two parts has no
     /// point.
     RescaledProblem(Model model, Target target, double max_pressure, double threshold,
-                    std::shared_ptr<ResponseMemory> memory = nullptr, PhaseReach reach = {});
+                    std::shared_ptr<ResponseMemory> memory = nullptr, PhaseReach reach = {},
+                    Outlook outlook = Outlook::proven);
 
     /// The genome's response at scale 1, within the model's accuracy, and the scale that Eq. 11 gives it.
     /// Throws NotConverged.
@@ -64,6 +71,7 @@ class RescaledProblem {
     /// Relative misfits at the objective's points and their derivatives by the adjoint.
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 
+    Outlook outlook() const { return outlook_; }          ///< of evaluations under way
     const Model& model() const { return model_; }         ///< grid, body, load steps
     const Target& target() const { return target_; }      ///< what similarity is to
     double max_pressure() const { return max_pressure_; } ///< p_max, MPa
@@ -76,6 +84,7 @@ class RescaledProblem {
     double max_pressure_;
     std::shared_ptr<ResponseMemory> memory_;
     PhaseReach reach_;
+    Outlook outlook_;
     double stiffest_; ///< no tangent is above it, MPa/mm
     std::vector<std::pair<std::string, std::vector<Index>>> points_;
     std::vector<ga::Objective<Outcome>> objectives_;

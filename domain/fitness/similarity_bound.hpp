@@ -19,8 +19,10 @@ class SimilarityBound {
                     double stiffest);
 
     /// `first` are at least 2 of the `count` load steps, which are even. Exact but for rounding, for which it
-    /// leaves room.
-    double operator()(const std::vector<LoadStep>& first, std::size_t count) const;
+    /// leaves room; an estimate where the secants of all steps are `foretold` (MPa/mm): those to come are
+    /// then taken to be near them.
+    double operator()(const std::vector<LoadStep>& first, std::size_t count,
+                      const std::vector<double>& foretold = {}) const;
 
   private:
     std::vector<double> at_, wanted_; ///< pressure over max_pressure, stiffness
