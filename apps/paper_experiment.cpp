@@ -151,7 +151,9 @@ class Paper {
     }
 
     void design(TargetRun& target) {
-        const RescaledProblem problem(run_.searched, target.target, run_.max_pressure, target.p_bar);
+        const RescaledProblem problem(
+            run_.searched, target.target, run_.max_pressure, target.p_bar, nullptr, {},
+            fidelity_ == estimated ? rough::Outlook::foretold : rough::Outlook::proven);
         for (const Answered& one : run_.database) {
             const rough::Curve curve = secant_stiffness(one.response);
             const auto points = [&](double from, double to) {
@@ -236,9 +238,14 @@ class Paper {
         checkpoints.keep("stages", stages);
         checkpoints.keep("log", log.position);
         const Run result = run_pipeline(variant, problem, {recorder(stages), log.observer(problem)},
-                                        &checkpoints, settings_.is_on("paper.fidelity"));
+                                        &checkpoints, fidelity_ != off);
         log.close();
-        return told(variant, problem, result, std::move(stages));
+        std::optional<VariantRun> run = told(variant, problem, result, std::move(stages));
+        if (run && fidelity_ == estimated)
+            run->notes.push_back(
+                "fidelity: genomes were given up by an estimate from a coarse grid, not by a "
+                "bound");
+        return run;
     }
 
     /// What decides a variant's result beside its pipeline, seed and start.
@@ -290,7 +297,11 @@ class Paper {
         return row;
     }
 
+    enum Fidelity : std::size_t { off, on, estimated };
+
     const Settings& settings_;
+    Fidelity fidelity_ =
+        static_cast<Fidelity>(settings_.one_of("paper.fidelity", {"off", "on", "estimated"}));
     PaperRun& run_;
     Progress& progress_;
     const std::atomic<bool>& stop_;
@@ -324,7 +335,8 @@ std::vector<Setting> paper_settings() {
         {"paper.phase-absolute", "0", "the same in rad, added"},
         {"paper.fidelity", "off",
          "on gives up evaluations on the way that can no longer be among those kept: same answers, fewer "
-         "seconds; stages then list only who had a chance"},
+         "seconds; stages then list only who had a chance; estimated gives up more of them, by a coarse "
+         "grid's curve: most likely the same answers; off evaluates everybody"},
         {"database.pairs", "20", "Sobol pairs (H, gamma)"},
         {"database.phase-columns", "5", "Sobol phase columns"},
         {"database.H-from", "0.5", "lowest H"},

@@ -69,3 +69,21 @@ TEST_CASE("the paper's answers are the same with fidelity, and fewer genomes sta
         CHECK(whole["variants"]["sog"]["stages"][0]["candidates"].size() == 40);
     }
 }
+
+TEST_CASE("where an estimate gave genomes up, the result says so") {
+    const Folder folder;
+    const std::string small = "run '" RUGOSA_SOURCE "/experiments/paper.ini' --pictures off --set "
+                              "model.nodes=256 --set database.pairs=4 --set paper.sweep-points=0 ";
+    for (const std::string fidelity : {"on", "estimated"}) {
+        REQUIRE(
+            rugosa(small + "--set paper.fidelity=" + fidelity + " --out " + fidelity, folder.path()).code ==
+            0);
+        const json result = json::parse(rough::read_whole(folder / (fidelity + "/result.json")));
+        for (const auto& [name, variant] : result["variants"].items())
+            CHECK((variant["notes"].dump().find("by an estimate") != std::string::npos) ==
+                  (fidelity == "estimated"));
+    }
+    const Ended ended = rugosa(small + "--set paper.fidelity=maybe --out none", folder.path());
+    CHECK(ended.code == 2);
+    CHECK(ended.err.find("estimated") != std::string::npos);
+}

@@ -10,15 +10,14 @@
 
 namespace rough::testing {
 
-/// The paper's two targets, and the curves of 18 random genomes that are in no database: one or two series,
-/// waves down to the spacing of the paper's grid or to eight times it. Twenty points each, up to 1.6e-4 MPa.
-inline std::vector<Target> twenty_targets(const std::filesystem::path& data) {
+/// The curves of random genomes that are in no database: one or two series, waves down to the spacing of the
+/// paper's grid or to eight times it. Twenty points each, up to 1.6e-4 MPa.
+inline std::vector<Target> random_targets(int count, unsigned seed) {
     constexpr double highest = 1.6e-4;
-    std::vector<Target> targets{read_target(data / "target_paper.csv"),
-                                read_target(data / "target_heldout.csv")};
+    std::vector<Target> targets;
     const Model paper;
-    std::mt19937_64 random(60);
-    for (int i = 0; i < 18; ++i) {
+    std::mt19937_64 random(seed);
+    for (int i = 0; i < count; ++i) {
         const double shortest = paper.grid.spacing() * (i % 3 == 0 ? 1 : 8);
         const Response response =
             respond(random_genome(random, 1 + i % 2, 1, paper.grid.length, shortest), paper);
@@ -30,6 +29,15 @@ inline std::vector<Target> twenty_targets(const std::filesystem::path& data) {
         }
         targets.push_back(target);
     }
+    return targets;
+}
+
+/// The paper's two targets and 18 random ones.
+inline std::vector<Target> twenty_targets(const std::filesystem::path& data) {
+    std::vector<Target> targets{read_target(data / "target_paper.csv"),
+                                read_target(data / "target_heldout.csv")};
+    for (Target& target : random_targets(18, 60))
+        targets.push_back(std::move(target));
     return targets;
 }
 
