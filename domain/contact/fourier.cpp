@@ -81,6 +81,13 @@ FourierPlan complex_fourier_plan(Index length) {
     });
 }
 
+bool is_good_fourier_length(Index length) {
+    for (const Index factor : {2, 3, 5, 7, 11, 13})
+        while (length % factor == 0)
+            length /= factor;
+    return length == 1;
+}
+
 Index fast_fourier_length(Index length) {
     Index best = 2;
     while (best < length)

@@ -17,6 +17,9 @@ FourierPlan fourier_plan(Index length);
 /// the same for complex transforms in place
 FourierPlan complex_fourier_plan(Index length);
 
+/// Whether no prime factor is above 13: with a large one transforms take up to ten times as long.
+bool is_good_fourier_length(Index length);
+
 /// Smallest even 2^a 3^b 5^c that is no smaller than `length`.
 Index fast_fourier_length(Index length);
 

@@ -92,7 +92,7 @@ ContactProblem make_problem(const Profile& profile, const Body& body,
 
 template <typename Operator>
 static Operator operator_of(const ContactProblem& problem) {
-    if (problem.kernel == Kernel::periodic)
+    if (problem.kernel == Kernel::periodic && is_good_fourier_length(problem.nodes()))
         return Operator::circulant(problem.nodes(), periodic_spectrum(problem.nodes()));
     return Operator::toeplitz(problem.column);
 }

@@ -51,8 +51,12 @@ Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Index length) {
     return eigenvalues.cwiseInverse();
 }
 
+/// A periodic matrix is circulant itself; where that is slow to transform, a longer one serves as well as it
+/// does for the other kernels.
 Index circulant_length(const ContactProblem& problem) {
-    return problem.kernel == Kernel::periodic ? problem.nodes() : fast_fourier_length(problem.nodes());
+    const Index nodes = problem.nodes();
+    return problem.kernel == Kernel::periodic && is_good_fourier_length(nodes) ? nodes
+                                                                               : fast_fourier_length(nodes);
 }
 
 } // namespace

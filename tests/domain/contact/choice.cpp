@@ -1,5 +1,6 @@
 #include "domain/contact/choice.hpp"
 
+#include "domain/contact/problem.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -64,6 +65,34 @@ TEST_CASE("a choice rests on the number of contact nodes that the curve will hav
         CHECK(expected > found / 1.6);
         CHECK(expected < found * 1.6);
     }
+}
+
+TEST_CASE("a periodic profile on a prime number of nodes is solved alike by both, up to near full contact",
+          "[contact]") {
+    for (const Index nodes : {509, 1021, 2039})
+        for (const int waves : {1, 3, 40}) {
+            Profile profile{Eigen::VectorXd(nodes), 1.0 / static_cast<double>(nodes)};
+            for (Index i = 0; i < nodes; ++i) {
+                const double x = 6.283185307179586 * static_cast<double>(i) * profile.spacing;
+                profile.heights[i] = std::cos(x) + 0.2 * std::cos(waves * x + 1);
+            }
+            Body body;
+            body.kernel = Kernel::periodic;
+            const double full = largest_displacement(profile, body);
+            const std::vector<double> displacements{0.01 * full, 0.3 * full, 0.9 * full, 0.999 * full};
+            ContactOptions nested, active_set;
+            nested.solver = Solver::nested;
+            active_set.solver = Solver::active_set;
+            const ContactCurve exact = solve_contact(profile, body, displacements, nested),
+                               found = solve_contact(profile, body, displacements, active_set);
+            INFO(nodes << " nodes, " << waves << " waves");
+            for (std::size_t j = 0; j < exact.steps.size(); ++j) {
+                CHECK(found.steps[j].pressure == Approx(exact.steps[j].pressure).epsilon(1e-5));
+                CHECK(found.steps[j].tangent_stiffness ==
+                      Approx(exact.steps[j].tangent_stiffness).epsilon(1e-5));
+                CHECK(found.steps[j].contact_nodes == exact.steps[j].contact_nodes);
+            }
+        }
 }
 
 TEST_CASE("both costs grow with the grid and the load steps, the factor's also with contact", "[contact]") {
