@@ -60,16 +60,17 @@ class Steps : public ga::Appraisal<RescaledResponse> {
     }
 
     double bound(std::size_t objective) override {
-        if (std::isinf(bound_[objective]))
-            judge(objective);
-        return bound_[objective];
+        auto& [bound, steps] = judged_[objective];
+        if (steps != contact_.steps().size() && !contact_.done())
+            bound = std::min(bound, similarity_[objective](contact_.steps(), count(), foretold_));
+        steps = contact_.steps().size();
+        return bound;
     }
     void advance() override {
-        for (std::size_t i = 0; i < at_once_ && !contact_.done(); ++i)
+        // A light step costs less than to come back to it once more.
+        const std::size_t steps = 2 * contact_.steps().size() < count() ? 2 * at_once_ : at_once_;
+        for (std::size_t i = 0; i < steps && !contact_.done(); ++i)
             contact_.press();
-        for (std::size_t objective = 0; objective < bound_.size(); ++objective)
-            if (std::isfinite(bound_[objective])) // somebody has asked for it
-                judge(objective);
     }
     std::optional<RescaledResponse> outcome() override {
         if (!contact_.done())
@@ -81,11 +82,11 @@ class Steps : public ga::Appraisal<RescaledResponse> {
 
   private:
     std::size_t count() const { return contact_.displacements().size(); }
-    void judge(std::size_t objective) {
-        double& bound = bound_[objective];
-        if (!contact_.done())
-            bound = std::min(bound, similarity_[objective](contact_.steps(), count(), foretold_));
-    }
+
+    struct Judged {
+        double bound = std::numeric_limits<double>::infinity();
+        std::size_t steps = 0; ///< that were known then
+    };
 
     const RescaledProblem& problem_;
     Genome shape_;
@@ -94,8 +95,7 @@ class Steps : public ga::Appraisal<RescaledResponse> {
     std::vector<double> foretold_;            ///< secant stiffness of each step, or nothing
     std::vector<SimilarityBound> similarity_; ///< of each objective
     std::size_t at_once_;
-    std::vector<double> bound_ =
-        std::vector<double>(similarity_.size(), std::numeric_limits<double>::infinity());
+    std::vector<Judged> judged_ = std::vector<Judged>(similarity_.size()); ///< of each objective
 };
 
 } // namespace
