@@ -17,9 +17,8 @@ constexpr double rounding = 1e-9;
 constexpr int parts = 4;
 constexpr double farthest = 4;
 
-/// How far, relative, a foretold secant may be off at the last load and how much farther where there is
-/// hardly any, and their sum over the steps to come: wide enough for all but a few in a hundred of the
-/// paper's genomes and their sums, from an eighth of their nodes (README.md of domain/economy).
+/// How far, relative, a foretold secant may be off at the last load, how much farther where there is hardly
+/// any, and the sum of those to come: an estimate (README.md of domain/economy).
 constexpr double margin_loaded = 0.03, margin_light = 0.3, margin_rest = 0.06;
 
 /// The secant curve of the solved steps (x: mean pressures, y: secants) and the bounds of those to come, with
