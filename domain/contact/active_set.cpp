@@ -194,7 +194,7 @@ Solution solve_levels(const ContactProblem& problem, const ContactOptions& optio
 /// A coarse grid's solution, or as much of it as there is: it is a start for the fine grid, nothing hangs on
 /// it.
 Solution guess(const ContactProblem& problem, ContactOptions options) {
-    options.tolerance = 1e-3;
+    options.tolerance = 1e-2;
     options.states = false;
     try {
         return problem.nodes() <= coarsest ? solve_nested(problem, options)
