@@ -17,8 +17,8 @@ Lanes loaded(const double* p) {
     return x;
 }
 
-/// Multiplications in the time that two transforms of M = 2 N numbers take for each of their M log2 M: it
-/// balances at 80 loaded nodes of 512.
+/// Multiplications that are worth one of the M log2 M turns of two transforms of M = 2 N numbers: these have
+/// a cost of their own besides, and sums run through their numbers in order.
 constexpr double per_turn = 4;
 
 } // namespace
