@@ -19,8 +19,8 @@ TEST_CASE("no solver claims a wrong curve, and the automatic and nested ones sol
             options.solver = static_cast<rough::Solver>(method);
             app::ContactTrial trial = try_contact(scene, options, 30);
             reference.judge(trial, app::promised_tolerance(trial.curve, options));
-            INFO(scene.name << ", " << rough::name_of(scene.body.kernel) << ", " << app::solver_names()[method]
-                            << ": " << trial.message);
+            INFO(scene.name << ", " << rough::name_of(scene.body.kernel) << ", "
+                            << app::solver_names()[method] << ": " << trial.message);
             CHECK(trial.outcome != app::Outcome::wrong);
             const bool direct =
                 options.solver == rough::Solver::automatic || options.solver == rough::Solver::nested;

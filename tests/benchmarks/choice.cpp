@@ -2,6 +2,7 @@
 // seeds the profiles.
 
 #include "domain/contact/problem.hpp"
+#include "tests/benchmarks/measure.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <Eigen/QR>
@@ -10,21 +11,14 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 #include <random>
 #include <string>
 
 using namespace rough;
+using rough::testing::processor_seconds;
 
 namespace {
-
-/// Of this thread: what other work on the machine takes is not counted.
-double processor_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// The least of three, or of one where it takes long.
 double least_seconds(const std::function<void()>& work) {

@@ -1,31 +1,21 @@
 #include "domain/contact/problem.hpp"
+#include "tests/benchmarks/measure.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 
 using namespace rough;
+using rough::testing::median;
+using rough::testing::processor_seconds;
 
 namespace {
-
-/// Of this thread: what other work on the machine takes is not counted.
-double processor_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 double seconds(const std::function<void()>& work) {
     const double start = processor_seconds();
     work();
     return processor_seconds() - start;
-}
-
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
-    return values[values.size() / 2];
 }
 
 /// Median time of one zero-padded FFT apply.

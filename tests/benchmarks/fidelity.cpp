@@ -5,6 +5,7 @@
 // tuned on.
 #include "domain/mwm/database.hpp"
 #include "domain/variants/paper.hpp"
+#include "tests/benchmarks/measure.hpp"
 #include "tests/domain/twenty_targets.hpp"
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include <string_view>
 
 using namespace rough;
+using rough::testing::median;
 
 namespace {
 
@@ -42,11 +44,6 @@ bool same(const ga::Population<Genome>& a, const ga::Population<Genome>& b) {
         return x.identity == y.identity && x.value() == y.value() && x.genome.scale == y.genome.scale &&
                shape_key(x.genome) == shape_key(y.genome);
     });
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
 }
 
 } // namespace

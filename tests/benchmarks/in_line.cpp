@@ -10,6 +10,7 @@
 #include "domain/fractal.hpp"
 #include "domain/mwm/database.hpp"
 #include "domain/variants/paper.hpp"
+#include "tests/benchmarks/measure.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -17,18 +18,13 @@
 #include <cstdlib>
 
 using namespace rough;
+using rough::testing::median;
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t n = values.size();
-    return (values[(n - 1) / 2] + values[n / 2]) / 2;
-}
 
 Goal answer_of(const Profile& profile, const Model& model, const std::string& name) {
     const Curve curve = secant_stiffness(respond(profile, model.body, model.loading));

@@ -4,6 +4,7 @@
 
 #include "domain/fitness/rescaled_problem.hpp"
 #include "domain/mwm/database.hpp"
+#include "tests/benchmarks/measure.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +12,7 @@
 #include <functional>
 
 using namespace rough;
+using rough::testing::median;
 
 namespace {
 
@@ -25,11 +27,6 @@ double milliseconds(const std::function<void()>& work) {
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     }
     return least;
-}
-
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
-    return values[values.size() / 2];
 }
 
 } // namespace
