@@ -1,5 +1,6 @@
 #include "apps/design_settings.hpp"
 
+#include "apps/listed.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/scan_settings.hpp"
 #include "apps/units.hpp"
@@ -16,14 +17,6 @@ namespace {
 constexpr double worth_the_name = 0.99;
 /// A target whose exact bound is below this is called out of reach, where --reach-similarity is not given.
 constexpr double exact_enough = 0.999;
-
-std::vector<std::string> listed(const std::string& text) {
-    std::vector<std::string> parts;
-    std::istringstream in(text);
-    for (std::string part; std::getline(in, part, ',');)
-        parts.push_back(part);
-    return parts;
-}
 
 /// The factor that turns a conductance into stiffness: C = 2 K/(E* (rho1 + rho2)).
 double conductance_to_stiffness(const Settings& settings, const rough::Model& model) {

@@ -1,6 +1,7 @@
 #include "apps/economy_experiment.hpp"
 
 #include "apps/contact_trial.hpp"
+#include "apps/listed.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/recorder.hpp"
 #include "apps/result.hpp"
@@ -15,19 +16,10 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 namespace app {
 
 namespace {
-
-std::vector<std::string> listed(const std::string& text) {
-    std::vector<std::string> parts;
-    std::istringstream in(text);
-    for (std::string part; std::getline(in >> std::ws, part, ',');)
-        parts.push_back(part);
-    return parts;
-}
 
 std::vector<double> numbers_in(const Settings& settings, const std::string& name) {
     std::vector<double> numbers;
@@ -120,7 +112,7 @@ class Economy {
 
     void compare_searches() {
         for (const double nodes : numbers_in(settings_, "economy.search-nodes"))
-            for (const std::string& file : targets()) {
+            for (const auto& file : target_files(settings_, "targets.files")) {
                 if (stop_.load())
                     return;
                 progress_.show("search at " + std::to_string(std::lround(nodes)) + " nodes");
@@ -135,7 +127,7 @@ class Economy {
                     pair(score("low") | above(0.95, at_least(3)), score("high") | above(0.95, at_least(3)),
                          words.unite()) |
                     score() | best(3);
-                const std::string name = std::filesystem::path(file).stem().string();
+                const std::string name = file.stem().string();
                 run_.searches.push_back(compared({name, "database", model.grid.nodes}, front, problem));
                 run_.searches.push_back(compared({name, "pairing", model.grid.nodes}, pairing, problem));
             }
@@ -168,7 +160,7 @@ class Economy {
         progress_.show("a designed surface");
         rough::DesignSetup& setup = run_.setup;
         setup.model = model_;
-        setup.goals = {rough::read_goal(targets().front())};
+        setup.goals = {rough::read_goal(target_files(settings_, "targets.files").front())};
         setup.max_pressure = max_pressure();
         setup.limits.shortest_wave = 8 * model_.grid.spacing();
         rough::SearchOptions options;
@@ -221,19 +213,6 @@ class Economy {
         run_.budget.push_back({"target", "the same on the finer grid", 1 - run_.design.similarity_refined});
     }
 
-    std::vector<std::string> targets() const {
-        const std::string all = settings_.path("targets.files").string();
-        // What settings.path puts before the names, where the experiment's file gives them.
-        const std::filesystem::path beside =
-            all.substr(0, all.size() - settings_.text("targets.files").size());
-        std::vector<std::string> files;
-        for (const std::string& file : listed(settings_.text("targets.files")))
-            files.push_back((beside / file).string());
-        if (files.empty())
-            throw rough::InputError(settings_.place("targets.files") +
-                                    ": none given, expected target files (CSV)");
-        return files;
-    }
     double max_pressure() const { return settings_.positive("targets.max-pressure"); }
 
     const Settings& settings_;

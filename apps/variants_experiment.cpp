@@ -1,6 +1,7 @@
 #include "apps/variants_experiment.hpp"
 
 #include "apps/design_settings.hpp"
+#include "apps/listed.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/recorder.hpp"
 #include "apps/report/compare.hpp"
@@ -32,16 +33,10 @@ std::string trimmed(const std::string& text) {
 
 std::vector<RaceTarget> targets_from(const Settings& settings) {
     std::vector<RaceTarget> targets;
-    std::istringstream files(settings.text("targets.files"));
-    const std::string place = settings.path("targets.files").string();
-    // What settings.path puts before the names, where the experiment's file gives them.
-    const std::filesystem::path beside =
-        place.substr(0, place.size() - settings.text("targets.files").size());
-    for (std::string file; std::getline(files, file, ',');) {
+    for (const std::filesystem::path& path : target_files(settings, "targets.files")) {
         RaceTarget target;
         target.setup.model = model_from(settings, "model.");
         target.setup.model.accuracy = accuracy_from(settings, "model.");
-        const std::filesystem::path path = beside / trimmed(file);
         target.setup.goals = {rough::read_goal(path)};
         target.setup.goals[0].name = path.stem().string();
         if (settings.has("targets.max-pressure"))
@@ -51,9 +46,6 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
                                                 : 8 * target.setup.model.grid.spacing();
         targets.push_back(std::move(target));
     }
-    if (targets.empty())
-        throw rough::InputError(settings.place("targets.files") +
-                                ": none given, expected target files (CSV)");
     return targets;
 }
 

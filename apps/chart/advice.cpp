@@ -128,7 +128,7 @@ std::string words_of_failures(const ChartData& data) {
                 (run.setting.tolerance > 0 ? ", tolerance " + tolerance_word(run.setting.tolerance) : "") +
                 " (" + name_of(run.outcome) + ")");
     return failed.empty() ? "Every method solved every setting that was tried and not stopped for its time."
-                          : "Not solved: " + listed(failed) + ".";
+                          : "Not solved: " + enumerated(failed) + ".";
 }
 
 } // namespace app

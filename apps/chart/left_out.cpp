@@ -41,8 +41,8 @@ std::string left_out_in_a_line(const ChartData& data) {
         std::vector<std::string> words;
         for (const auto& [method, nodes] : methods)
             words.push_back(name_of(method) + " from N = " + std::to_string(nodes));
-        line += (line.empty() ? std::to_string(data.left_out.size()) + " left out: " : "; ") + listed(words) +
-                " (" + why(data, reason) + ")";
+        line += (line.empty() ? std::to_string(data.left_out.size()) + " left out: " : "; ") +
+                enumerated(words) + " (" + why(data, reason) + ")";
     }
     return line;
 }
@@ -81,8 +81,8 @@ Table left_out_table(const ChartData& data) {
             std::vector<std::string> names;
             for (const std::size_t scene : scenes)
                 names.push_back(data.scenes[scene].name);
-            where += (where.empty() ? "N = " : "; N = ") + listed(nodes) + " on " +
-                     (scenes.size() == data.scenes.size() ? "every scene" : listed(names));
+            where += (where.empty() ? "N = " : "; N = ") + enumerated(nodes) + " on " +
+                     (scenes.size() == data.scenes.size() ? "every scene" : enumerated(names));
         }
         auto& shared = tolerances[{method, reason, where}];
         if (tolerance > 0)
@@ -92,7 +92,7 @@ Table left_out_table(const ChartData& data) {
     for (const auto& [key, words] : tolerances) {
         const auto& [method, reason, where] = key;
         table.rows.push_back(
-            {name_of(method), words.empty() ? "none" : listed(words), where, why(data, reason)});
+            {name_of(method), words.empty() ? "none" : enumerated(words), where, why(data, reason)});
     }
     return table;
 }

@@ -33,7 +33,7 @@ std::string range_words(const std::vector<double>& values) {
     return low == high ? low : low + " to " + high;
 }
 
-std::string listed(const std::vector<std::string>& words) {
+std::string enumerated(const std::vector<std::string>& words) {
     std::string text;
     for (std::size_t k = 0; k < words.size(); ++k)
         text += (k == 0 ? "" : k + 1 == words.size() ? " and " : ", ") + words[k];

@@ -15,6 +15,6 @@ std::string tolerance_word(double tolerance); ///< "1e-6"
 std::string range_words(const std::vector<double>& values);
 
 /// "a", "a and b", "a, b and c"
-std::string listed(const std::vector<std::string>& words);
+std::string enumerated(const std::vector<std::string>& words);
 
 } // namespace app
