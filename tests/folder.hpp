@@ -1,15 +1,14 @@
 #pragma once
 
-#include "domain/atomic_file.hpp"
-
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
-namespace rough::testing {
+namespace tests {
 
-/// A folder of its own that goes with the test.
+/// A folder of its own that goes with the test: cases run beside each other, so no two may share a file.
 class Folder {
   public:
     Folder() {
@@ -25,7 +24,7 @@ class Folder {
     const std::filesystem::path& path() const { return path_; }
     std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
     std::filesystem::path write(const std::string& name, const std::string& content) const {
-        write_atomically(path_ / name, content);
+        std::ofstream(path_ / name, std::ios::binary) << content;
         return path_ / name;
     }
     std::vector<std::string> names() const {
@@ -39,4 +38,4 @@ class Folder {
     std::filesystem::path path_;
 };
 
-} // namespace rough::testing
+} // namespace tests

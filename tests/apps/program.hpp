@@ -1,5 +1,6 @@
 #pragma once
 
+#include "domain/atomic_file.hpp"
 #include "tests/folder.hpp"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 
 namespace app::testing {
 
-using rough::testing::Folder;
+using tests::Folder;
 
 struct Ended {
     int code;
@@ -16,8 +17,7 @@ struct Ended {
 };
 
 /// Runs the built program in a folder, as a shell would.
-inline Ended rugosa(const std::string& words,
-                    const std::filesystem::path& where = std::filesystem::temp_directory_path()) {
+inline Ended rugosa(const std::string& words, const std::filesystem::path& where) {
     const Folder logs;
     const std::string command = "cd '" + where.string() + "' && '" RUGOSA_PROGRAM "' " + words + " >'" +
                                 (logs / "out").string() + "' 2>'" + (logs / "err").string() + "' </dev/null";
@@ -25,5 +25,8 @@ inline Ended rugosa(const std::string& words,
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), rough::read_whole(logs / "out"),
             rough::read_whole(logs / "err")};
 }
+
+/// Runs it in an empty folder.
+inline Ended rugosa(const std::string& words) { return rugosa(words, Folder().path()); }
 
 } // namespace app::testing

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 namespace fs = std::filesystem;
-using rough::testing::Folder;
+using tests::Folder;
 
 namespace {
 long entries(const fs::path& folder) {

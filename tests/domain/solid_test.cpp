@@ -1,8 +1,8 @@
-#include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/solid.hpp"
 #include "tests/domain/random_genome.hpp"
+#include "tests/folder.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -10,7 +10,6 @@
 #include <array>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <map>
 
 using namespace rough;
@@ -92,10 +91,9 @@ TEST_CASE("an extruded profile's volume is its area times the width, its normals
 }
 
 TEST_CASE("ADMesh finds nothing to mend in an extruded profile") {
-    const auto file =
-        std::filesystem::temp_directory_path() / ("rugosa-" + std::to_string(getpid()) + ".stl");
+    const tests::Folder folder;
     for (const Index nodes : {2, 512, 5001}) {
-        write_atomically(file, binary_stl(rough_profile(3, nodes), {.magnify = 100}));
+        const auto file = folder.write("solid.stl", binary_stl(rough_profile(3, nodes), {.magnify = 100}));
         const std::string report = output_of("admesh " + file.string());
         INFO(report);
         const auto count = [&](const std::string& what) {
@@ -110,7 +108,6 @@ TEST_CASE("ADMesh finds nothing to mend in an extruded profile") {
               "Facets added", "Facets reversed", "Backwards edges", "Normals fixed"})
             CHECK(count(fault) == 0);
     }
-    std::filesystem::remove(file);
 }
 
 TEST_CASE("a solid of no size is refused") {

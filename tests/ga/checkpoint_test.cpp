@@ -1,5 +1,6 @@
 #include "ga/checkpoint.hpp"
 #include "ga/ga.hpp"
+#include "tests/folder.hpp"
 #include "tests/ga/vectors.hpp"
 
 #include <catch2/catch.hpp>
@@ -56,16 +57,10 @@ const Observer<std::vector<double>> observer = [](const auto& event) {
     seen.push_back(event.path + " " + std::to_string(event.counters.asked));
 };
 
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("ga_checkpoint_" + std::to_string(::getpid()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-};
-
 } // namespace
 
 TEST_CASE("a run that is stopped within any evaluation and resumed ends in the very result") {
-    const Folder folder;
+    const tests::Folder folder;
     seen.clear();
     const auto whole = run(nested<Vectors>(), Vectors{}, nobody, {}, {observer});
     const std::string expected = text_of(whole, seen);
@@ -81,7 +76,7 @@ TEST_CASE("a run that is stopped within any evaluation and resumed ends in the v
                 return Vectors::evaluate(x);
             }
         };
-        const fs::path file = folder.path / "run";
+        const fs::path file = folder / "run";
         fs::remove(file);
         for (int pieces = 0;; ++pieces) {
             REQUIRE(pieces < 500);
@@ -106,8 +101,8 @@ TEST_CASE("a run that is stopped within any evaluation and resumed ends in the v
 }
 
 TEST_CASE("a finished run is read from its checkpoint without being run") {
-    const Folder folder;
-    Checkpoints<Vectors> first(folder.path / "run", "", false), second(folder.path / "run", "", true);
+    const tests::Folder folder;
+    Checkpoints<Vectors> first(folder / "run", "", false), second(folder / "run", "", true);
     const auto done = run(nested<Vectors>(), Vectors{}, nobody, {}, {}, &first);
     seen.clear();
     const auto again = run(nested<Vectors>(), Vectors{}, nobody, {}, {observer}, &second);
@@ -116,8 +111,8 @@ TEST_CASE("a finished run is read from its checkpoint without being run") {
 }
 
 TEST_CASE("a checkpoint of another run, or a file that is none, is refused") {
-    const Folder folder;
-    const fs::path file = folder.path / "run";
+    const tests::Folder folder;
+    const fs::path file = folder / "run";
     Checkpoints<Vectors> write(file, "a", false), same(file, "a", true), other(file, "b", true);
     run(sample(3) | score(), Vectors{}, nobody, {}, {}, &write);
     const std::string message = "checkpoint '" + file.string() +
@@ -157,14 +152,14 @@ TEST_CASE("child of the kill test", "[.][kill-child]") {
 }
 
 TEST_CASE("a process that is killed at random moments and resumed ends in the very result") {
-    const Folder folder;
+    const tests::Folder folder;
     seen.clear();
     const auto whole = run(nested<Slow>(), Slow{}, nobody, {.threads = 1}, {observer});
     const std::string expected = text_of(whole, seen);
-    ::setenv("GA_CHECKPOINT_FOLDER", folder.path.c_str(), 1);
+    ::setenv("GA_CHECKPOINT_FOLDER", folder.path().c_str(), 1);
     Stream stream(2024);
     int killed = 0;
-    for (int attempt = 0; attempt < 200 && !fs::exists(folder.path / "answer"); ++attempt) {
+    for (int attempt = 0; attempt < 200 && !fs::exists(folder / "answer"); ++attempt) {
         const pid_t child = ::fork();
         if (child == 0) {
             ::execl("/proc/self/exe", "tests_ga", "[kill-child]", "-o", "/dev/null", nullptr);
@@ -184,8 +179,8 @@ TEST_CASE("a process that is killed at random moments and resumed ends in the ve
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
     }
-    REQUIRE(fs::exists(folder.path / "answer"));
+    REQUIRE(fs::exists(folder / "answer"));
     CHECK(killed > 0);
-    std::ifstream answer(folder.path / "answer");
+    std::ifstream answer(folder / "answer");
     CHECK(std::string(std::istreambuf_iterator<char>(answer), {}) == expected);
 }

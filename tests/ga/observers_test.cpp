@@ -3,12 +3,12 @@
 #include "ga/observers/hall_of_fame.hpp"
 #include "ga/observers/log.hpp"
 #include "ga/observers/progress.hpp"
+#include "tests/folder.hpp"
 #include "tests/ga/vectors.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <sstream>
-#include <unistd.h>
 
 using namespace ga;
 
@@ -37,7 +37,8 @@ std::string timeless(const std::string& table) {
 } // namespace
 
 TEST_CASE("the log has a row for every stage with what a population is worth") {
-    const fs::path file = fs::temp_directory_path() / ("ga_log_" + std::to_string(::getpid()) + ".csv");
+    const tests::Folder folder;
+    const fs::path file = folder / "log.csv";
     const Vectors problem;
     Log log(file);
     const auto result = run(pipeline, problem, nobody, {.variant = "v"}, {log.observer(problem)});
@@ -53,12 +54,10 @@ TEST_CASE("the log has a row for every stage with what a population is worth") {
     CHECK(rows[1].starts_with("v/sample.1,,20,,,1,0,0,0,0,"));
     CHECK(rows[2].starts_with("v/score.1,,20,-"));
     CHECK(rows[52].starts_with("v/repeat.1/elite.1,9,20," + number(result.best->value())));
-    fs::remove(file);
 }
 
 TEST_CASE("a log goes on after a resume as if the run had never stopped") {
-    const fs::path folder = fs::temp_directory_path() / ("ga_log_resume_" + std::to_string(::getpid()));
-    fs::create_directories(folder);
+    const tests::Folder folder;
     const Vectors problem;
     Log whole(folder / "whole.csv");
     run(pipeline, problem, nobody, {}, {whole.observer(problem)});
@@ -83,7 +82,6 @@ TEST_CASE("a log goes on after a resume as if the run had never stopped") {
         }
     }
     CHECK(timeless(contents(folder / "parts.csv")) == timeless(contents(folder / "whole.csv")));
-    fs::remove_all(folder);
 }
 
 TEST_CASE("the hall of fame keeps the best different genomes ever shown, best first") {

@@ -15,7 +15,7 @@
 
 using namespace rough;
 namespace fs = std::filesystem;
-using rough::testing::Folder;
+using tests::Folder;
 
 namespace {
 

@@ -1,21 +1,16 @@
-#include "domain/atomic_file.hpp"
 #include "domain/design/goal.hpp"
 #include "domain/errors.hpp"
+#include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <filesystem>
 
 using namespace rough;
 
 namespace {
 
 Goal read_text(const std::string& text, double conductance_to_stiffness = 0) {
-    const auto file = std::filesystem::temp_directory_path() / "rugosa_goal_test.csv";
-    write_atomically(file, text);
-    const auto remove = [](const std::filesystem::path* path) { std::filesystem::remove(*path); };
-    const std::unique_ptr<const std::filesystem::path, decltype(remove)> guard(&file, remove);
-    return read_goal(file, conductance_to_stiffness);
+    const tests::Folder folder;
+    return read_goal(folder.write("target.csv", text), conductance_to_stiffness);
 }
 
 } // namespace

@@ -1,13 +1,12 @@
-#include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
 #include "domain/scan/scan.hpp"
 #include "tests/domain/scan/quirk_files.hpp"
+#include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <random>
 
 using namespace rough;
@@ -15,17 +14,8 @@ using namespace rough;
 namespace {
 
 Scan read(const std::string& bytes, ScanOptions options = {.detrend = Detrend::none}) {
-    const auto path =
-        std::filesystem::temp_directory_path() / ("rugosa-scan-" + std::to_string(getpid()) + ".txt");
-    write_atomically(path, bytes);
-    try {
-        Scan scan = read_scan(path, options);
-        std::filesystem::remove(path);
-        return scan;
-    } catch (...) {
-        std::filesystem::remove(path);
-        throw;
-    }
+    const tests::Folder folder;
+    return read_scan(folder.write("scan.txt", bytes), options);
 }
 
 std::string refusal(const std::string& bytes, ScanOptions options = {.detrend = Detrend::none}) {
