@@ -1,5 +1,4 @@
-#include "apps/database.hpp"
-
+#include "apps/database/parts.hpp"
 #include "apps/settings.hpp"
 #include "domain/errors.hpp"
 #include "ga/text/nearest.hpp"

@@ -1,6 +1,6 @@
 #include "apps/commands.hpp"
 #include "apps/output.hpp"
-#include "apps/plot.hpp"
+#include "apps/report/plot.hpp"
 #include "apps/scan_settings.hpp"
 #include "apps/table.hpp"
 #include "apps/units.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/report/paper_data.hpp"
+#include "apps/variant_run.hpp"
 #include "domain/design/search.hpp"
 
 #include <nlohmann/json.hpp>

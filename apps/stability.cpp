@@ -4,8 +4,8 @@
 #include "apps/output.hpp"
 #include "apps/progress.hpp"
 #include "apps/settings.hpp"
-#include "apps/stability_page.hpp"
-#include "apps/stability_reference.hpp"
+#include "apps/stability/page.hpp"
+#include "apps/stability/reference.hpp"
 #include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
 

@@ -1,5 +1,5 @@
 #include "apps/commands.hpp"
-#include "apps/design_settings.hpp"
+#include "apps/design/settings.hpp"
 #include "apps/formula.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/output.hpp"

@@ -2,7 +2,7 @@
 
 #include "apps/chart/plots.hpp"
 #include "apps/chart/words.hpp"
-#include "apps/report/compare.hpp"
+#include "apps/statistics.hpp"
 
 #include <algorithm>
 

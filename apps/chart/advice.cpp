@@ -2,7 +2,7 @@
 
 #include "apps/chart/words.hpp"
 #include "apps/model_settings.hpp"
-#include "apps/report/compare.hpp"
+#include "apps/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "apps/chart/left_out.hpp"
 #include "apps/chart/words.hpp"
 #include "apps/model_settings.hpp"
-#include "apps/plot_svg.hpp"
+#include "apps/report/plot_svg.hpp"
 
 #include <algorithm>
 

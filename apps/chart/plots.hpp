@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/chart/data.hpp"
-#include "apps/plot.hpp"
+#include "apps/report/plot.hpp"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #include "apps/report/page.hpp"
 
-#include "apps/plot_svg.hpp"
 #include "apps/report/page_style.hpp"
+#include "apps/report/plot_svg.hpp"
 
 #include <stdexcept>
 

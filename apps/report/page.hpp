@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/plot.hpp"
+#include "apps/report/plot.hpp"
 
 #include <string>
 #include <vector>

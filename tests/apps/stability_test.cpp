@@ -1,5 +1,5 @@
 #include "apps/model_settings.hpp"
-#include "apps/stability_reference.hpp"
+#include "apps/stability/reference.hpp"
 #include "tests/apps/program.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "apps/variant_run.hpp"
+#include "domain/design/out_of_reach.hpp"
+#include "domain/design/search.hpp"
+#include "domain/design/trust.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What `rugosa design` was asked for and what it found, as its result file and page read it.
+namespace app {
+
+struct DesignRun {
+    rough::DesignSetup setup;    ///< solved throughout: all that is said of the answer
+    rough::DesignSetup searched; ///< the same with the accuracy that the search was allowed
+    rough::SearchOptions options;
+    rough::TrustOptions trust_options;
+    std::vector<std::string> accounts;  ///< of scans read
+    std::optional<rough::Profile> like; ///< the scan whose response is the target
+
+    std::vector<rough::OutOfReach> out_of_reach;
+    double bound = 1;  ///< no profile is more similar than this, by exact tests
+    double wanted = 0; ///< --reach-similarity, or what an answer should have to be called found
+
+    rough::SearchResult found;
+    std::vector<StageRecord> stages;
+    std::vector<rough::Margin> margins;
+    std::optional<rough::Trust> trust; ///< none where there was no time for it
+
+    std::string verdict; ///< one line
+    bool interrupted = false;
+    double seconds = 0;
+    std::string version, command;
+};
+
+/// What is said of the search in one line: found, out of reach of every profile, or not found within the
+/// budget.
+std::string verdict_of(const DesignRun& run);
+
+} // namespace app

@@ -1,0 +1,383 @@
+#include "apps/paper/experiment.hpp"
+
+#include "apps/model_settings.hpp"
+#include "apps/recorder.hpp"
+#include "apps/result.hpp"
+#include "apps/scan_settings.hpp"
+#include "domain/errors.hpp"
+#include "domain/fitness/stored.hpp"
+#include "domain/variants/paper.hpp"
+#include "ga/checkpoint.hpp"
+#include "ga/observers/log.hpp"
+
+#include <omp.h>
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace app {
+
+namespace {
+
+using rough::DominanceRule;
+using rough::RescaledProblem;
+
+struct Variant {
+    std::string name;
+    rough::PaperPipeline pipeline;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+rough::DatabaseLayout layout_from(const Settings& settings, const rough::Model& model) {
+    rough::DatabaseLayout layout;
+    layout.pairs = static_cast<int>(settings.whole("database.pairs", 1, 100000));
+    layout.phase_columns = static_cast<int>(settings.whole("database.phase-columns", 1, 1000));
+    layout.H_from = settings.number("database.H-from", -10, 10);
+    layout.H_to = settings.number("database.H-to", layout.H_from, 10);
+    layout.gamma_from = settings.number("database.gamma-from", 1.01, 100);
+    layout.gamma_to = settings.number("database.gamma-to", layout.gamma_from, 100);
+    layout.A = settings.positive("database.A");
+    layout.lambda =
+        settings.has("database.lambda") ? settings.positive("database.lambda") : model.grid.length;
+    layout.shortest =
+        settings.has("database.shortest") ? settings.positive("database.shortest") : model.grid.spacing();
+    return layout;
+}
+
+/// The target that a measured profile's own response is: K at 20 even pressures up to its last.
+rough::Target target_of(const rough::Scan& scan, const rough::Model& model, const std::string& name) {
+    const rough::Response response = respond(scan.profile, model.body, model.loading, model.contact);
+    const rough::Curve curve = secant_stiffness(response);
+    rough::Target target{name, Eigen::VectorXd(20), Eigen::VectorXd(20)};
+    for (rough::Index k = 0; k < 20; ++k) {
+        target.pressure[k] = curve.to * static_cast<double>(k + 1) / 20;
+        target.stiffness[k] = curve.at(target.pressure[k]);
+    }
+    return target;
+}
+
+rough::DominanceReading reading_from(const Settings& settings) {
+    return static_cast<rough::DominanceReading>(settings.one_of("paper.dominance", {"pressure", "step"}));
+}
+
+rough::DominanceReading other(rough::DominanceReading reading) {
+    using enum rough::DominanceReading;
+    return reading == same_pressure ? same_step : same_pressure;
+}
+
+rough::PhaseReach reach_from(const Settings& settings) {
+    return {settings.number("paper.phase-relative", 0, 10), settings.number("paper.phase-absolute", 0, 10)};
+}
+
+std::vector<Variant> paper_three(const rough::Vocabulary& words) {
+    return {{"sog", sog(words)}, {"gco", gco(words)}, {"cco", cco(words)}};
+}
+
+/// The paper's three in both forms, from code, then what the experiment writes in [variants].
+std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabulary& words) {
+    using rough::Form;
+    std::vector<Variant> variants = paper_three(words);
+    variants.push_back({"sog-minimax", sog(words, Form::minimax)});
+    variants.push_back({"gco-minimax", gco(words, Form::minimax)});
+    variants.push_back({"cco-minimax", cco(words, Form::minimax)});
+    ga::Variants texts = paper_variants(words);
+    const auto own = settings.names_under("variants.");
+    for (const auto& name : own) {
+        if (texts.count(name))
+            throw rough::InputError(settings.place("variants." + name) +
+                                    ": the name of one of the paper's variants, expected another");
+        texts[name] = settings.text("variants." + name);
+    }
+    ga::Parser<RescaledProblem> parser(paper_registry(words), texts);
+    for (const auto& name : own)
+        variants.push_back({name, parser.variant(name)});
+    return variants;
+}
+
+struct Setup {
+    rough::Model model;
+    double max_pressure;
+    std::vector<TargetRun> targets;
+};
+
+Setup setup_from(const Settings& settings) {
+    Setup setup;
+    if (settings.has("target.profile")) {
+        const rough::Scan scan = scan_from(settings.path("target.profile"), settings, 0, "target.");
+        setup.model = model_from(settings, scan.profile, "model.");
+        if (!settings.has("model.nodes"))
+            setup.model.grid.nodes = 512;
+        setup.model.accuracy = accuracy_from(settings, "model.");
+        setup.targets.push_back(
+            {"measured", target_of(scan, setup.model, settings.text("target.profile")), 0, {}, {}, {}});
+        setup.max_pressure = setup.targets[0].target.highest_pressure();
+        return setup;
+    }
+    if (!settings.has("target.file"))
+        throw rough::InputError(settings.place("target.file") +
+                                ": missing, expected a target (CSV), or target.profile, a measured profile");
+    setup.model = model_from(settings, "model.");
+    setup.model.accuracy = accuracy_from(settings, "model.");
+    setup.max_pressure = settings.positive("paper.max-pressure");
+    setup.targets.push_back({"drawn", rough::read_target(settings.path("target.file")), 0, {}, {}, {}});
+    if (settings.has("heldout.file"))
+        setup.targets.push_back(
+            {"held-out", rough::read_target(settings.path("heldout.file")), 0, {}, {}, {}});
+    return setup;
+}
+
+/// The paper's genomes and targets with what all variants share.
+class Paper {
+  public:
+    Paper(const Settings& settings, PaperRun& run, Progress& progress, const std::atomic<bool>& stop,
+          const Keeping& keeping)
+        : settings_(settings), run_(run), progress_(progress), stop_(stop), keeping_(keeping),
+          genomes_(sobol_database(run.layout)), variants_(variants_from(settings, words_by(run.dominance))),
+          other_reading_(paper_three(words_by(other(run.dominance)))) {}
+
+    void answer_database() {
+        run_.database.resize(genomes_.size());
+        ga::parallel_for(genomes_.size(), run_.threads, [&](std::size_t i) {
+            rough::Genome genome = genomes_[i];
+            rough::Response response = respond(genome, run_.model);
+            genome.scale = run_.max_pressure / response.pressure[response.steps() - 1]; // Eq. 11
+            run_.database[i] = {genome, scaled(std::move(response), genome.scale)};
+        });
+    }
+
+    void design(TargetRun& target) {
+        const RescaledProblem problem(
+            run_.searched, target.target, run_.max_pressure, target.p_bar, nullptr, {},
+            fidelity_ == estimated ? rough::Outlook::foretold : rough::Outlook::proven);
+        for (const Answered& one : run_.database) {
+            const rough::Curve curve = secant_stiffness(one.response);
+            const auto points = [&](double from, double to) {
+                return points_within(target.target, {from, to});
+            };
+            target.database.push_back(
+                {similarity(target.target, curve), similarity(target.target, curve, points(0, target.p_bar)),
+                 similarity(target.target, curve, points(target.p_bar, run_.max_pressure))});
+        }
+        for (const Variant& variant : variants_) {
+            if (stop_)
+                return;
+            progress_.show(target.title + ": " + variant.name);
+            if (auto run = run_kept(variant, problem, target.title)) {
+                run->similarity_refined = similarity(problem, run->answer.genome, 4);
+                target.variants.push_back(std::move(*run));
+            }
+        }
+        for (const Variant& variant : other_reading_)
+            if (auto run = run_variant(variant, problem))
+                target.other_reading.push_back(std::move(*run));
+    }
+
+    void sweep(TargetRun& target) {
+        const double from = settings_.number("paper.sweep-from", 0.01, 1),
+                     to = settings_.number("paper.sweep-to", from, 1);
+        const long count = settings_.whole("paper.sweep-points", 0, 1000);
+        for (long i = 0; i < count; ++i) {
+            const double fraction =
+                count > 1 ? from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1)
+                          : from;
+            const RescaledProblem problem(run_.searched, target.target, run_.max_pressure,
+                                          fraction * run_.max_pressure, memory_);
+            for (const std::size_t cross_over : {1, 2}) {
+                if (stop_)
+                    return;
+                progress_.show(target.title + ": threshold " + std::to_string(i + 1) + " of " +
+                               std::to_string(count));
+                const auto row = run_variant(variants_[cross_over], problem);
+                if (row)
+                    target.thresholds.push_back(threshold_row(*row, fraction * run_.max_pressure));
+            }
+        }
+    }
+
+  private:
+    rough::Vocabulary words_by(rough::DominanceReading reading) const {
+        return {std::make_shared<DominanceRule>(run_.searched, reading), reach_from(settings_)};
+    }
+
+    using Run = ga::Result<rough::Genome>;
+
+    Run run_pipeline(const Variant& variant, const RescaledProblem& problem,
+                     const std::vector<ga::Observer<rough::Genome>>& observers,
+                     ga::Keeper<RescaledProblem>* keeper = nullptr, bool screening = false) const {
+        ga::RunOptions options;
+        options.variant = variant.name;
+        options.seed = run_.seed;
+        options.threads = run_.threads;
+        options.budget.stop = &stop_;
+        options.screening = screening;
+        return ga::run(variant.pipeline, problem, ga::population(genomes_), options, observers, keeper);
+    }
+
+    /// Nothing when it was stopped before a genome was scored.
+    std::optional<VariantRun> run_variant(const Variant& variant, const RescaledProblem& problem) const {
+        std::vector<StageRecord> stages;
+        const Run result = run_pipeline(variant, problem, {recorder(stages)});
+        return told(variant, problem, result, std::move(stages));
+    }
+
+    /// The same with a checkpoint and a log of every stage in the run's folder.
+    std::optional<VariantRun> run_kept(const Variant& variant, const RescaledProblem& problem,
+                                       const std::string& title) const {
+        const std::string name = title + "-" + variant.name;
+        for (const char* folder : {"checkpoints", "log"})
+            std::filesystem::create_directories(keeping_.folder / folder);
+        std::vector<StageRecord> stages;
+        ga::Log log(keeping_.folder / "log" / (name + ".csv"));
+        ga::Checkpoints<RescaledProblem> checkpoints(keeping_.folder / "checkpoints" / (name + ".cbor"),
+                                                     description(problem), keeping_.resume);
+        checkpoints.keep("stages", stages);
+        checkpoints.keep("log", log.position);
+        const Run result = run_pipeline(variant, problem, {recorder(stages), log.observer(problem)},
+                                        &checkpoints, fidelity_ != off);
+        log.close();
+        std::optional<VariantRun> run = told(variant, problem, result, std::move(stages));
+        if (run && fidelity_ == estimated)
+            run->notes.push_back(
+                "fidelity: genomes were given up by an estimate from a coarse grid, not by a "
+                "bound");
+        return run;
+    }
+
+    /// What decides a variant's result beside its pipeline, seed and start.
+    static std::string description(const RescaledProblem& problem) {
+        nlohmann::json settings = model_json(problem.model());
+        settings["target"] = target_json(problem.target());
+        settings["max_pressure_MPa"] = problem.max_pressure();
+        return settings.dump();
+    }
+
+    std::optional<VariantRun> told(const Variant& variant, const RescaledProblem& problem, const Run& result,
+                                   std::vector<StageRecord> stages) const {
+        if (result.population.empty())
+            return std::nullopt;
+        VariantRun run;
+        run.name = variant.name;
+        run.stages = std::move(stages);
+        run.seconds = result.seconds;
+        run.notes = result.notes;
+        run.answer.genome = in_final_form(problem, result.population.front().genome);
+        run.answer.response = respond(run.answer.genome, run_.model);
+        run.similarity = similarity(problem, run.answer.genome);
+        run.curves = result.counters.evaluations;
+        run.gradients = result.counters.gradients;
+        return run;
+    }
+
+    static ThresholdRow threshold_row(const VariantRun& run, double p_bar) {
+        const auto size = [&](const std::string& path) {
+            const StageRecord* stage = stage_at(run.stages, run.name + "/" + path);
+            return stage ? stage->candidates.size() : 0;
+        };
+        ThresholdRow row;
+        row.p_bar = p_bar;
+        row.variant = run.name;
+        row.u1 = size("pair.1/left/above.1");
+        row.u2 = size("pair.1/right/above.1");
+        row.at_least_used = !run.notes.empty();
+        row.children = size("score.1");
+        row.best_child = -INFINITY;
+        double above = 0;
+        for (const Candidate& child : stage_at(run.stages, run.name + "/score.1")->candidates) {
+            above += child.similarity > 0.95;
+            row.best_child = std::max(row.best_child, child.similarity);
+        }
+        row.share_above = above / static_cast<double>(row.children);
+        row.parents = run.stages.back().candidates.front().parents;
+        row.similarity = run.similarity;
+        return row;
+    }
+
+    enum Fidelity : std::size_t { off, on, estimated };
+
+    const Settings& settings_;
+    Fidelity fidelity_ =
+        static_cast<Fidelity>(settings_.one_of("paper.fidelity", {"off", "on", "estimated"}));
+    PaperRun& run_;
+    Progress& progress_;
+    const std::atomic<bool>& stop_;
+    const Keeping& keeping_;
+    std::shared_ptr<rough::ResponseMemory> memory_ =
+        std::make_shared<rough::ResponseMemory>(); ///< of the sweep
+    std::vector<rough::Genome> genomes_;
+    std::vector<Variant> variants_;
+    std::vector<Variant> other_reading_; ///< the paper's three under the other reading of Algorithm 1
+};
+
+} // namespace
+
+std::vector<Setting> paper_settings() {
+    std::vector<Setting> settings{
+        {"experiment.kind", "", "paper"},
+        {"experiment.seed", "1", "seed of everything random"},
+        {"experiment.threads", "0", "threads; 0 takes all"},
+        {"target.file", "", "target curve (CSV)"},
+        {"target.profile", "", "measured profile whose response is the target, in place of target.file"},
+        {"heldout.file", "", "second target curve (CSV)"},
+        {"variants.*", "", "NAME = pipeline: further variants, as text (rugosa operators)"},
+        {"paper.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"},
+        {"paper.threshold", "0.5", "p_bar over p_max"},
+        {"paper.sweep-from", "0.31", "first p_bar over p_max of the threshold sweep"},
+        {"paper.sweep-to", "0.69", "last one"},
+        {"paper.sweep-points", "20", "how many; 0: no sweep"},
+        {"paper.dominance", "pressure",
+         "Algorithm 1 compares curves at the same pressure, or at the same load step"},
+        {"paper.phase-relative", "0.1", "how far refinement moves a phase, over its own value"},
+        {"paper.phase-absolute", "0", "the same in rad, added"},
+        {"paper.fidelity", "off",
+         "on gives up evaluations on the way that can no longer be among those kept: same answers, fewer "
+         "seconds; stages then list only who had a chance; estimated gives up more of them, by a coarse "
+         "grid's curve: most likely the same answers; off evaluates everybody"},
+        {"database.pairs", "20", "Sobol pairs (H, gamma)"},
+        {"database.phase-columns", "5", "Sobol phase columns"},
+        {"database.H-from", "0.5", "lowest H"},
+        {"database.H-to", "1.5", "highest H"},
+        {"database.gamma-from", "1.4", "lowest gamma"},
+        {"database.gamma-to", "2", "highest gamma"},
+        {"database.A", "1", "amplitude A"},
+        {"database.lambda", "", "longest wave, mm [L]"},
+        {"database.shortest", "", "shortest wave, mm [the grid's spacing]"},
+    };
+    for (const auto& more :
+         {scan_settings("target."), model_settings("model."), {accuracy_setting("model.")}})
+        settings.insert(settings.end(), more.begin(), more.end());
+    return settings;
+}
+
+PaperRun run_paper(const Settings& settings, Progress& progress, const std::atomic<bool>& stop,
+                   const Keeping& keeping) {
+    const auto start = std::chrono::steady_clock::now();
+    PaperRun run;
+    Setup setup = setup_from(settings);
+    run.model = exactly(setup.model);
+    run.searched = setup.model;
+    run.max_pressure = setup.max_pressure;
+    run.targets = std::move(setup.targets);
+    run.layout = layout_from(settings, run.model);
+    run.dominance = reading_from(settings);
+    run.seed = static_cast<std::uint64_t>(settings.whole("experiment.seed", 0, 1L << 53));
+    const long threads = settings.whole("experiment.threads", 0, 1024);
+    run.threads = threads > 0 ? static_cast<int>(threads) : omp_get_max_threads();
+
+    Paper paper(settings, run, progress, stop, keeping);
+    progress.show("database");
+    paper.answer_database();
+    for (TargetRun& target : run.targets) {
+        target.p_bar = settings.number("paper.threshold", 0, 1) * run.max_pressure;
+        paper.design(target);
+        paper.sweep(target);
+    }
+    run.seconds = seconds_since(start);
+    return run;
+}
+
+} // namespace app

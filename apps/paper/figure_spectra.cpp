@@ -1,0 +1,71 @@
+#include "apps/paper/figures.hpp"
+#include "apps/paper/lookup.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/spectrum.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace app {
+
+namespace {
+
+Axis wave_axis(const PaperRun& run) {
+    const double longest = 2 * std::numbers::pi / run.model.grid.length;
+    return {"Wave number q (rad/mm)", true, 0.8 * longest, std::numbers::pi / run.model.grid.spacing()};
+}
+
+Plot lines_plot(const PaperRun& run, const TargetRun& target) {
+    Plot plot;
+    plot.alt = "Power of each cosine of the three answers against wave number, " + target.title + " target";
+    plot.title = titled(target);
+    plot.x = wave_axis(run);
+    plot.x.to = unset;
+    plot.y = {"Power of a wave (mm²)", true};
+    for (const Algorithm& algorithm : algorithms)
+        if (const VariantRun* variant = find_variant(target, algorithm.name)) {
+            const auto lines = discrete_spectrum(variant->answer.genome);
+            Series series{algorithm.title, {}, {}, algorithm.colour, Style::points, 2.2};
+            series.x.resize(static_cast<Eigen::Index>(lines.size()));
+            series.y.resize(static_cast<Eigen::Index>(lines.size()));
+            for (std::size_t i = 0; i < lines.size(); ++i) {
+                series.x[static_cast<Eigen::Index>(i)] = lines[i].wave_number;
+                series.y[static_cast<Eigen::Index>(i)] = lines[i].power;
+            }
+            plot.series.push_back(series);
+        }
+    return plot;
+}
+
+Plot density_plot(const PaperRun& run, const TargetRun& target) {
+    Plot plot;
+    plot.alt = "Power spectral density of the three answers against wave number, " + target.title + " target";
+    plot.title = titled(target);
+    plot.x = wave_axis(run);
+    plot.y = {"Density (mm³)", true};
+    for (const Algorithm& algorithm : algorithms)
+        if (const VariantRun* variant = find_variant(target, algorithm.name)) {
+            const auto spectrum = continuous_spectrum(sample(variant->answer.genome, run.model.grid));
+            plot.series.push_back({algorithm.title, spectrum.wave_number, spectrum.density, algorithm.colour,
+                                   Style::line, 1.5, algorithm.dash});
+        }
+    return plot;
+}
+
+} // namespace
+
+Figure spectra_figure(const PaperRun& run) {
+    Figure figure{"figure-11",
+                  "Figure 11. What the surfaces are made of.",
+                  "Discrete spectrum (the power of each cosine, exact) and continuous power spectral density "
+                  "(FFT of the "
+                  "sampled heights under a Hann window) of the three answers.",
+                  {}};
+    for (const TargetRun& target : run.targets) {
+        figure.panels.push_back(lines_plot(run, target));
+        figure.panels.push_back(density_plot(run, target));
+    }
+    return figure;
+}
+
+} // namespace app
