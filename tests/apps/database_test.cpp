@@ -10,8 +10,10 @@
 #include <map>
 #include <random>
 
+using app::testing::Ended;
 using app::testing::Folder;
 using app::testing::rugosa;
+using app::testing::rugosa_killed;
 
 namespace {
 
@@ -33,19 +35,20 @@ std::map<std::uint64_t, std::vector<double>> pressures(const std::filesystem::pa
 void kill_and_resume(int kills) {
     const Folder folder;
     const std::string flags = " --genomes 1500 --batch 20 --nodes 256 --threads 1";
-    REQUIRE(rugosa("database build whole.db" + flags, folder.path()).code == 0);
+    const Ended unbroken = rugosa("database build whole.db" + flags, folder.path());
+    REQUIRE(unbroken.code == 0);
     const auto whole = pressures(folder / "whole.db");
     std::mt19937_64 random(1);
     std::size_t stored = 0;
+    int files = 0;
     std::string file = "0.db";
     for (int hit = 0; hit < kills;) {
-        const double seconds = std::uniform_real_distribution<double>(0.02, 0.12)(random);
-        const std::string command = "timeout -s KILL " + std::to_string(seconds) +
-                                    " '" RUGOSA_PROGRAM "' database build '" + (folder / file).string() +
-                                    "'" + flags + " >'" + (folder / "log").string() + "' 2>&1";
-        const int status = std::system(command.c_str());
-        if (WIFEXITED(status) && WEXITSTATUS(status) == 0) { // done before it was hit: begin another file
-            file = std::to_string(hit) + "-next.db";
+        const double share = std::uniform_real_distribution<double>(0.1, 0.6)(random);
+        const Ended ended =
+            rugosa_killed(share * unbroken.seconds, "database build " + file + flags, folder.path());
+        if (ended.code == 0) { // done before it was hit: begin another file
+            REQUIRE(++files < 10 * kills);
+            file = std::to_string(files) + ".db";
             stored = 0;
             continue;
         }
@@ -88,7 +91,7 @@ TEST_CASE("two programs building one database at once make the same file as one"
 
 TEST_CASE("an interrupted build says how far it came, exits with 130 and goes on later") {
     const Folder folder;
-    const std::string flags = " --genomes 20000 --batch 10 --nodes 256 --threads 1";
+    const std::string flags = " --genomes 1000000 --batch 10 --nodes 256 --threads 1";
     const std::string command = "cd '" + folder.path().string() +
                                 "' && timeout --preserve-status -s INT 0.5 '" RUGOSA_PROGRAM
                                 "' database build g.db" +

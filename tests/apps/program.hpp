@@ -4,6 +4,8 @@
 #include "tests/folder.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <sys/wait.h>
 
 namespace app::testing {
@@ -13,20 +15,32 @@ using tests::Folder;
 struct Ended {
     int code;
     std::string out, err;
+    double seconds; ///< by the wall's clock
     long error_lines() const { return std::count(err.begin(), err.end(), '\n'); }
 };
 
-/// Runs the built program in a folder, as a shell would.
-inline Ended rugosa(const std::string& words, const std::filesystem::path& where) {
+constexpr int killed = 128 + SIGKILL; ///< exit code of a program that was
+
+/// Runs the built program in a folder, as a shell would; under `by`, e.g. "timeout -s KILL 0.1".
+inline Ended rugosa(const std::string& words, const std::filesystem::path& where,
+                    const std::string& by = "") {
     const Folder logs;
-    const std::string command = "cd '" + where.string() + "' && '" RUGOSA_PROGRAM "' " + words + " >'" +
-                                (logs / "out").string() + "' 2>'" + (logs / "err").string() + "' </dev/null";
+    const std::string command = "cd '" + where.string() + "' && " + by + " '" RUGOSA_PROGRAM "' " + words +
+                                " >'" + (logs / "out").string() + "' 2>'" + (logs / "err").string() +
+                                "' </dev/null";
+    const auto start = std::chrono::steady_clock::now();
     const int status = std::system(command.c_str());
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), rough::read_whole(logs / "out"),
-            rough::read_whole(logs / "err")};
+            rough::read_whole(logs / "err"), passed.count()};
 }
 
 /// Runs it in an empty folder.
 inline Ended rugosa(const std::string& words) { return rugosa(words, Folder().path()); }
+
+/// Runs it and kills it without warning after so many seconds.
+inline Ended rugosa_killed(double seconds, const std::string& words, const std::filesystem::path& where) {
+    return rugosa(words, where, "timeout -s KILL " + std::to_string(seconds));
+}
 
 } // namespace app::testing

@@ -11,6 +11,7 @@ using app::testing::Ended;
 using app::testing::Folder;
 using app::testing::result_in;
 using app::testing::rugosa;
+using app::testing::rugosa_killed;
 using app::testing::timeless;
 using nlohmann::json;
 
@@ -115,13 +116,12 @@ TEST_CASE("an experiment killed at any moment goes on to the very result of an u
     const Folder folder;
     const std::string words =
         paper + coarse + " --set paper.sweep-points=0 --set database.pairs=20 --threads 1";
-    REQUIRE(rugosa(words + " --out whole", folder.path()).code == 0);
+    const Ended unbroken = rugosa(words + " --out whole", folder.path());
+    REQUIRE(unbroken.code == 0);
     const json whole = timeless(result_in(folder / "whole"));
-    for (const char* seconds : {"0.05", "0.15", "0.3"}) {
-        const std::string out = std::string("killed") + seconds;
-        const std::string kill = "cd '" + folder.path().string() + "' && timeout -s KILL " + seconds +
-                                 " '" RUGOSA_PROGRAM "' " + words + " --out " + out + " >/dev/null 2>&1";
-        static_cast<void>(std::system(kill.c_str()));
+    for (const double share : {0.2, 0.5, 0.8}) {
+        const std::string out = "killed" + std::to_string(share);
+        rugosa_killed(share * unbroken.seconds, words + " --out " + out, folder.path());
         const Ended ended = rugosa(words + " --out " + out + " --resume", folder.path());
         INFO(ended.err);
         REQUIRE(ended.code == 0);
