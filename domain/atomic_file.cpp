@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <memory>
 #include <sstream>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -16,6 +17,17 @@ namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const char* what, int error) {
     throw InputError(path.string() + ": cannot be " + what + " (" + std::strerror(error) + ")");
+}
+
+void write_all(int file, std::string_view content, const std::filesystem::path& target) {
+    while (!content.empty()) {
+        const ssize_t written = ::write(file, content.data(), content.size());
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written < 0)
+            refuse(target, "written", errno);
+        content.remove_prefix(static_cast<std::size_t>(written));
+    }
 }
 
 /// A temporary file that is removed unless it was renamed to its final name.
@@ -35,15 +47,8 @@ class Draft {
     Draft(const Draft&) = delete;
     Draft& operator=(const Draft&) = delete;
 
-    void write(std::string_view content, const std::filesystem::path& target) {
-        while (!content.empty()) {
-            const ssize_t written = ::write(file, content.data(), content.size());
-            if (written < 0 && errno == EINTR)
-                continue;
-            if (written < 0)
-                refuse(target, "written", errno);
-            content.remove_prefix(static_cast<std::size_t>(written));
-        }
+    void write(std::string_view content, const std::filesystem::path& target) const {
+        write_all(file, content, target);
     }
 
     void keep_as(const std::filesystem::path& target) {
@@ -68,12 +73,35 @@ class Draft {
     bool kept = false;
 };
 
+void write_through(const std::filesystem::path& device, std::string_view content) {
+    const int file = open(device.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file < 0)
+        refuse(device, "written", errno);
+    const std::unique_ptr<const int, void (*)(const int*)> guard(&file, [](const int* f) { close(*f); });
+    write_all(file, content, device);
+}
+
+/// The file that a chain of links ends at, which need not exist.
+std::filesystem::path without_links(std::filesystem::path path) {
+    constexpr int most_links = 40; // as the kernel
+    for (int k = 0; std::filesystem::is_symlink(path); ++k) {
+        if (k == most_links)
+            refuse(path, "written", ELOOP);
+        path = path.parent_path() / std::filesystem::read_symlink(path);
+    }
+    return path;
+}
+
 } // namespace
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {
-    Draft draft(path);
-    draft.write(content, path);
-    draft.keep_as(path);
+    const std::filesystem::path target = without_links(path);
+    if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target) &&
+        !std::filesystem::is_directory(target))
+        return write_through(target, content);
+    Draft draft(target);
+    draft.write(content, target);
+    draft.keep_as(target);
 }
 
 std::string read_whole(const std::filesystem::path& path) {
