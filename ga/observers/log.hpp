@@ -57,7 +57,7 @@ class Log {
     void append(const std::string& text) {
         if (!stream_.is_open()) {
             if (position > 0)
-                std::filesystem::resize_file(part_, position);
+                take_up();
             stream_.open(part_, position > 0 ? std::ios::app : std::ios::trunc);
             if (position == 0)
                 put("path,generation,individuals,best,median,diversity,asked,evaluations,gradients,failures,"
@@ -67,6 +67,17 @@ class Log {
         stream_.flush();
         if (!stream_)
             throw UsageError("log '" + part_.string() + "' cannot be written");
+    }
+    /// Cuts the table off after the row of the checkpoint. A run that was interrupted has given it its name.
+    void take_up() {
+        std::error_code error;
+        if (!std::filesystem::exists(part_))
+            std::filesystem::rename(file_, part_, error);
+        if (!error)
+            std::filesystem::resize_file(part_, position, error);
+        if (error)
+            throw UsageError("log '" + file_.string() + "' cannot be gone on with (" + error.message() +
+                             "); expected the one that was written with the checkpoint");
     }
     void put(const std::string& text) {
         stream_ << text;

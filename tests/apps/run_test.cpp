@@ -130,6 +130,29 @@ TEST_CASE("an experiment killed at any moment goes on to the very result of an u
     }
 }
 
+TEST_CASE("an experiment that was interrupted says so, leaves its tables, and goes on to the very result") {
+    const Folder folder;
+    const std::string words =
+        paper + coarse +
+        " --set paper.sweep-points=0 --set 'variants.long=score | best 5 | repeat 300 { "
+        "tournament 2 | cross uniform | mutate 0.1 | score | elite 2 }' --threads 1";
+    const Ended unbroken = rugosa(words + " --out whole", folder.path());
+    REQUIRE(unbroken.code == 0);
+    int interrupted = 0;
+    for (const double share : {0.3, 0.6, 0.9}) {
+        const std::string out = "cut" + std::to_string(share);
+        const Ended cut =
+            rugosa(words + " --out " + out, folder.path(),
+                   "timeout --preserve-status -s INT " + std::to_string(share * unbroken.seconds));
+        interrupted += cut.code == 130;
+        const Ended ended = rugosa(words + " --out " + out + " --resume", folder.path());
+        INFO(cut.err << ended.err);
+        REQUIRE(ended.code == 0);
+        CHECK(timeless(result_in(folder / out)) == timeless(result_in(folder / "whole")));
+    }
+    CHECK(interrupted > 0);
+}
+
 TEST_CASE("without --out a run finds a free folder, and a result is not written over unasked") {
     const Folder folder;
     const std::string quick = paper + coarse + " --set paper.sweep-points=0";
