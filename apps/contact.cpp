@@ -1,9 +1,9 @@
 #include "apps/account.hpp"
 #include "apps/commands.hpp"
+#include "apps/csv.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/output.hpp"
 #include "apps/scan_settings.hpp"
-#include "apps/table.hpp"
 #include "apps/units.hpp"
 #include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
@@ -109,11 +109,7 @@ int contact(const Words& words) {
     const rough::EconomicResponse result =
         settings.has("genome") ? computed_response(settings) : measured_response(settings);
     const rough::Response& response = result.response;
-    rough::write_atomically(settings.text("out"),
-                            csv({"displacement_mm", "pressure_MPa", "contact_fraction",
-                                 "tangent_stiffness_MPa_per_mm", "kkt_residual"},
-                                {response.displacement, response.pressure, response.contact_fraction,
-                                 response.tangent_stiffness, response.kkt_residual}));
+    rough::write_atomically(settings.text("out"), csv(response));
     rough::write_atomically(account, account_json(result.account).dump(2) + "\n");
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
          name_of(response.solver) + ", height range " + readable(response.range) +

@@ -60,13 +60,4 @@ double promised_tolerance(const rough::ContactCurve& curve, const rough::Contact
     return direct ? 1e-9 : 10 * options.tolerance;
 }
 
-std::string csv_cell(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos)
-        return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
 } // namespace app

@@ -39,7 +39,4 @@ ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions option
 /// iterative.
 double promised_tolerance(const rough::ContactCurve& curve, const rough::ContactOptions& options);
 
-/// A cell of CSV: quoted where it needs to be.
-std::string csv_cell(const std::string& text);
-
 } // namespace app

@@ -1,4 +1,5 @@
 #include "apps/commands.hpp"
+#include "apps/csv.hpp"
 #include "apps/design/page.hpp"
 #include "apps/design/schedule.hpp"
 #include "apps/design/settings.hpp"
@@ -7,7 +8,6 @@
 #include "apps/progress.hpp"
 #include "apps/recorder.hpp"
 #include "apps/result.hpp"
-#include "apps/table.hpp"
 #include "apps/units.hpp"
 #include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
@@ -126,12 +126,7 @@ void write_result(const DesignRun& run, const std::filesystem::path& folder) {
 /// The answer's own curve on both grids beside the files' usual columns.
 void write_tables(const DesignRun& run, const std::filesystem::path& folder) {
     const auto coarse = respond(run.setup, run.found.best.genome, run.setup.model);
-    const rough::Response& response = coarse.responses.front();
-    rough::write_atomically(folder / "answer.csv",
-                            csv({"displacement_mm", "pressure_MPa", "contact_fraction",
-                                 "tangent_stiffness_MPa_per_mm", "kkt_residual"},
-                                {response.displacement, response.pressure, response.contact_fraction,
-                                 response.tangent_stiffness, response.kkt_residual}));
+    rough::write_atomically(folder / "answer.csv", csv(coarse.responses.front()));
     rough::write_atomically(folder / "genome.json",
                             rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
 }

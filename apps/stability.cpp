@@ -1,5 +1,6 @@
 #include "apps/commands.hpp"
 #include "apps/contact_trial.hpp"
+#include "apps/csv.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/output.hpp"
 #include "apps/progress.hpp"
@@ -8,8 +9,6 @@
 #include "apps/stability/reference.hpp"
 #include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
-
-#include <sstream>
 
 namespace app {
 
@@ -45,18 +44,16 @@ std::vector<StabilityCell> table_of(const std::string& only, Progress& progress)
 }
 
 std::string csv_of(const std::vector<StabilityCell>& cells) {
-    std::ostringstream out;
-    out.precision(6);
-    out << "scene,kernel,method,outcome,kkt_residual,iterations,seconds,message\n";
+    Csv table("scene,kernel,method,outcome,kkt_residual,iterations,seconds,message", 6);
     for (const StabilityCell& cell : cells) {
         const ContactTrial& trial = cell.trial;
-        out << cell.scene << "," << cell.kernel << "," << cell.method << "," << name_of(trial.outcome) << ",";
+        std::optional<double> residual;
         if (!trial.curve.steps.empty())
-            out << trial.kkt_residual();
-        out << "," << trial.curve.iterations << "," << trial.seconds << "," << csv_cell(trial.message)
-            << "\n";
+            residual = trial.kkt_residual();
+        table.row(cell.scene, cell.kernel, cell.method, name_of(trial.outcome), residual,
+                  trial.curve.iterations, trial.seconds, trial.message);
     }
-    return out.str();
+    return table.text();
 }
 
 } // namespace

@@ -1,10 +1,10 @@
 #include "apps/chart/data.hpp"
 
+#include "apps/csv.hpp"
 #include "apps/model_settings.hpp"
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 
 namespace app {
 
@@ -35,25 +35,22 @@ std::vector<rough::Index> ChartData::grids() const {
 }
 
 std::string chart_csv(const ChartData& data) {
-    std::ostringstream out;
-    out.precision(6);
-    out << "scene,kernel,method,nodes,steps,tolerance,seconds,error_pressure,error_stiffness,error_contact,"
-           "iterations,outcome\n";
+    Csv table(
+        "scene,kernel,method,nodes,steps,tolerance,seconds,error_pressure,error_stiffness,error_contact,"
+        "iterations,outcome",
+        6);
+    const auto known = [](double error) {
+        return error == ChartRun::unknown ? std::nullopt : std::optional(error);
+    };
     for (const ChartRun& run : data.runs) {
         const ChartSetting& setting = run.setting;
-        if (setting.share < 1)
-            continue;
         const ChartedScene& scene = data.scenes[setting.scene];
-        out << scene.name << "," << scene.kernel << "," << name_of(setting.method) << "," << setting.nodes
-            << "," << setting.steps << "," << setting.tolerance << "," << run.seconds;
-        for (const double error : {run.error_pressure, run.error_stiffness, run.error_contact}) {
-            out << ",";
-            if (error != ChartRun::unknown)
-                out << error;
-        }
-        out << "," << run.iterations << "," << name_of(run.outcome) << "\n";
+        if (setting.share == 1)
+            table.row(scene.name, scene.kernel, name_of(setting.method), setting.nodes, setting.steps,
+                      setting.tolerance, run.seconds, known(run.error_pressure), known(run.error_stiffness),
+                      known(run.error_contact), run.iterations, name_of(run.outcome));
     }
-    return out.str();
+    return table.text();
 }
 
 } // namespace app

@@ -1,12 +1,12 @@
 #include "apps/chart/growth.hpp"
 
 #include "apps/chart/words.hpp"
+#include "apps/csv.hpp"
 #include "apps/model_settings.hpp"
 
 #include <Eigen/QR>
 
 #include <cmath>
-#include <sstream>
 
 namespace app {
 
@@ -99,14 +99,12 @@ Growth fitted_growth(Solver method, const std::vector<ChartRun>& runs) {
 }
 
 std::string growth_csv(const ChartData& data) {
-    std::ostringstream out;
-    out.precision(6);
-    out << "scene,method,nodes,contact_fraction,seconds\n";
+    Csv table("scene,method,nodes,contact_fraction,seconds", 6);
     for (const ChartRun& run : data.runs)
         if (counts_for_growth(run))
-            out << data.scenes[run.setting.scene].name << "," << name_of(run.setting.method) << ","
-                << run.setting.nodes << "," << run.contact_fraction << "," << run.seconds << "\n";
-    return out.str();
+            table.row(data.scenes[run.setting.scene].name, name_of(run.setting.method), run.setting.nodes,
+                      run.contact_fraction, run.seconds);
+    return table.text();
 }
 
 } // namespace app

@@ -1,9 +1,7 @@
-#include "apps/contact_trial.hpp"
+#include "apps/csv.hpp"
 #include "apps/economy/experiment.hpp"
 #include "apps/result.hpp"
 #include "domain/atomic_file.hpp"
-
-#include <sstream>
 
 namespace app {
 
@@ -12,34 +10,28 @@ namespace {
 using nlohmann::json;
 
 std::string savings_csv(const EconomyRun& run) {
-    std::ostringstream out;
-    out.precision(17);
-    out << "surface,kernel,load,sample,accuracy,seconds,resolved_seconds,estimated_error,true_error,nodes,"
-           "resolved_nodes,dropped_chromosomes\n";
+    Csv table("surface,kernel,load,sample,accuracy,seconds,resolved_seconds,estimated_error,true_error,nodes,"
+              "resolved_nodes,dropped_chromosomes");
     for (const SavingRow& row : run.savings)
-        out << row.surface << "," << row.kernel << "," << row.load << "," << row.sample << "," << row.accuracy
-            << "," << row.seconds << "," << row.resolved_seconds << "," << row.estimated_error << ","
-            << row.true_error << "," << row.nodes << "," << row.resolved_nodes << "," << row.dropped << "\n";
-    return out.str();
+        table.row(row.surface, row.kernel, row.load, row.sample, row.accuracy, row.seconds,
+                  row.resolved_seconds, row.estimated_error, row.true_error, row.nodes, row.resolved_nodes,
+                  row.dropped);
+    return table.text();
 }
 
 std::string searches_csv(const EconomyRun& run) {
-    std::ostringstream out;
-    out.precision(17);
-    out << "target,question,nodes,seconds,screened_seconds,genomes,given_up,same_survivors\n";
+    Csv table("target,question,nodes,seconds,screened_seconds,genomes,given_up,same_survivors");
     for (const SearchRow& row : run.searches)
-        out << csv_cell(row.target) << "," << row.question << "," << row.nodes << "," << row.seconds << ","
-            << row.screened_seconds << "," << row.genomes << "," << row.given_up << "," << row.same << "\n";
-    return out.str();
+        table.row(row.target, row.question, row.nodes, row.seconds, row.screened_seconds, row.genomes,
+                  row.given_up, row.same);
+    return table.text();
 }
 
 std::string budget_csv(const EconomyRun& run) {
-    std::ostringstream out;
-    out.precision(17);
-    out << "kind,source,size\n";
+    Csv table("kind,source,size");
     for (const BudgetRow& row : run.budget)
-        out << row.kind << "," << csv_cell(row.source) << "," << row.size << "\n";
-    return out.str();
+        table.row(row.kind, row.source, row.size);
+    return table.text();
 }
 
 json result_json(const EconomyRun& run) {

@@ -1,52 +1,28 @@
 #include "apps/paper/tables.hpp"
 
+#include "apps/csv.hpp"
 #include "domain/atomic_file.hpp"
-
-#include <sstream>
 
 namespace app {
 
-namespace {
-
-/// Rows of a CSV, 17 significant digits.
-class Table {
-  public:
-    explicit Table(const std::string& header) {
-        text_.precision(17);
-        text_ << header << "\n";
-    }
-    template <class First, class... Rest>
-    void row(const First& first, const Rest&... rest) {
-        text_ << first;
-        ((text_ << "," << rest), ...);
-        text_ << "\n";
-    }
-    void write(const std::filesystem::path& file) const { rough::write_atomically(file, text_.str()); }
-
-  private:
-    std::ostringstream text_;
-};
-
-} // namespace
-
 void write_database_table(const PaperRun& run, const std::filesystem::path& folder) {
-    Table table("id,H,gamma,phase_column,chromosomes,amplitude_after_rescaling");
+    Csv table("id,H,gamma,phase_column,chromosomes,amplitude_after_rescaling");
     for (std::size_t i = 0; i < run.database.size(); ++i) {
         const auto& series = run.database[i].genome.series.front();
         table.row(i, series.H, series.gamma, i % static_cast<std::size_t>(run.layout.phase_columns) + 1,
                   series.chromosomes.size(), series.A * run.database[i].genome.scale);
     }
-    table.write(folder / "genomes.csv");
+    rough::write_atomically(folder / "genomes.csv", table.text());
 }
 
 void write_target_tables(const TargetRun& target, const std::filesystem::path& folder) {
-    Table scores("id,similarity,similarity_low,similarity_high");
+    Csv scores("id,similarity,similarity_low,similarity_high");
     for (std::size_t i = 0; i < target.database.size(); ++i)
         scores.row(i, target.database[i].all, target.database[i].low, target.database[i].high);
-    scores.write(folder / "scores.csv");
+    rough::write_atomically(folder / "scores.csv", scores.text());
 
-    Table stages("variant,path,id,parent1,parent2,similarity");
-    Table curves(
+    Csv stages("variant,path,id,parent1,parent2,similarity");
+    Csv curves(
         "variant,displacement_mm,pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm,kkt_residual");
     for (const VariantRun& variant : target.variants) {
         for (const StageRecord& stage : variant.stages)
@@ -61,16 +37,16 @@ void write_target_tables(const TargetRun& target, const std::filesystem::path& f
             curves.row(variant.name, response.displacement[j], response.pressure[j],
                        response.contact_fraction[j], response.tangent_stiffness[j], response.kkt_residual[j]);
     }
-    stages.write(folder / "stages.csv");
-    curves.write(folder / "curves.csv");
+    rough::write_atomically(folder / "stages.csv", stages.text());
+    rough::write_atomically(folder / "curves.csv", curves.text());
 
     if (target.thresholds.empty())
         return;
-    Table thresholds("p_bar_MPa,variant,U1,U2,at_least_used,children,share_above,best_child,similarity");
+    Csv thresholds("p_bar_MPa,variant,U1,U2,at_least_used,children,share_above,best_child,similarity");
     for (const ThresholdRow& row : target.thresholds)
         thresholds.row(row.p_bar, row.variant, row.u1, row.u2, row.at_least_used, row.children,
                        row.share_above, row.best_child, row.similarity);
-    thresholds.write(folder / "thresholds.csv");
+    rough::write_atomically(folder / "thresholds.csv", thresholds.text());
 }
 
 } // namespace app

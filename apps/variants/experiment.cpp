@@ -1,6 +1,6 @@
 #include "apps/variants/experiment.hpp"
 
-#include "apps/design/settings.hpp"
+#include "apps/csv.hpp"
 #include "apps/listed.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/recorder.hpp"
@@ -8,14 +8,12 @@
 #include "apps/statistics.hpp"
 #include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/genome_json.hpp"
 
 #include <omp.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <sstream>
 
 namespace app {
 
@@ -215,9 +213,7 @@ Race run_race(const Settings& settings, Progress& progress, const std::atomic<bo
 }
 
 void write_race(const Race& race, const std::filesystem::path& folder) {
-    std::ostringstream table;
-    table.precision(17);
-    table << "target,variant,seed,curves_and_gradients,seconds,similarity\n";
+    Csv table("target,variant,seed,curves_and_gradients,seconds,similarity");
     for (const RaceTarget& target : race.targets) {
         const bool first = &target == &race.targets.front();
         const auto place = first ? folder : folder / target.setup.goals[0].name;
@@ -226,10 +222,10 @@ void write_race(const Race& race, const std::filesystem::path& folder) {
         for (const RaceVariant& variant : target.variants)
             for (const RaceRun& run : variant.runs)
                 for (const Spent& spent : run.history)
-                    table << target.setup.goals[0].name << "," << variant.name << "," << run.seed << ","
-                          << spent.asked << "," << spent.seconds << "," << spent.similarity << "\n";
+                    table.row(target.setup.goals[0].name, variant.name, run.seed, spent.asked, spent.seconds,
+                              spent.similarity);
     }
-    rough::write_atomically(folder / "variants.csv", table.str());
+    rough::write_atomically(folder / "variants.csv", table.text());
 }
 
 } // namespace app
