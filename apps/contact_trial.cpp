@@ -1,10 +1,10 @@
 #include "apps/contact_trial.hpp"
 
 #include "domain/errors.hpp"
+#include "ga/stopwatch.hpp"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 
@@ -45,10 +45,9 @@ ContactTrial try_contact(const ContactScene& scene, const rough::ContactOptions&
 }
 
 ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
+    const ga::Stopwatch clock;
     bool late = false;
-    options.stop = [&] { return late = std::chrono::duration<double>(Clock::now() - start).count() > limit; };
+    options.stop = [&] { return late = clock.seconds() > limit; };
     ContactTrial trial = try_contact(scene, options);
     if (late && trial.outcome == Outcome::not_converged)
         trial.message = "stopped after " + std::to_string(std::lround(limit)) + " s";

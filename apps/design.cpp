@@ -158,7 +158,7 @@ std::string verdict_of(const DesignRun& run) {
 }
 
 int design(const Words& words) {
-    const auto start = Schedule::Clock::now();
+    const ga::Stopwatch clock;
     if (shows_help(
             words, "design (--target T.csv | --like SCAN.txt [--unit U]) [flags]",
             "Finds a rough profile that answers as the target asks, and says what to believe of it. Writes\n"
@@ -198,7 +198,7 @@ int design(const Words& words) {
 
     const Interrupt interrupt;
     Progress progress;
-    const Schedule schedule(start, run.options.seconds, run.setup, run.options.threads, pictures);
+    const Schedule schedule(clock, run.options.seconds, run.setup, run.options.threads, pictures);
     run.options.seconds = schedule.for_search();
     run.options.compared = schedule.compared();
     if (run.options.compared == 1)

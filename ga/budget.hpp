@@ -1,9 +1,9 @@
 #pragma once
 
+#include "ga/stopwatch.hpp"
+
 #include <atomic>
-#include <chrono>
 #include <limits>
-#include <optional>
 #include <string>
 
 namespace ga {
@@ -29,12 +29,10 @@ struct Counters {
 /// Tells when to stop because of the time or of a request.
 class Watch {
   public:
-    /// Starts the clock. `budget` must outlive it.
+    /// Starts the clock. What `budget.stop` points to must outlive it.
     explicit Watch(const Budget& budget) : budget_(budget) {}
 
-    double seconds() const { ///< since it was made
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
+    double seconds() const { return clock_.seconds(); } ///< since it was made
     /// Safe to call from any thread.
     bool expired() const { return requested() || late(); }
     /// Why it expired, in words.
@@ -47,7 +45,7 @@ class Watch {
     }
 
     Budget budget_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    Stopwatch clock_;
 };
 
 } // namespace ga

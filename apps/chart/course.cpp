@@ -4,10 +4,9 @@
 #include "apps/model_settings.hpp"
 #include "apps/progress.hpp"
 #include "domain/errors.hpp"
+#include "ga/stopwatch.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 
 namespace app {
 
@@ -41,9 +40,6 @@ class Course {
     }
 
   private:
-    using Clock = std::chrono::steady_clock;
-
-    double spent() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
     bool stopped() const { return bounds_.stop && bounds_.stop(); }
     void leave_out(const ChartSetting& setting, LeftOutFor why) { data_.left_out.push_back({setting, why}); }
 
@@ -60,7 +56,7 @@ class Course {
             const ChartTruth& truth = truths_.back();
             data_.scenes.push_back({scene.name, scene.words, name_of(scene.body.kernel), truth.origin});
         }
-        solving_since_ = spent();
+        solving_since_ = clock_.seconds();
     }
 
     void measure(const ChartSetting& setting) {
@@ -79,7 +75,7 @@ class Course {
 
     /// Of the wall's clock for a second that a curve takes, so far.
     double slowness() const {
-        return solved_in_ > 1 ? std::max(1.0, (spent() - solving_since_) / solved_in_) : 1;
+        return solved_in_ > 1 ? std::max(1.0, (clock_.seconds() - solving_since_) / solved_in_) : 1;
     }
 
     double expected(std::size_t from, std::size_t to) const {
@@ -91,12 +87,14 @@ class Course {
     }
 
     /// Whether there is time for the next setting on all scenes.
-    bool row_fits() const { return spent() + expected(next_, next_ + scenes_.size()) <= bounds_.seconds; }
+    bool row_fits() const {
+        return clock_.seconds() + expected(next_, next_ + scenes_.size()) <= bounds_.seconds;
+    }
 
     void tell(const std::string& what) {
         if (!bounds_.watch)
             return;
-        const double most = std::max(0.0, bounds_.seconds - spent());
+        const double most = std::max(0.0, bounds_.seconds - clock_.seconds());
         // Growth shows from the second grid on.
         const bool known = !data_.runs.empty() && extent_.nodes.size() > 2 &&
                            data_.runs.back().setting.nodes > extent_.nodes[1];
@@ -117,7 +115,7 @@ class Course {
     std::vector<ChartTruth> truths_;
     ChartPace pace_;
     std::map<ChartPace::Kind, LeftOutFor> bars_;
-    Clock::time_point start_ = Clock::now();
+    ga::Stopwatch clock_;
     double solving_since_ = 0, solved_in_ = 0; ///< s
     ChartData data_;
 };

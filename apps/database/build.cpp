@@ -6,9 +6,9 @@
 #include "apps/progress.hpp"
 #include "apps/voice.hpp"
 #include "domain/errors.hpp"
+#include "ga/stopwatch.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iostream>
 
@@ -99,12 +99,9 @@ int database_build(const Words& words) {
     const Interrupt interrupt;
     Progress progress;
     const std::uint64_t before = store.stored();
-    const auto start = std::chrono::steady_clock::now();
-    const auto seconds = [&] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    };
+    const ga::Stopwatch clock;
     options.go_on = [&](std::uint64_t stored) {
-        const double rate = static_cast<double>(stored - before) / seconds();
+        const double rate = static_cast<double>(stored - before) / clock.seconds();
         const double left = static_cast<double>(options.genomes - std::min(stored, options.genomes)) / rate;
         progress.show(std::to_string(stored) + " of " + std::to_string(options.genomes) + " genomes, " +
                       duration_words(left) + " left");
@@ -113,7 +110,7 @@ int database_build(const Words& words) {
     rough::build(store, options);
     const std::uint64_t stored = store.stored();
     say(store.file().string() + ": " + std::to_string(stored) + " genomes stored, " +
-        std::to_string(stored - before) + " of them in the last " + duration_words(seconds()));
+        std::to_string(stored - before) + " of them in the last " + duration_words(clock.seconds()));
     return interrupt.asked() ? exit_interrupted : 0;
 }
 

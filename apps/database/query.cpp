@@ -5,12 +5,11 @@
 #include "domain/database/screen.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
+#include "ga/stopwatch.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cstdio>
-#include <iostream>
 
 namespace app {
 
@@ -74,12 +73,12 @@ int database_query(const Words& words) {
     options.threads = static_cast<int>(settings.whole("threads", 0, 1024));
     const rough::Goal goal = rough::read_goal(settings.text("target"));
 
-    const auto start = std::chrono::steady_clock::now();
+    const ga::Stopwatch clock;
     const rough::GenomeStore store = rough::GenomeStore::open(settings.text("file"));
     expect_set_up(store, settings);
     const rough::StoredCurves curves = store.curves(rough::need_fractions({goal}));
     const auto matches = screen(curves, store.setup().model, {goal}, options);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = clock.seconds();
 
     std::printf("%zu curves screened in %.3f s\n%4s %12s %12s %12s %14s\n", curves.index.size(), seconds,
                 "rank", "genome", "similarity", "refined", "scale");

@@ -24,9 +24,9 @@ template <class Work>
 double seconds_of(double most, Work work) {
     double least = HUGE_VAL, all = 0;
     for (int i = 0; i < 3 && (i == 0 || all + least < most); ++i) {
-        const auto start = Schedule::Clock::now();
+        const ga::Stopwatch clock;
         work();
-        const double took = std::chrono::duration<double>(Schedule::Clock::now() - start).count();
+        const double took = clock.seconds();
         least = std::min(least, took);
         all += took;
     }
@@ -35,9 +35,9 @@ double seconds_of(double most, Work work) {
 
 } // namespace
 
-Schedule::Schedule(Clock::time_point begin, double limit, const rough::DesignSetup& setup, int threads,
+Schedule::Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& setup, int threads,
                    bool pictures)
-    : begin_(begin), limit_(limit), threads_(ga::thread_count(threads)) {
+    : clock_(clock), limit_(limit), threads_(ga::thread_count(threads)) {
     if (std::isinf(limit))
         return;
     const rough::Genome genome = shaped_start(setup, ga::Stream(0));

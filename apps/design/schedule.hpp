@@ -1,8 +1,7 @@
 #pragma once
 
 #include "domain/design/problem.hpp"
-
-#include <chrono>
+#include "ga/stopwatch.hpp"
 
 namespace app {
 
@@ -10,13 +9,10 @@ namespace app {
 /// the report leave. What these take is measured on a first start of the design itself.
 class Schedule {
   public:
-    using Clock = std::chrono::steady_clock;
+    /// `limit` seconds by the clock, infinite for no limit (nothing is measured then).
+    Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& setup, int threads, bool pictures);
 
-    /// `limit` seconds from `begin` on, infinite for no limit (nothing is measured then).
-    Schedule(Clock::time_point begin, double limit, const rough::DesignSetup& setup, int threads,
-             bool pictures);
-
-    double spent() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+    double spent() const { return clock_.seconds(); }
     /// Seconds from now on that the search may take.
     double for_search() const;
     /// Answers that there is time to compare on the finer grid, as SearchOptions::compared.
@@ -26,7 +22,7 @@ class Schedule {
     bool has_time_for_page() const { return spent() + page_ < limit_; }
 
   private:
-    Clock::time_point begin_;
+    ga::Stopwatch clock_;
     double limit_;
     int threads_;
     double both_ = 0;  ///< an answer's curves on both grids

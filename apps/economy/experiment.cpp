@@ -11,10 +11,10 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/database.hpp"
 #include "domain/variants/paper.hpp"
+#include "ga/stopwatch.hpp"
 
 #include <omp.h>
 
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -62,11 +62,11 @@ class Economy {
     }
 
     EconomyRun run() {
-        const auto start = std::chrono::steady_clock::now();
+        const ga::Stopwatch clock;
         chart_savings();
         compare_searches();
         design();
-        run_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        run_.seconds = clock.seconds();
         return std::move(run_);
     }
 
@@ -170,10 +170,9 @@ class Economy {
         options.evaluations = settings_.whole("economy.design-budget", 10, 1000000000);
         options.stop = &stop_;
         std::vector<StageRecord> stages;
-        const auto start = std::chrono::steady_clock::now();
+        const ga::Stopwatch clock;
         const rough::SearchResult found = rough::search(setup, options, {recorder(stages)});
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-        run_.design = variant_run(options.variant, found, std::move(stages), took.count());
+        run_.design = variant_run(options.variant, found, std::move(stages), clock.seconds());
         run_.design.answer.response =
             respond(setup, found.best.genome, rough::exactly(model_)).responses.front();
         make_budget();

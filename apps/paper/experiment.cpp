@@ -9,12 +9,11 @@
 #include "domain/variants/paper.hpp"
 #include "ga/checkpoint.hpp"
 #include "ga/observers/log.hpp"
+#include "ga/stopwatch.hpp"
 
 #include <omp.h>
 
-#include <chrono>
 #include <cmath>
-#include <functional>
 #include <optional>
 
 namespace app {
@@ -28,10 +27,6 @@ struct Variant {
     std::string name;
     rough::PaperPipeline pipeline;
 };
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 rough::DatabaseLayout layout_from(const Settings& settings, const rough::Model& model) {
     rough::DatabaseLayout layout;
@@ -355,7 +350,7 @@ std::vector<Setting> paper_settings() {
 
 PaperRun run_paper(const Settings& settings, Progress& progress, const std::atomic<bool>& stop,
                    const Keeping& keeping) {
-    const auto start = std::chrono::steady_clock::now();
+    const ga::Stopwatch clock;
     PaperRun run;
     Setup setup = setup_from(settings);
     run.model = exactly(setup.model);
@@ -376,7 +371,7 @@ PaperRun run_paper(const Settings& settings, Progress& progress, const std::atom
         paper.design(target);
         paper.sweep(target);
     }
-    run.seconds = seconds_since(start);
+    run.seconds = clock.seconds();
     return run;
 }
 

@@ -7,22 +7,18 @@
 #include "apps/result.hpp"
 #include "apps/statistics.hpp"
 #include "domain/atomic_file.hpp"
-#include "domain/errors.hpp"
+#include "ga/stopwatch.hpp"
 
 #include <omp.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace app {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using nlohmann::json;
-
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::string trimmed(const std::string& text) {
     const auto from = text.find_first_not_of(" \t"), to = text.find_last_not_of(" \t");
@@ -88,9 +84,9 @@ RaceRun run_once(const RaceTarget& target, const rough::SearchOptions& options) 
             run.history.push_back({event.counters.asked, event.seconds, best});
         parents(event);
     };
-    const auto start = Clock::now();
+    const ga::Stopwatch clock;
     run.found = rough::search(target.setup, options, {recorder(run.stages), watch});
-    run.seconds = since(start);
+    run.seconds = clock.seconds();
     run.history.push_back({run.found.counters.asked, run.seconds, std::max(best, run.found.best.similarity)});
     return run;
 }
@@ -182,7 +178,7 @@ std::vector<Setting> variants_settings() {
 }
 
 Race run_race(const Settings& settings, Progress& progress, const std::atomic<bool>& stop) {
-    const auto start = Clock::now();
+    const ga::Stopwatch clock;
     Race race;
     race.targets = targets_from(settings);
     race.seed = static_cast<std::uint64_t>(settings.whole("experiment.seed", 0, 1L << 53));
@@ -208,7 +204,7 @@ Race run_race(const Settings& settings, Progress& progress, const std::atomic<bo
             }
             target.variants.push_back(std::move(variant));
         }
-    race.seconds = since(start);
+    race.seconds = clock.seconds();
     return race;
 }
 

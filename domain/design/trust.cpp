@@ -3,9 +3,9 @@
 #include "domain/contact/kernel.hpp"
 #include "domain/design/starts.hpp"
 #include "ga/parallel.hpp"
+#include "ga/stopwatch.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -121,10 +121,7 @@ std::vector<Goal> with_datum(const std::vector<Goal>& goals, const Model& model,
 Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOptions& options) {
     Trust trust;
     judge_strains(given, genome, options, trust);
-    using Clock = std::chrono::steady_clock;
-    const auto late = [start = Clock::now(), limit = options.seconds] {
-        return std::chrono::duration<double>(Clock::now() - start).count() > limit;
-    };
+    const auto late = [clock = ga::Stopwatch(), limit = options.seconds] { return clock.seconds() > limit; };
     DesignSetup setup = given;
     if (std::isfinite(options.seconds))
         setup.model.contact.stop = late;

@@ -7,9 +7,9 @@
 #include "domain/economy/load_rows.hpp"
 #include "domain/economy/surface.hpp"
 #include "domain/errors.hpp"
+#include "ga/stopwatch.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -283,9 +283,9 @@ void expect_waves(const Genome& genome, const Profile& profile) {
 
 template <typename Ask>
 EconomicResponse timed(Ask ask) {
-    const auto start = std::chrono::steady_clock::now();
+    const ga::Stopwatch clock;
     EconomicResponse result = ask();
-    result.account.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.account.seconds = clock.seconds();
     return result;
 }
 

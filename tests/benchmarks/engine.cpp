@@ -6,7 +6,6 @@
 #include "ga/ga.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <numbers>
 #include <thread>
@@ -16,9 +15,9 @@ namespace {
 using namespace ga;
 
 double seconds_of(auto&& work) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch clock;
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return clock.seconds();
 }
 
 /// Real vectors of 20 genes in [-5.12, 5.12]; the smaller f, the better.

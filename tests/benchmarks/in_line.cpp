@@ -10,21 +10,15 @@
 #include "domain/fractal.hpp"
 #include "domain/mwm/database.hpp"
 #include "domain/variants/paper.hpp"
+#include "ga/stopwatch.hpp"
 #include "tests/benchmarks/measure.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <cstdlib>
 
 using namespace rough;
 using rough::testing::median;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 Goal answer_of(const Profile& profile, const Model& model, const std::string& name) {
     const Curve curve = secant_stiffness(respond(profile, model.body, model.loading));
@@ -61,7 +55,7 @@ struct Reached {
 };
 
 Reached in_line(const char* file, const Goal& goal, double seconds) {
-    const auto start = Clock::now();
+    const ga::Stopwatch clock;
     const GenomeStore store = GenomeStore::open(file);
     DesignSetup setup;
     setup.model = store.setup().model;
@@ -72,9 +66,9 @@ Reached in_line(const char* file, const Goal& goal, double seconds) {
     const auto pipeline = ga::score() | ga::refine(ga::lm(12)) | ga::best(4) | ga::refine(ga::lm(30, 8)) |
                           ga::best(2) | ga::refine(ga::lm(200, 5)) | ga::best(1);
     ga::RunOptions options;
-    options.budget.seconds = seconds - since(start) - 0.03; // for the evaluations under way when it ends
+    options.budget.seconds = seconds - clock.seconds() - 0.03; // for the evaluations under way when it ends
     const auto result = ga::run(pipeline, problem, ga::population(genomes), options);
-    const double taken = since(start);
+    const double taken = clock.seconds();
     return {similarity(setup, genomes[0]), result.best->value(), similarity(setup, result.best->genome, 4),
             taken};
 }

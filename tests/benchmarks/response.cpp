@@ -4,10 +4,10 @@
 
 #include "domain/fitness/rescaled_problem.hpp"
 #include "domain/mwm/database.hpp"
+#include "ga/stopwatch.hpp"
 #include "tests/benchmarks/measure.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <functional>
 
@@ -20,11 +20,9 @@ namespace {
 double milliseconds(const std::function<void()>& work) {
     double least = 1e300;
     for (int i = 0; i < 5; ++i) {
-        const auto start = std::chrono::steady_clock::now();
+        const ga::Stopwatch clock;
         work();
-        least = std::min(
-            least,
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        least = std::min(least, 1e3 * clock.seconds());
     }
     return least;
 }
