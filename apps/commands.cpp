@@ -22,6 +22,13 @@ const std::vector<Command>& commands() {
     return all;
 }
 
+std::string command_line(const std::string& subcommand, const Words& words) {
+    std::string line = "rugosa " + subcommand;
+    for (const std::string& word : words)
+        line += " " + word;
+    return line;
+}
+
 bool asks_help(const Words& words) {
     return std::any_of(words.begin(), words.end(),
                        [](const std::string& word) { return word == "--help" || word == "-h"; });

@@ -27,6 +27,9 @@ int operators(const Words& words);
 /// All of them, in the order of the help page.
 const std::vector<Command>& commands();
 
+/// "rugosa design --target t.csv": the command as it was given, for a result to be repeated by.
+std::string command_line(const std::string& subcommand, const Words& words);
+
 /// Whether --help or -h is among the words.
 bool asks_help(const Words& words);
 

@@ -18,7 +18,7 @@ namespace app {
 namespace {
 
 std::vector<Setting> contact_settings() {
-    std::vector<Setting> settings{
+    const std::vector<Setting> settings{
         {"genome", "", "genome file (JSON) of the profile"},
         {"profile", "", "measured profile in place of a genome: a text file of one or two columns"},
         {"out", "", "curve file to write (CSV)"},
@@ -27,9 +27,7 @@ std::vector<Setting> contact_settings() {
         {"seed", "1", "taken as design and run take it; nothing here is random"},
         accuracy_setting("", "the resolved model: --nodes if given, else 64 nodes to the shortest wave"),
     };
-    for (const auto& more : {scan_settings(), model_settings()})
-        settings.insert(settings.end(), more.begin(), more.end());
-    return settings;
+    return joined({settings, scan_settings(), model_settings()});
 }
 
 /// CURVE.json beside CURVE.csv.
@@ -47,8 +45,8 @@ rough::Model within_accuracy(rough::Model model, const Settings& settings) {
 
 /// Flags that decide nothing are still held to their range.
 void expect_common(const Settings& settings) {
-    settings.whole("threads", 0, 1024);
-    settings.whole("seed", 0, 9007199254740992);
+    settings.threads("threads");
+    settings.seed("seed");
 }
 
 rough::EconomicResponse measured_response(const Settings& settings) {
@@ -66,10 +64,7 @@ rough::EconomicResponse measured_response(const Settings& settings) {
 }
 
 rough::EconomicResponse computed_response(const Settings& settings) {
-    for (const auto& setting : scan_settings())
-        if (settings.given(setting.name))
-            throw rough::InputError("--" + setting.name +
-                                    ": given with --genome, expected with --profile only");
+    expect_none(settings, scan_settings(), "given with --genome, expected with --profile only");
     const auto [genome, length] = rough::read_genome_file(settings.text("genome"));
     rough::Model model = model_from(settings, length);
     const double accuracy = accuracy_from(settings);

@@ -14,8 +14,7 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "ga/checkpoint.hpp"
-
-#include <omp.h>
+#include "ga/parallel.hpp"
 
 #include <cmath>
 
@@ -82,8 +81,8 @@ json front_json(const std::vector<rough::Compromise>& front) {
 }
 
 json design_json(const DesignRun& run) {
-    const int threads = run.options.threads > 0 ? run.options.threads : omp_get_max_threads();
-    json result = head_json(run.searched.model, {run.version, run.command, run.options.seed, threads});
+    json result = head_json(run.searched.model, {run.version, run.command, run.options.seed,
+                                                 ga::thread_count(run.options.threads)});
     result["max_pressure_MPa"] = run.setup.max_pressure ? json(*run.setup.max_pressure) : json();
     result["target"] = goal_json(run.setup.goals.front());
     for (const rough::Goal& goal : run.setup.goals)
@@ -183,9 +182,7 @@ int design(const Words& words) {
     const Settings settings = read_command_line(words, design_settings());
     DesignRun run = design_from(settings);
     run.version = RUGOSA_VERSION;
-    run.command = "rugosa design";
-    for (const auto& word : words)
-        run.command += " " + word;
+    run.command = command_line("design", words);
     const bool resume = settings.is_on("resume");
     if (resume && !settings.has("out"))
         throw rough::InputError(

@@ -26,7 +26,7 @@ namespace {
 constexpr const char* numbers_file = "profile.json";
 
 std::vector<Setting> profile_settings() {
-    std::vector<Setting> settings{
+    const std::vector<Setting> settings{
         {"genome", "", "genome file (JSON) of the profile (may be given without the flag)"},
         {"profile", "", "measured profile in place of a genome: a text file of one or two columns"},
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
@@ -39,9 +39,7 @@ std::vector<Setting> profile_settings() {
         {"magnify", "1", "factor on all lengths of the solid, for printing"},
         {"pictures", "on", "off leaves out the pictures"},
     };
-    for (const Setting& setting : scan_settings())
-        settings.push_back(setting);
-    return settings;
+    return joined({settings, scan_settings()});
 }
 
 /// A profile and what it was made of: cosines, or a scan.
@@ -52,10 +50,7 @@ struct Shape {
 };
 
 Shape shape_of_genome(const Settings& settings) {
-    for (const Setting& setting : scan_settings())
-        if (settings.given(setting.name))
-            throw rough::InputError("--" + setting.name +
-                                    ": given with a genome, expected with --profile only");
+    expect_none(settings, scan_settings(), "given with a genome, expected with --profile only");
     const auto [genome, length] = rough::read_genome_file(settings.text("genome"));
     rough::Grid grid;
     grid.length = length;

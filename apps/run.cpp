@@ -19,8 +19,7 @@ namespace {
 
 /// The model's settings, as flags of every experiment.
 std::vector<Setting> model_flags() {
-    std::vector<Setting> flags = model_settings();
-    flags.push_back(accuracy_setting());
+    std::vector<Setting> flags = joined({model_settings(), {accuracy_setting()}});
     for (Setting& flag : flags)
         flag.fallback = "";
     return flags;
@@ -71,11 +70,11 @@ nlohmann::json result_json(const PaperRun& run, const TargetRun& target) {
 
 /// What the experiment is of, before its keys are known.
 std::string kind_of(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-    std::vector<Setting> any = paper_settings();
-    for (const auto& more : {variants_settings(), economy_settings()})
-        any.insert(any.end(), more.begin(), more.end());
-    for (const char* section : {"experiment.*", "targets.*", "variants.*"})
-        any.push_back({section, "", ""});
+    const std::vector<Setting> any =
+        joined({paper_settings(),
+                variants_settings(),
+                economy_settings(),
+                {{"experiment.*", "", ""}, {"targets.*", "", ""}, {"variants.*", "", ""}}});
     return read_ini(file, any, overrides).text("experiment.kind");
 }
 
@@ -93,9 +92,7 @@ int run_at_once(const Words& given, const Settings& flags, const std::vector<Set
     Progress progress;
     auto result = work(settings, progress, interrupt.flag());
     result.version = RUGOSA_VERSION;
-    result.command = "rugosa run";
-    for (const auto& word : given)
-        result.command += " " + word;
+    result.command = command_line("run", given);
     write(result, output.path());
     if (flags.one_of("pictures", {"on", "off"}) == 0)
         rough::write_atomically(output.path() / "report.html", page(result));
@@ -143,9 +140,7 @@ int run(const Words& given) {
     Progress progress;
     PaperRun paper = run_paper(settings, progress, interrupt.flag(), {folder, resume});
     paper.version = RUGOSA_VERSION;
-    paper.command = "rugosa run";
-    for (const auto& word : given)
-        paper.command += " " + word;
+    paper.command = command_line("run", given);
 
     for (const TargetRun& target : paper.targets) {
         const auto place = &target == &paper.targets.front() ? folder : folder / "heldout";

@@ -2,6 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "ga/text/nearest.hpp"
+#include "ga/text/number.hpp"
 
 #include <boost/program_options.hpp>
 
@@ -21,12 +22,6 @@ using rough::InputError;
 namespace {
 
 constexpr const char* too_many = "words too many";
-
-std::string brief(double value) {
-    std::ostringstream out;
-    out << value;
-    return out.str();
-}
 
 std::vector<std::string> names_of(const std::vector<Setting>& known, const std::string& mark = "") {
     std::vector<std::string> names;
@@ -102,8 +97,8 @@ double Settings::number(const std::string& name, double from, double to) const {
     if (value < from || value > to)
         throw InputError(place(name) + ": " + text(name) + " given, expected a number " +
                          (from == std::numeric_limits<double>::min() ? "above 0 and up to "
-                                                                     : "from " + brief(from) + " to ") +
-                         brief(to));
+                                                                     : "from " + ga::number(from) + " to ") +
+                         ga::number(to));
     return value;
 }
 
@@ -121,6 +116,12 @@ long Settings::whole(const std::string& name, long from, long to) const {
                          std::to_string(from) + " to " + std::to_string(to));
     return static_cast<long>(value);
 }
+
+std::uint64_t Settings::seed(const std::string& name) const {
+    return static_cast<std::uint64_t>(whole(name, 0, 1L << 53));
+}
+
+int Settings::threads(const std::string& name) const { return static_cast<int>(whole(name, 0, 1024)); }
 
 std::filesystem::path Settings::path(const std::string& name) const {
     if (source_.empty() || overridden_.count(name))
@@ -214,6 +215,19 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
             throw InputError(file.string() + ": unknown key '" + name + "'" + ga::suggestion(name, names));
     }
     return {file.string(), known, values, overridden};
+}
+
+std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists) {
+    std::vector<Setting> all;
+    for (const auto& list : lists)
+        all.insert(all.end(), list.begin(), list.end());
+    return all;
+}
+
+void expect_none(const Settings& settings, const std::vector<Setting>& of, const std::string& where) {
+    for (const Setting& setting : of)
+        if (settings.given(setting.name))
+            throw InputError(settings.place(setting.name) + ": " + where);
 }
 
 std::string described(const std::vector<Setting>& known) {

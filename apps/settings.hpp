@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -31,6 +32,8 @@ class Settings {
     double number(const std::string& name, double from, double to) const;
     double positive(const std::string& name) const;
     long whole(const std::string& name, long from, long to) const;
+    std::uint64_t seed(const std::string& name) const; ///< up to 2^53, which JSON holds exactly
+    int threads(const std::string& name) const;        ///< 0 for all
     /// A file: as given on the command line, or beside the .ini that names it.
     std::filesystem::path path(const std::string& name) const;
     std::size_t one_of(const std::string& name, const std::vector<std::string>& words) const;
@@ -56,6 +59,12 @@ Settings read_command_line(const std::vector<std::string>& words, const std::vec
 /// any key of that section. Throws rough::InputError on an unknown section or key (with the nearest name).
 Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>& known,
                   const std::vector<std::string>& overrides = {});
+
+/// Settings one list after another.
+std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists);
+
+/// Throws rough::InputError on the first of these that was given; `where` says where it may be.
+void expect_none(const Settings& settings, const std::vector<Setting>& of, const std::string& where);
 
 /// The settings as a help page lists them.
 std::string described(const std::vector<Setting>& known);

@@ -18,7 +18,7 @@ namespace {
 const std::vector<std::string> quantity_names{"stiffness", "area", "area-displacement", "load"};
 
 std::vector<Setting> target_settings() {
-    std::vector<Setting> settings{
+    const std::vector<Setting> settings{
         {"formula", "",
          "the target as a formula of p (MPa), or of d (mm), e.g. \"0.3 + 2 * sqrt(p / 1e-4)\""},
         {"genome", "", "genome file (JSON) whose own response is the target"},
@@ -33,9 +33,7 @@ std::vector<Setting> target_settings() {
         {"out", "", "target file to write (CSV)"},
         {"force", "", "write over an existing file", true},
     };
-    for (const auto& more : {scan_settings(), model_settings()})
-        settings.insert(settings.end(), more.begin(), more.end());
-    return settings;
+    return joined({settings, scan_settings(), model_settings()});
 }
 
 rough::Goal evenly(rough::Quantity quantity, const std::string& name, rough::Index points, double last,

@@ -30,15 +30,13 @@ std::vector<Setting> law_settings() {
 }
 
 std::vector<Setting> build_settings() {
-    std::vector<Setting> settings{
+    const std::vector<Setting> settings{
         {"file", "", "the database (may be given without the flag)"},
         {"genomes", "100000", "how many genomes the file is to hold"},
         {"batch", "250", "genomes stored at a time: what a kill may cost"},
         {"threads", "0", "threads; 0 takes all"},
     };
-    for (const auto& more : {law_settings(), model_settings()})
-        settings.insert(settings.end(), more.begin(), more.end());
-    return settings;
+    return joined({settings, law_settings(), model_settings()});
 }
 
 rough::DatabaseSetup setup_from_flags(const Settings& settings) {
@@ -53,7 +51,7 @@ rough::DatabaseSetup setup_from_flags(const Settings& settings) {
     law.gamma_to = settings.number("gamma-to", 1, 1000);
     law.lambda = setup.model.grid.length;
     law.shortest = settings.has("shortest") ? settings.positive("shortest") : 8 * setup.model.grid.spacing();
-    law.seed = static_cast<std::uint64_t>(settings.whole("seed", 0, 1L << 53));
+    law.seed = settings.seed("seed");
     return setup;
 }
 
@@ -62,9 +60,8 @@ rough::DatabaseSetup setup_from_flags(const Settings& settings) {
 rough::GenomeStore opened(const Settings& settings) {
     const std::filesystem::path file = settings.text("file");
     bool set_up_given = false;
-    for (const auto& group : {law_settings(), model_settings()})
-        for (const Setting& setting : group)
-            set_up_given |= settings.given(setting.name);
+    for (const Setting& setting : joined({law_settings(), model_settings()}))
+        set_up_given |= settings.given(setting.name);
     if (!set_up_given && rough::GenomeStore::begun(file))
         return rough::GenomeStore::open(file);
     const rough::DatabaseSetup setup = setup_from_flags(settings);
@@ -93,7 +90,7 @@ int database_build(const Words& words) {
     rough::BuildOptions options;
     options.genomes = static_cast<std::uint64_t>(settings.whole("genomes", 1, 1000000000));
     options.batch = static_cast<std::uint64_t>(settings.whole("batch", 1, 100000));
-    options.threads = static_cast<int>(settings.whole("threads", 0, 1024));
+    options.threads = settings.threads("threads");
 
     rough::GenomeStore store = opened(settings);
     const Interrupt interrupt;

@@ -16,7 +16,7 @@ namespace app {
 namespace {
 
 std::vector<Setting> query_settings() {
-    std::vector<Setting> settings{
+    const std::vector<Setting> settings{
         {"file", "", "the database (may be given without the flag)"},
         {"target", "", "target file (CSV): pressure_MPa or displacement_mm with what is asked for there"},
         {"max-pressure", "", "pressure that every genome is rescaled to by Eq. 11, MPa [amplitude is free]"},
@@ -25,9 +25,7 @@ std::vector<Setting> query_settings() {
         {"force", "", "write over an existing genome file", true},
         {"threads", "0", "threads; 0 takes all"},
     };
-    for (const Setting& setting : model_settings())
-        settings.push_back(setting);
-    return settings;
+    return joined({settings, model_settings()});
 }
 
 /// Flags that name a set-up must name the file's.
@@ -70,7 +68,7 @@ int database_query(const Words& words) {
     if (settings.has("max-pressure"))
         options.max_pressure = settings.positive("max-pressure");
     options.best = static_cast<std::size_t>(settings.whole("best", 1, 10000));
-    options.threads = static_cast<int>(settings.whole("threads", 0, 1024));
+    options.threads = settings.threads("threads");
     const rough::Goal goal = rough::read_goal(settings.text("target"));
 
     const ga::Stopwatch clock;

@@ -79,7 +79,7 @@ void take_bounds(const Settings& settings, rough::DesignSetup& setup) {
 } // namespace
 
 std::vector<Setting> design_settings() {
-    std::vector<Setting> settings{
+    const std::vector<Setting> settings{
         {"target", "", "target file (CSV); several with commas between"},
         {"weights", "", "how much each target counts, with commas between [1 each]"},
         {"like", "", "measured profile whose own response is the target"},
@@ -117,9 +117,7 @@ std::vector<Setting> design_settings() {
         {"noise", "", "deviation of random height errors to verify the answer under, mm [none]"},
         {"hardness", "", "hardness to hold the highest node pressure against, MPa [none]"},
     };
-    for (const auto& more : {scan_settings(), model_settings(), {accuracy_setting()}})
-        settings.insert(settings.end(), more.begin(), more.end());
-    return settings;
+    return joined({settings, scan_settings(), model_settings(), {accuracy_setting()}});
 }
 
 std::map<std::string, std::string> recorded_model(const rough::Model& model) {
@@ -189,12 +187,8 @@ DesignRun design_from(const Settings& settings) {
         setup.goals = {goal_like(profile, own, settings.text("like"), settings.whole("points", 2, 100000),
                                  setup.max_pressure.value_or(0))};
     } else {
-        std::vector<Setting> of_scans = scan_settings();
-        of_scans.push_back({"points", "", ""});
-        for (const auto& setting : of_scans)
-            if (settings.given(setting.name))
-                throw rough::InputError("--" + setting.name +
-                                        ": given with --target, expected with --like only");
+        expect_none(settings, joined({scan_settings(), {{"points", "", ""}}}),
+                    "given with --target, expected with --like only");
         setup.model = model_from(settings);
         setup.goals = goals_from(settings, setup.model);
     }
@@ -214,8 +208,8 @@ DesignRun design_from(const Settings& settings) {
     options.pipeline = settings.text("pipeline");
     if (!options.pipeline.empty())
         options.variant = "pipeline";
-    options.seed = static_cast<std::uint64_t>(settings.whole("seed", 0, 1L << 53));
-    options.threads = static_cast<int>(settings.whole("threads", 0, 1024));
+    options.seed = settings.seed("seed");
+    options.threads = settings.threads("threads");
     options.alternatives = static_cast<std::size_t>(settings.whole("alternatives", 1, 100));
     if (settings.has("seconds"))
         options.seconds = settings.positive("seconds");

@@ -11,9 +11,8 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/database.hpp"
 #include "domain/variants/paper.hpp"
+#include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
-
-#include <omp.h>
 
 #include <cmath>
 #include <numbers>
@@ -56,9 +55,8 @@ class Economy {
     Economy(const Settings& settings, Progress& progress, const std::atomic<bool>& stop)
         : settings_(settings), progress_(progress), stop_(stop), model_(model_from(settings, "model.")) {
         model_.accuracy = accuracy_from(settings, "model.");
-        run_.seed = static_cast<std::uint64_t>(settings.whole("experiment.seed", 0, 1L << 53));
-        const long threads = settings.whole("experiment.threads", 0, 1024);
-        run_.threads = threads > 0 ? static_cast<int>(threads) : omp_get_max_threads();
+        run_.seed = settings.seed("experiment.seed");
+        run_.threads = ga::thread_count(settings.threads("experiment.threads"));
     }
 
     EconomyRun run() {
@@ -225,7 +223,7 @@ class Economy {
 } // namespace
 
 std::vector<Setting> economy_settings() {
-    std::vector<Setting> settings{
+    const std::vector<Setting> settings{
         {"experiment.kind", "", "economy"},
         {"experiment.seed", "1", "seed of everything random"},
         {"experiment.threads", "0", "threads of the design; the rest is timed on one; 0 takes all"},
@@ -241,10 +239,7 @@ std::vector<Setting> economy_settings() {
         {"targets.files", "", "target curves (CSV), with commas between; the design is for the first"},
         {"targets.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"},
     };
-    for (const auto& setting : model_settings("model."))
-        settings.push_back(setting);
-    settings.push_back(accuracy_setting("model."));
-    return settings;
+    return joined({settings, model_settings("model."), {accuracy_setting("model.")}});
 }
 
 EconomyRun run_economy(const Settings& settings, Progress& progress, const std::atomic<bool>& stop) {

@@ -9,9 +9,8 @@
 #include "domain/variants/paper.hpp"
 #include "ga/checkpoint.hpp"
 #include "ga/observers/log.hpp"
+#include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
-
-#include <omp.h>
 
 #include <cmath>
 #include <optional>
@@ -311,7 +310,7 @@ class Paper {
 } // namespace
 
 std::vector<Setting> paper_settings() {
-    std::vector<Setting> settings{
+    const std::vector<Setting> settings{
         {"experiment.kind", "", "paper"},
         {"experiment.seed", "1", "seed of everything random"},
         {"experiment.threads", "0", "threads; 0 takes all"},
@@ -342,10 +341,8 @@ std::vector<Setting> paper_settings() {
         {"database.lambda", "", "longest wave, mm [L]"},
         {"database.shortest", "", "shortest wave, mm [the grid's spacing]"},
     };
-    for (const auto& more :
-         {scan_settings("target."), model_settings("model."), {accuracy_setting("model.")}})
-        settings.insert(settings.end(), more.begin(), more.end());
-    return settings;
+    return joined(
+        {settings, scan_settings("target."), model_settings("model."), {accuracy_setting("model.")}});
 }
 
 PaperRun run_paper(const Settings& settings, Progress& progress, const std::atomic<bool>& stop,
@@ -359,9 +356,8 @@ PaperRun run_paper(const Settings& settings, Progress& progress, const std::atom
     run.targets = std::move(setup.targets);
     run.layout = layout_from(settings, run.model);
     run.dominance = reading_from(settings);
-    run.seed = static_cast<std::uint64_t>(settings.whole("experiment.seed", 0, 1L << 53));
-    const long threads = settings.whole("experiment.threads", 0, 1024);
-    run.threads = threads > 0 ? static_cast<int>(threads) : omp_get_max_threads();
+    run.seed = settings.seed("experiment.seed");
+    run.threads = ga::thread_count(settings.threads("experiment.threads"));
 
     Paper paper(settings, run, progress, stop, keeping);
     progress.show("database");

@@ -7,9 +7,8 @@
 #include "apps/result.hpp"
 #include "apps/statistics.hpp"
 #include "domain/atomic_file.hpp"
+#include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
-
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -160,7 +159,7 @@ double RaceVariant::median_at_seconds(double seconds) const {
 }
 
 std::vector<Setting> variants_settings() {
-    std::vector<Setting> settings{
+    const std::vector<Setting> settings{
         {"experiment.kind", "", "variants"},
         {"experiment.seed", "1", "first seed"},
         {"experiment.seeds", "3", "runs of each way"},
@@ -171,20 +170,16 @@ std::vector<Setting> variants_settings() {
         {"targets.shortest-wave", "", "shortest wave, mm [8 node distances]"},
         {"variants.*", "", "a way to search: a named variant or a pipeline as text"},
     };
-    for (const auto& setting : model_settings("model."))
-        settings.push_back(setting);
-    settings.push_back(accuracy_setting("model."));
-    return settings;
+    return joined({settings, model_settings("model."), {accuracy_setting("model.")}});
 }
 
 Race run_race(const Settings& settings, Progress& progress, const std::atomic<bool>& stop) {
     const ga::Stopwatch clock;
     Race race;
     race.targets = targets_from(settings);
-    race.seed = static_cast<std::uint64_t>(settings.whole("experiment.seed", 0, 1L << 53));
+    race.seed = settings.seed("experiment.seed");
     race.budget = settings.whole("experiment.budget", 1, 1000000000);
-    const long threads = settings.whole("experiment.threads", 0, 1024);
-    race.threads = threads > 0 ? static_cast<int>(threads) : omp_get_max_threads();
+    race.threads = ga::thread_count(settings.threads("experiment.threads"));
     const long seeds = settings.whole("experiment.seeds", 1, 1000);
     for (RaceTarget& target : race.targets)
         for (const std::string& name : settings.names_under("variants.")) {
