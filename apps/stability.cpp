@@ -9,6 +9,10 @@
 #include "apps/stability/reference.hpp"
 #include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
+#include "domain/errors.hpp"
+#include "ga/text/nearest.hpp"
+
+#include <algorithm>
 
 namespace app {
 
@@ -22,6 +26,16 @@ std::vector<Setting> stability_settings() {
         {"scene", "", "only the scene of this name"},
         {"force", "", "write over an existing table", true},
     };
+}
+
+/// Throws rough::InputError unless the name is "" or that of a scene.
+void expect_scene(const std::string& name) {
+    std::vector<std::string> names;
+    for (const StabilityScene& scene : stability_scenes())
+        if (std::find(names.begin(), names.end(), scene.name) == names.end())
+            names.push_back(scene.name);
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+        throw rough::InputError("--scene: '" + name + "' given as a scene" + ga::suggestion(name, names));
 }
 
 std::vector<StabilityCell> table_of(const std::string& only, Progress& progress) {

@@ -59,4 +59,13 @@ std::string readable(double value, int digits) {
     return sign + mantissa + " × 10" + superscript(order);
 }
 
+std::string brief(double value, int digits) {
+    const std::string text = readable(value, digits);
+    const std::size_t end = std::min(text.find(' '), text.size()); // of the number before a power of ten
+    if (text.find('.') >= end)
+        return text;
+    const std::size_t last = text.find_last_not_of('0', end - 1);
+    return text.substr(0, text[last] == '.' ? last : last + 1) + text.substr(end);
+}
+
 } // namespace app

@@ -19,4 +19,7 @@ Unit length_unit(double largest);
 /// A number in `digits` significant digits, as for reading: "0.954", "1.2 × 10⁻⁷", "–" if it is none.
 std::string readable(double value, int digits = 3);
 
+/// The same without the noughts at its end: "0.95", "30".
+std::string brief(double value, int digits = 2);
+
 } // namespace app

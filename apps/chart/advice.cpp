@@ -3,6 +3,7 @@
 #include "apps/chart/words.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/statistics.hpp"
+#include "apps/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -101,9 +102,9 @@ std::string words_of_auto(const ChartData& data) {
     std::string text = "<b>If in doubt take auto</b>, which is what you get without a word. It takes nested "
                        "or active-set by a fixed model of cost and memory, and says which.";
     if (!losses.empty())
-        text += " Where both were measured here, auto took " + number(median(losses), 3) +
+        text += " Where both were measured here, auto took " + brief(median(losses), 3) +
                 " times as long as the faster of the two in the median, and " +
-                number(*std::max_element(losses.begin(), losses.end()), 3) + " times at worst.";
+                brief(*std::max_element(losses.begin(), losses.end()), 3) + " times at worst.";
     return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include "apps/chart/words.hpp"
 #include "apps/model_settings.hpp"
+#include "apps/units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -93,7 +94,7 @@ Table fastest_by_grid(const ChartData& data) {
             if (runs.size() > 1) {
                 const double longer = runs[1]->seconds / runs[0]->seconds;
                 cell += "<span class=\"rule\">" + name_of(runs[1]->setting.method) +
-                        (longer < same_time ? " alike" : " " + number(longer) + " times") + "</span>";
+                        (longer < same_time ? " alike" : " " + brief(longer) + " times") + "</span>";
             }
             row.push_back(cell);
         }

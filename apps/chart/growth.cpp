@@ -3,6 +3,7 @@
 #include "apps/chart/words.hpp"
 #include "apps/csv.hpp"
 #include "apps/model_settings.hpp"
+#include "apps/units.hpp"
 
 #include <Eigen/QR>
 
@@ -47,7 +48,7 @@ struct Observed {
     }
 };
 
-std::string nanoseconds(double seconds) { return number(1e9 * seconds, 3) + " ns"; }
+std::string nanoseconds(double seconds) { return brief(1e9 * seconds, 3) + " ns"; }
 
 Growth by_terms(const Observed& runs, const ArrayXd& contact_term, const std::string& contact_word) {
     MatrixXd terms(runs.seconds.size(), 2);
@@ -76,7 +77,7 @@ Growth by_powers(const Observed& runs) {
     const double spread = runs.spread_from((terms * fit).array().exp());
     fit[0] = std::exp(fit[0]);
     return {fit,
-            nanoseconds(fit[0]) + " N<sup>" + number(fit[1], 3) + "</sup> f<sup>" + number(fit[2]) + "</sup>",
+            nanoseconds(fit[0]) + " N<sup>" + brief(fit[1], 3) + "</sup> f<sup>" + brief(fit[2]) + "</sup>",
             spread, static_cast<std::size_t>(runs.seconds.size())};
 }
 

@@ -2,6 +2,7 @@
 
 #include "apps/chart/words.hpp"
 #include "apps/model_settings.hpp"
+#include "apps/units.hpp"
 
 #include <algorithm>
 #include <map>
@@ -17,7 +18,7 @@ namespace {
 std::string why(const ChartData& data, LeftOutFor reason) {
     switch (reason) {
     case LeftOutFor::limit:
-        return "one curve takes more than " + number(data.limit, 3) + " s";
+        return "one curve takes more than " + brief(data.limit, 3) + " s";
     case LeftOutFor::unsolved:
         return "refused or not converged on a coarser grid";
     case LeftOutFor::time:

@@ -8,6 +8,7 @@
 #include "apps/chart/words.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/report/plot_svg.hpp"
+#include "apps/units.hpp"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ Table growth_table(const ChartData& data) {
     for (const rough::Solver method : {rough::Solver::nested, rough::Solver::nnls,
                                        rough::Solver::polonsky_keer, rough::Solver::active_set}) {
         const Growth growth = fitted_growth(method, data.runs);
-        table.rows.push_back({name_of(method), growth.law, growth.spread > 0 ? number(growth.spread, 3) : "–",
+        table.rows.push_back({name_of(method), growth.law, growth.spread > 0 ? brief(growth.spread, 3) : "–",
                               std::to_string(growth.runs)});
     }
     return table;

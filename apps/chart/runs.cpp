@@ -1,5 +1,7 @@
 #include "apps/chart/runs.hpp"
 
+#include "domain/response/curve.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,39 +9,36 @@ namespace app {
 
 namespace {
 
-/// y at x, linear between increasing nodes, continued by the end segments.
-double interpolated(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
-    const auto after = std::upper_bound(xs.begin() + 1, xs.end() - 1, x);
-    const auto k = static_cast<std::size_t>(after - xs.begin());
-    return ys[k - 1] + (x - xs[k - 1]) / (xs[k] - xs[k - 1]) * (ys[k] - ys[k - 1]);
+/// y against x, which may be read everywhere.
+rough::Curve curve_through(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+    return {x, y, -HUGE_VAL, HUGE_VAL};
 }
-
-std::vector<double> list(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
 } // namespace
 
 void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, ChartRun& run) {
-    const auto displacement = list(truth.displacement), pressure = list(truth.pressure),
-               stiffness = list(truth.stiffness), fraction = list(truth.fraction);
-    const auto square = [](double x) { return x * x; };
-    std::vector<double> pressures, tangents;
-    double by_pressure = 0, by_contact = 0, by_stiffness = 0;
-    for (const rough::LoadStep& step : curve.steps) {
-        by_pressure += square(step.pressure / interpolated(displacement, pressure, step.displacement) - 1);
-        by_contact += square(step.contact_fraction - interpolated(displacement, fraction, step.displacement));
-        pressures.push_back(step.pressure);
-        tangents.push_back(step.tangent_stiffness);
-    }
+    const rough::Response found = rough::response_of(curve.steps, curve.solver, 0);
+    const auto root_mean_square = [](const Eigen::VectorXd& errors) {
+        return std::sqrt(errors.squaredNorm() / static_cast<double>(errors.size()));
+    };
+    const auto read = [](const rough::Curve& from, const Eigen::VectorXd& at) -> Eigen::VectorXd {
+        return at.unaryExpr([&](double x) { return from.at(x); });
+    };
+    const auto relative = [](const Eigen::VectorXd& value, const Eigen::VectorXd& exact) -> Eigen::VectorXd {
+        return value.array() / exact.array() - 1;
+    };
+    const Eigen::VectorXd pressure =
+                              read(curve_through(truth.displacement, truth.pressure), found.displacement),
+                          fraction =
+                              read(curve_through(truth.displacement, truth.fraction), found.displacement);
+    run.error_pressure = root_mean_square(relative(found.pressure, pressure));
+    run.error_contact = root_mean_square(found.contact_fraction - fraction);
     constexpr int samples = 20;
-    for (int k = 1; k <= samples; ++k) {
-        const double p = pressure.back() * k / samples;
-        by_stiffness +=
-            square(interpolated(pressures, tangents, p) / interpolated(pressure, stiffness, p) - 1);
-    }
-    const double steps = static_cast<double>(curve.steps.size());
-    run.error_pressure = std::sqrt(by_pressure / steps);
-    run.error_contact = std::sqrt(by_contact / steps);
-    run.error_stiffness = std::sqrt(by_stiffness / samples);
+    const double last = truth.pressure.tail(1)[0];
+    const Eigen::VectorXd at = Eigen::VectorXd::LinSpaced(samples, last / samples, last);
+    run.error_stiffness =
+        root_mean_square(relative(read(curve_through(found.pressure, found.tangent_stiffness), at),
+                                  read(curve_through(truth.pressure, truth.stiffness), at)));
 }
 
 std::optional<ChartRun> run_chart(const ChartScene& scene, const ChartTruth& truth,

@@ -1,25 +1,19 @@
 #include "apps/chart/words.hpp"
 
+#include "apps/units.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace app {
 
-std::string number(double value, int digits) {
-    std::ostringstream out;
-    out.precision(digits);
-    out << value;
-    return out.str();
-}
-
 std::string time_words(double seconds) {
-    return seconds < 1e-3 ? number(1e6 * seconds, 3) + "\u00a0µs"
-           : seconds < 1  ? number(1e3 * seconds, 3) + "\u00a0ms"
-                          : number(seconds, 3) + "\u00a0s";
+    return seconds < 1e-3 ? brief(1e6 * seconds, 3) + "\u00a0µs"
+           : seconds < 1  ? brief(1e3 * seconds, 3) + "\u00a0ms"
+                          : brief(seconds, 3) + "\u00a0s";
 }
 
-std::string share_words(double share) { return number(100 * share) + " %"; }
+std::string share_words(double share) { return brief(100 * share) + " %"; }
 
 std::string tolerance_word(double tolerance) {
     return "1e" + std::to_string(std::lround(std::log10(tolerance)));
@@ -29,7 +23,7 @@ std::string range_words(const std::vector<double>& values) {
     if (values.empty())
         return "";
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    const std::string low = number(*least), high = number(*most);
+    const std::string low = brief(*least), high = brief(*most);
     return low == high ? low : low + " to " + high;
 }
 

@@ -7,7 +7,6 @@ namespace app {
 
 // Figures and settings as the chart's page says them.
 
-std::string number(double value, int digits = 2);
 std::string time_words(double seconds);       ///< "12.3 ms"
 std::string share_words(double share);        ///< "0.1 %"
 std::string tolerance_word(double tolerance); ///< "1e-6"

@@ -3,15 +3,11 @@
 #include "apps/model_settings.hpp"
 #include "apps/report/page.hpp"
 #include "apps/report/plot_svg.hpp"
-#include "apps/settings.hpp"
-#include "apps/stability/scenes.hpp"
-#include "domain/errors.hpp"
-#include "ga/text/nearest.hpp"
+#include "apps/units.hpp"
 
 #include <algorithm>
 #include <array>
 #include <map>
-#include <sstream>
 
 namespace app {
 
@@ -23,13 +19,6 @@ long count(const std::vector<StabilityCell>& cells, const std::string& method, O
     return std::count_if(cells.begin(), cells.end(), [&](const StabilityCell& cell) {
         return (method.empty() || cell.method == method) && cell.trial.outcome == outcome;
     });
-}
-
-std::string number(double value) {
-    std::ostringstream out;
-    out.precision(2);
-    out << value;
-    return out.str();
 }
 
 Table by_method(const std::vector<StabilityCell>& cells) {
@@ -62,7 +51,7 @@ Table by_scene(const std::vector<StabilityCell>& cells) {
         std::vector<std::string> row{cells[first].scene, cells[first].kernel};
         for (std::size_t k = first; k < first + solver_names().size(); ++k) {
             const ContactTrial& trial = cells[k].trial;
-            row.push_back(trial.outcome == Outcome::solved ? number(1000 * trial.seconds) + " ms"
+            row.push_back(trial.outcome == Outcome::solved ? brief(1000 * trial.seconds) + " ms"
                                                            : "<b>" + name_of(trial.outcome) + "</b>");
         }
         table.rows.push_back(row);
@@ -118,15 +107,6 @@ std::string stability_page(const std::vector<StabilityCell>& cells) {
         page.table(said);
     }
     return page.html();
-}
-
-void expect_scene(const std::string& name) {
-    std::vector<std::string> names;
-    for (const StabilityScene& scene : stability_scenes())
-        if (std::find(names.begin(), names.end(), scene.name) == names.end())
-            names.push_back(scene.name);
-    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
-        throw rough::InputError("--scene: '" + name + "' given as a scene" + ga::suggestion(name, names));
 }
 
 } // namespace app

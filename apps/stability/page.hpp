@@ -17,7 +17,4 @@ std::string summary_of(const std::vector<StabilityCell>& cells);
 /// A web page: which methods break, where, and what rugosa says then.
 std::string stability_page(const std::vector<StabilityCell>& cells);
 
-/// Throws rough::InputError unless the name is "" or that of a scene.
-void expect_scene(const std::string& name);
-
 } // namespace app
