@@ -1,13 +1,13 @@
 #include "apps/settings.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/text.hpp"
 #include "ga/text/nearest.hpp"
 #include "ga/text/number.hpp"
 
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -82,18 +82,8 @@ bool Settings::is_on(const std::string& name) const {
     throw InputError(place(name) + ": \"" + value + "\" given, expected on or off");
 }
 
-double number_from(const std::string& word, const std::string& place) {
-    double value = 0;
-    const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);
-    const char* end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(begin, end, value);
-    if (error != std::errc() || stop != end || !std::isfinite(value))
-        throw InputError(place + ": \"" + word + "\" given, expected a finite number");
-    return value;
-}
-
 double Settings::number(const std::string& name, double from, double to) const {
-    const double value = number_from(text(name), place(name));
+    const double value = rough::number_from(text(name), place(name));
     if (value < from || value > to)
         throw InputError(place(name) + ": " + text(name) + " given, expected a number " +
                          (from == std::numeric_limits<double>::min() ? "above 0 and up to "
@@ -103,14 +93,14 @@ double Settings::number(const std::string& name, double from, double to) const {
 }
 
 double Settings::positive(const std::string& name) const {
-    const double value = number_from(text(name), place(name));
+    const double value = rough::number_from(text(name), place(name));
     if (value <= 0)
         throw InputError(place(name) + ": " + text(name) + " given, expected a number greater than 0");
     return value;
 }
 
 long Settings::whole(const std::string& name, long from, long to) const {
-    const double value = number_from(text(name), place(name));
+    const double value = rough::number_from(text(name), place(name));
     if (value != std::floor(value) || value < static_cast<double>(from) || value > static_cast<double>(to))
         throw InputError(place(name) + ": " + text(name) + " given, expected a whole number from " +
                          std::to_string(from) + " to " + std::to_string(to));

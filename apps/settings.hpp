@@ -69,7 +69,4 @@ void expect_none(const Settings& settings, const std::vector<Setting>& of, const
 /// The settings as a help page lists them.
 std::string described(const std::vector<Setting>& known);
 
-/// The word as a number, or as a whole number. Throws rough::InputError that begins with `place`.
-double number_from(const std::string& word, const std::string& place);
-
 } // namespace app

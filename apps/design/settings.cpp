@@ -1,11 +1,11 @@
 #include "apps/design/settings.hpp"
 
-#include "apps/listed.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/scan_settings.hpp"
 #include "apps/units.hpp"
 #include "domain/database/starts.hpp"
 #include "domain/errors.hpp"
+#include "domain/text.hpp"
 
 #include <sstream>
 
@@ -26,18 +26,18 @@ double conductance_to_stiffness(const Settings& settings, const rough::Model& mo
 
 std::vector<rough::Goal> goals_from(const Settings& settings, const rough::Model& model) {
     std::vector<rough::Goal> goals;
-    for (const std::string& file : listed(settings.text("target"))) {
+    for (const std::string& file : rough::listed(settings.text("target"))) {
         goals.push_back(rough::read_goal(file, conductance_to_stiffness(settings, model)));
         expect_same_model(goals.back(), model);
     }
     if (settings.has("weights")) {
-        const auto weights = listed(settings.text("weights"));
+        const auto weights = rough::listed(settings.text("weights"));
         if (weights.size() != goals.size())
             throw rough::InputError("--weights: " + std::to_string(weights.size()) + " given, expected " +
                                     std::to_string(goals.size()) + ", one a target");
         double largest = 0;
         for (std::size_t i = 0; i < goals.size(); ++i) {
-            goals[i].weight = number_from(weights[i], "--weights");
+            goals[i].weight = rough::number_from(weights[i], "--weights");
             if (!(goals[i].weight > 0))
                 throw rough::InputError("--weights: " + weights[i] +
                                         " given, expected numbers greater than 0");
@@ -145,10 +145,10 @@ void expect_same_model(const rough::Goal& goal, const rough::Model& model) {
         if (found == own.end())
             continue;
         const bool number = key != "kernel";
-        const bool same =
-            number ? std::abs(number_from(value, goal.name + ": " + key) - number_from(found->second, key)) <=
-                         1e-9 * std::abs(number_from(found->second, key))
-                   : value == found->second;
+        const bool same = number ? std::abs(rough::number_from(value, goal.name + ": " + key) -
+                                            rough::number_from(found->second, key)) <=
+                                       1e-9 * std::abs(rough::number_from(found->second, key))
+                                 : value == found->second;
         if (!same)
             throw rough::InputError(goal.name + ": recorded with " + key + " " + value + ", the model has " +
                                     found->second + ", expected the same: the target depends on it");

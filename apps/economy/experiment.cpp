@@ -1,15 +1,16 @@
 #include "apps/economy/experiment.hpp"
 
 #include "apps/contact_trial.hpp"
-#include "apps/listed.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/recorder.hpp"
 #include "apps/result.hpp"
+#include "apps/target_files.hpp"
 #include "domain/design/search.hpp"
 #include "domain/economy/accuracy.hpp"
 #include "domain/economy/economy.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/database.hpp"
+#include "domain/text.hpp"
 #include "domain/variants/paper.hpp"
 #include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
@@ -23,8 +24,8 @@ namespace {
 
 std::vector<double> numbers_in(const Settings& settings, const std::string& name) {
     std::vector<double> numbers;
-    for (const std::string& part : listed(settings.text(name)))
-        numbers.push_back(number_from(part, settings.place(name)));
+    for (const std::string& part : rough::listed(settings.text(name)))
+        numbers.push_back(rough::number_from(part, settings.place(name)));
     if (numbers.empty())
         throw rough::InputError(settings.place(name) + ": none given, expected numbers with commas between");
     return numbers;

@@ -1,12 +1,13 @@
 #include "apps/variants/experiment.hpp"
 
 #include "apps/csv.hpp"
-#include "apps/listed.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/recorder.hpp"
 #include "apps/result.hpp"
 #include "apps/statistics.hpp"
+#include "apps/target_files.hpp"
 #include "domain/atomic_file.hpp"
+#include "domain/text.hpp"
 #include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
 
@@ -18,11 +19,6 @@ namespace app {
 namespace {
 
 using nlohmann::json;
-
-std::string trimmed(const std::string& text) {
-    const auto from = text.find_first_not_of(" \t"), to = text.find_last_not_of(" \t");
-    return from == std::string::npos ? "" : text.substr(from, to - from + 1);
-}
 
 std::vector<RaceTarget> targets_from(const Settings& settings) {
     std::vector<RaceTarget> targets;
@@ -183,7 +179,7 @@ Race run_race(const Settings& settings, Progress& progress, const std::atomic<bo
     const long seeds = settings.whole("experiment.seeds", 1, 1000);
     for (RaceTarget& target : race.targets)
         for (const std::string& name : settings.names_under("variants.")) {
-            const std::string way = trimmed(settings.text("variants." + name));
+            const std::string way(rough::trim(settings.text("variants." + name)));
             const bool named = rough::design_variants().count(way) > 0;
             RaceVariant variant{name, way, {}};
             for (long i = 0; i < seeds && !stop.load(); ++i) {

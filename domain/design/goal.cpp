@@ -1,12 +1,11 @@
 #include "domain/design/goal.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
-#include <iomanip>
 #include <sstream>
 #include <vector>
 
@@ -19,30 +18,6 @@ constexpr Quantity quantities[] = {Quantity::stiffness, Quantity::area_at_pressu
 constexpr const char* expected_columns = "expected pressure_MPa with stiffness_MPa_per_mm, contact_fraction "
                                          "or conductance, or displacement_mm with "
                                          "contact_fraction or pressure_MPa; optionally lower and upper";
-
-std::string trimmed(std::string text) {
-    const auto blank = [](unsigned char c) { return std::isspace(c) != 0; };
-    text.erase(text.begin(), std::find_if_not(text.begin(), text.end(), blank));
-    text.erase(std::find_if_not(text.rbegin(), text.rend(), blank).base(), text.end());
-    return text;
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-    std::vector<std::string> cells;
-    std::istringstream in(line);
-    for (std::string cell; std::getline(in, cell, ',');)
-        cells.push_back(trimmed(cell));
-    return cells;
-}
-
-double number_in(const std::string& text, const std::string& where) {
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || stop != end || !std::isfinite(value))
-        throw InputError(where + ": \"" + text + "\" given, expected a finite number");
-    return value;
-}
 
 /// The column's place in the header, or -1.
 int place_of(const std::vector<std::string>& header, const std::string& name) {
@@ -105,24 +80,24 @@ Goal read_goal(const std::filesystem::path& file, double conductance_to_stiffnes
     int number = 0;
     for (std::string line; std::getline(in, line);) {
         ++number;
-        line = trimmed(line);
+        line = trim(line);
         const std::string where = file.string() + ":" + std::to_string(number);
         if (line.empty())
             continue;
         if (line[0] == '#') {
             const auto colon = line.find(':');
             if (colon != std::string::npos)
-                goal.recorded[trimmed(line.substr(1, colon - 1))] = trimmed(line.substr(colon + 1));
+                goal.recorded[std::string(trim(line.substr(1, colon - 1)))] = trim(line.substr(colon + 1));
         } else if (header.empty()) {
-            header = cells_of(line);
+            header = listed(line);
         } else {
-            const auto cells = cells_of(line);
+            const auto cells = listed(line);
             if (cells.size() != header.size())
                 throw InputError(where + ": \"" + line + "\" given, expected " +
                                  std::to_string(header.size()) + " numbers with commas between");
             rows.emplace_back();
             for (const std::string& cell : cells)
-                rows.back().push_back(number_in(cell, where));
+                rows.back().push_back(number_from(cell, where));
         }
     }
     int x = -1, y = -1;

@@ -1,8 +1,8 @@
 #include "domain/response/target.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/text.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -13,21 +13,6 @@ namespace rough {
 namespace {
 
 constexpr const char* header = "pressure_MPa,stiffness_MPa_per_mm";
-
-double number_in(const std::string& text, const std::string& where) {
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || stop != end)
-        throw InputError(where + ": \"" + text + "\" given, expected a number");
-    return value;
-}
-
-std::string stripped(std::string line) {
-    while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back())))
-        line.pop_back();
-    return line;
-}
 
 } // namespace
 
@@ -58,20 +43,20 @@ Target read_target(const std::filesystem::path& file) {
         throw InputError(file.string() + ": cannot be read, expected a target (CSV with " + header + ")");
     std::string line;
     std::getline(in, line);
-    if (stripped(line) != header)
-        throw InputError(file.string() + ":1: \"" + stripped(line) + "\" given, expected the header " +
-                         header);
+    line = trim(line);
+    if (line != header)
+        throw InputError(file.string() + ":1: \"" + line + "\" given, expected the header " + header);
     std::vector<double> pressure, stiffness;
     for (int number = 2; std::getline(in, line); ++number) {
-        line = stripped(line);
+        line = trim(line);
         if (line.empty())
             continue;
         const std::string where = file.string() + ":" + std::to_string(number);
-        const auto comma = line.find(',');
-        if (comma == std::string::npos || line.find(',', comma + 1) != std::string::npos)
+        const auto cells = listed(line);
+        if (cells.size() != 2)
             throw InputError(where + ": \"" + line + "\" given, expected two numbers with a comma between");
-        pressure.push_back(number_in(line.substr(0, comma), where));
-        stiffness.push_back(number_in(line.substr(comma + 1), where));
+        pressure.push_back(number_from(cells[0], where));
+        stiffness.push_back(number_from(cells[1], where));
     }
     Target target{file.string(),
                   Eigen::Map<Eigen::VectorXd>(pressure.data(), static_cast<Eigen::Index>(pressure.size())),

@@ -23,12 +23,6 @@ bool says_missing(std::string_view cell) {
 
 } // namespace
 
-std::string_view trim(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(blank);
-    return first == std::string_view::npos ? std::string_view{}
-                                           : text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
-
 std::string lower(std::string_view text) {
     std::string small(text);
     for (char& c : small)

@@ -1,14 +1,13 @@
 #pragma once
 
+#include "domain/text.hpp"
+
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rough {
-
-/// Without blanks and tabs at either end.
-std::string_view trim(std::string_view text);
 
 /// Lower case of ASCII letters; other bytes as they are.
 std::string lower(std::string_view text);

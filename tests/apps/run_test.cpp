@@ -200,7 +200,7 @@ TEST_CASE("bad input to an experiment gets one line and exit code 2, and leaves 
         {paper + " --set target.file=none.csv", "none.csv: cannot be read"},
         {paper + target_of("zero.csv", "0,1\n1e-5,1\n"), "point 1: pressure is 0"},
         {paper + target_of("negative.csv", "1e-5,-1\n"), "point 1: stiffness is -1"},
-        {paper + target_of("nan.csv", "1e-5,nan\n"), "stiffness is nan"},
+        {paper + target_of("nan.csv", "1e-5,nan\n"), "\"nan\" given, expected a finite number"},
         {paper + target_of("unsorted.csv", "2e-5,1\n1e-5,1\n"), "point 2: pressure"},
         {paper + target_of("duplicate.csv", "1e-5,1\n1e-5,1\n"), "point 2: pressure"},
         {paper + target_of("word.csv", "1e-5,abc\n"), "word.csv:2"},

@@ -4,9 +4,6 @@
 
 namespace app {
 
-/// The parts of a text between its commas, without blanks around them.
-std::vector<std::string> listed(const std::string& text);
-
 /// The target files that a setting names, commas between: as given on the command line, or beside the .ini
 /// that names them. Throws rough::InputError where there is none.
 std::vector<std::filesystem::path> target_files(const Settings& settings, const std::string& name);
