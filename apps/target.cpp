@@ -1,6 +1,6 @@
 #include "apps/commands.hpp"
-#include "apps/design/settings.hpp"
 #include "apps/formula.hpp"
+#include "apps/goals.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/output.hpp"
 #include "apps/scan_settings.hpp"
@@ -36,16 +36,6 @@ std::vector<Setting> target_settings() {
     return joined({settings, scan_settings(), model_settings()});
 }
 
-rough::Goal evenly(rough::Quantity quantity, const std::string& name, rough::Index points, double last,
-                   const std::function<double(double)>& y) {
-    rough::Goal goal;
-    goal.quantity = quantity;
-    goal.name = name;
-    goal.x = Eigen::VectorXd::LinSpaced(points, last / static_cast<double>(points), last);
-    goal.y = goal.x.unaryExpr([&](double x) { return y(x); });
-    return goal;
-}
-
 struct Made {
     rough::Goal goal;
     rough::Model model;
@@ -55,13 +45,11 @@ Made made_target(const Settings& settings) {
     const auto quantity = static_cast<rough::Quantity>(settings.one_of("quantity", quantity_names));
     const rough::Index points = settings.whole("points", 1, 1000000);
     if (settings.has("formula")) {
-        const bool by_pressure =
-            quantity == rough::Quantity::stiffness || quantity == rough::Quantity::area_at_pressure;
         if (!settings.has("to"))
             throw rough::InputError(
                 "--to: missing, expected the last pressure (MPa) or displacement (mm) of the formula");
-        const auto y = formula(settings.text("formula"), by_pressure ? "p" : "d", "--formula");
-        return {evenly(quantity, "--formula", points, settings.positive("to"), y), model_from(settings)};
+        const auto y = formula(settings.text("formula"), against_pressure(quantity) ? "p" : "d", "--formula");
+        return {even_goal(quantity, "--formula", points, settings.positive("to"), y), model_from(settings)};
     }
     Made made;
     rough::Profile profile;
@@ -81,19 +69,18 @@ Made made_target(const Settings& settings) {
         profile.spacing = made.model.grid.spacing();
     }
     rough::Model loaded = made.model;
-    if (settings.has("to")) {
-        const bool by_pressure =
-            quantity == rough::Quantity::stiffness || quantity == rough::Quantity::area_at_pressure;
-        (by_pressure ? loaded.loading.to_pressure : loaded.loading.to_displacement) = settings.positive("to");
-    }
+    if (settings.has("to"))
+        (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) =
+            settings.positive("to");
     const rough::Curve curve =
         curve_of(quantity, respond(profile, loaded.body, loaded.loading, loaded.contact));
     const double last = settings.has("to") ? settings.positive("to") : curve.to;
-    made.goal = evenly(quantity, name, points, last, [&](double x) { return curve.at(x); });
+    made.goal = even_goal(quantity, name, points, last, [&](double x) { return curve.at(x); });
     return made;
 }
 
-void report(const rough::Goal& goal, const rough::Model& model, int& code) {
+/// Says what the target is; gives the exit code, 3 where it is out of reach.
+int report(const rough::Goal& goal, const rough::Model& model) {
     const rough::Columns columns = columns_of(goal.quantity);
     say(goal.name + ": " + std::to_string(goal.points()) + " points of " + columns.y + " from " +
         readable(goal.y.minCoeff(), 4) + " to " + readable(goal.y.maxCoeff(), 4) + " against " + columns.x +
@@ -101,11 +88,11 @@ void report(const rough::Goal& goal, const rough::Model& model, int& code) {
     rough::DesignSetup setup;
     setup.model = model;
     setup.goals = {goal};
-    for (const auto& reason : rough::out_of_reach(setup)) {
+    const auto reasons = rough::out_of_reach(setup);
+    for (const auto& reason : reasons)
         say("out of reach of every profile: " + reason.reason + "; no similarity is above " +
             readable(reason.bound, 4));
-        code = 3;
-    }
+    return reasons.empty() ? 0 : 3;
 }
 
 } // namespace
@@ -129,16 +116,9 @@ int target(const Words& words) {
         given += settings.has(source);
     if (given != 1)
         throw rough::InputError("target: expected one of --formula, --genome, --like and --check");
-    int code = 0;
     if (settings.has("check")) {
         const rough::Model model = model_from(settings);
-        const double factor = settings.has("resistivity")
-                                  ? 0.5 * model.body.effective_modulus * settings.positive("resistivity")
-                                  : 0;
-        const rough::Goal goal = rough::read_goal(settings.text("check"), factor);
-        expect_same_model(goal, model);
-        report(goal, model, code);
-        return code;
+        return report(goal_from(settings, settings.text("check"), model), model);
     }
     if (!settings.has("out"))
         throw rough::InputError("target: --out is missing, expected the target file to write");
@@ -152,8 +132,7 @@ int target(const Words& words) {
     made.goal.recorded = recorded_model(made.model);
     validate(made.goal);
     rough::write_atomically(settings.text("out"), to_csv(made.goal));
-    report(made.goal, made.model, code);
-    return code;
+    return report(made.goal, made.model);
 }
 
 } // namespace app

@@ -1,5 +1,6 @@
 #include "apps/design/settings.hpp"
 
+#include "apps/goals.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/scan_settings.hpp"
 #include "apps/units.hpp"
@@ -7,7 +8,7 @@
 #include "domain/errors.hpp"
 #include "domain/text.hpp"
 
-#include <sstream>
+#include <algorithm>
 
 namespace app {
 
@@ -18,18 +19,10 @@ constexpr double worth_the_name = 0.99;
 /// A target whose exact bound is below this is called out of reach, where --reach-similarity is not given.
 constexpr double exact_enough = 0.999;
 
-/// The factor that turns a conductance into stiffness: C = 2 K/(E* (rho1 + rho2)).
-double conductance_to_stiffness(const Settings& settings, const rough::Model& model) {
-    return settings.has("resistivity") ? 0.5 * model.body.effective_modulus * settings.positive("resistivity")
-                                       : 0;
-}
-
 std::vector<rough::Goal> goals_from(const Settings& settings, const rough::Model& model) {
     std::vector<rough::Goal> goals;
-    for (const std::string& file : rough::listed(settings.text("target"))) {
-        goals.push_back(rough::read_goal(file, conductance_to_stiffness(settings, model)));
-        expect_same_model(goals.back(), model);
-    }
+    for (const std::string& file : rough::listed(settings.text("target")))
+        goals.push_back(goal_from(settings, file, model));
     if (settings.has("weights")) {
         const auto weights = rough::listed(settings.text("weights"));
         if (weights.size() != goals.size())
@@ -47,6 +40,17 @@ std::vector<rough::Goal> goals_from(const Settings& settings, const rough::Model
             goal.weight /= largest;
     }
     return goals;
+}
+
+/// K up to the last pressure of a measured profile's own response, or up to `highest` (MPa; 0: no limit).
+rough::Goal goal_like(const rough::Profile& profile, const rough::Model& model, const std::string& name,
+                      rough::Index points, double highest) {
+    const rough::Curve curve = secant_stiffness(respond(profile, model.body, model.loading, model.contact));
+    const double last = highest > 0 ? std::min(highest, curve.to) : curve.to;
+    rough::Goal goal = even_goal(rough::Quantity::stiffness, name, points, last,
+                                 [&](double pressure) { return curve.at(pressure); });
+    goal.recorded = recorded_model(model);
+    return goal;
 }
 
 void take_bounds(const Settings& settings, rough::DesignSetup& setup) {
@@ -118,53 +122,6 @@ std::vector<Setting> design_settings() {
         {"hardness", "", "hardness to hold the highest node pressure against, MPa [none]"},
     };
     return joined({settings, scan_settings(), model_settings(), {accuracy_setting()}});
-}
-
-std::map<std::string, std::string> recorded_model(const rough::Model& model) {
-    const auto exact = [](double value) {
-        std::ostringstream out;
-        out.precision(17);
-        out << value;
-        return out.str();
-    };
-    std::map<std::string, std::string> recorded{
-        {"kernel", name_of(model.body.kernel)},
-        {"length_mm", exact(model.grid.length)},
-        {"effective_modulus_MPa", exact(model.body.effective_modulus)}};
-    if (model.body.kernel == rough::Kernel::free)
-        recorded["datum_mm"] = exact(model.body.datum);
-    if (model.body.kernel == rough::Kernel::strip)
-        recorded["strip_width_mm"] = exact(model.body.strip_width);
-    return recorded;
-}
-
-void expect_same_model(const rough::Goal& goal, const rough::Model& model) {
-    const auto own = recorded_model(model);
-    for (const auto& [key, value] : goal.recorded) {
-        const auto found = own.find(key);
-        if (found == own.end())
-            continue;
-        const bool number = key != "kernel";
-        const bool same = number ? std::abs(rough::number_from(value, goal.name + ": " + key) -
-                                            rough::number_from(found->second, key)) <=
-                                       1e-9 * std::abs(rough::number_from(found->second, key))
-                                 : value == found->second;
-        if (!same)
-            throw rough::InputError(goal.name + ": recorded with " + key + " " + value + ", the model has " +
-                                    found->second + ", expected the same: the target depends on it");
-    }
-}
-
-rough::Goal goal_like(const rough::Profile& profile, const rough::Model& model, const std::string& name,
-                      rough::Index points, double highest) {
-    const rough::Curve curve = secant_stiffness(respond(profile, model.body, model.loading, model.contact));
-    const double last = highest > 0 ? std::min(highest, curve.to) : curve.to;
-    rough::Goal goal;
-    goal.name = name;
-    goal.x = Eigen::VectorXd::LinSpaced(points, last / static_cast<double>(points), last);
-    goal.y = goal.x.unaryExpr([&](double p) { return curve.at(p); });
-    goal.recorded = recorded_model(model);
-    return goal;
 }
 
 DesignRun design_from(const Settings& settings) {

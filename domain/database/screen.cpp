@@ -168,9 +168,7 @@ void check(const StoredCurves& curves, const std::vector<Goal>& goals, const Scr
 } // namespace
 
 bool need_fractions(const std::vector<Goal>& goals) {
-    return std::any_of(goals.begin(), goals.end(), [](const Goal& goal) {
-        return goal.quantity == Quantity::area_at_pressure || goal.quantity == Quantity::area_at_displacement;
-    });
+    return std::any_of(goals.begin(), goals.end(), [](const Goal& goal) { return is_area(goal.quantity); });
 }
 
 std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Goal>& goals,

@@ -52,8 +52,7 @@ Rising stiffness_of(const Goal& goal) {
 } // namespace
 
 Advance advance_for(const Goal& goal, Index nodes) {
-    const bool by_area =
-        goal.quantity == Quantity::area_at_pressure || goal.quantity == Quantity::area_at_displacement;
+    const bool by_area = is_area(goal.quantity);
     const Rising curve =
         goal.quantity == Quantity::load_at_displacement ? stiffness_of(goal) : Rising(goal.x, goal.y);
     return [=, quantity = goal.quantity](const Eigen::VectorXd& stiffness) {

@@ -50,17 +50,16 @@ void validate(const Goal& goal) {
              << expected;
         throw InputError(line.str());
     };
-    const bool is_area =
-        goal.quantity == Quantity::area_at_pressure || goal.quantity == Quantity::area_at_displacement;
+    const bool of_area = is_area(goal.quantity);
     if (goal.points() == 0)
         throw InputError(goal.name + ": no points given, expected at least one");
     double last = 0;
     for (Index k = 0; k < goal.points(); ++k) {
         if (!std::isfinite(goal.x[k]) || goal.x[k] <= last)
             fail(k, columns.x, goal.x[k], "finite numbers greater than 0, increasing");
-        if (!std::isfinite(goal.y[k]) || goal.y[k] <= 0 || (is_area && goal.y[k] > 1))
+        if (!std::isfinite(goal.y[k]) || goal.y[k] <= 0 || (of_area && goal.y[k] > 1))
             fail(k, columns.y, goal.y[k],
-                 is_area ? "a number greater than 0, at most 1" : "a finite number greater than 0");
+                 of_area ? "a number greater than 0, at most 1" : "a finite number greater than 0");
         if (goal.has_band() && !(goal.lower[k] <= goal.y[k]))
             fail(k, "lower", goal.lower[k], std::string("a number no greater than ") + columns.y);
         if (goal.has_band() && !(goal.upper[k] >= goal.y[k]))

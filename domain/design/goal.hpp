@@ -20,6 +20,10 @@ enum class Quantity {
 inline bool is_area(Quantity quantity) {
     return quantity == Quantity::area_at_pressure || quantity == Quantity::area_at_displacement;
 }
+/// Whether it is against a mean pressure (MPa), not a displacement (mm).
+inline bool against_pressure(Quantity quantity) {
+    return quantity == Quantity::stiffness || quantity == Quantity::area_at_pressure;
+}
 
 /// One curve that is asked for, with how much it counts and, where given, the band that satisfies it.
 struct Goal {
@@ -36,9 +40,7 @@ struct Goal {
     Index points() const { return x.size(); }       ///< how many
     double last() const { return x[points() - 1]; } ///< the largest x
     /// Whether x is a mean pressure (MPa), not a displacement (mm).
-    bool against_pressure() const {
-        return quantity == Quantity::stiffness || quantity == Quantity::area_at_pressure;
-    }
+    bool against_pressure() const { return rough::against_pressure(quantity); }
     bool has_band() const { return lower.size() > 0; } ///< whether a band is given
 };
 
