@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace app {
 
@@ -22,13 +21,6 @@ std::vector<double> differences(const rough::Curve& a, const rough::Curve& b, Di
 }
 
 } // namespace
-
-double correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    const Eigen::ArrayXd da = a.array() - a.mean(), db = b.array() - b.mean();
-    const double spread = std::sqrt(da.square().sum() * db.square().sum());
-    const double noise = 1e-12 * std::sqrt(a.squaredNorm() * b.squaredNorm());
-    return spread > noise ? (da * db).sum() / spread : none;
-}
 
 double median(std::vector<double> values) {
     std::erase_if(values, [](double value) { return std::isnan(value); });

@@ -6,9 +6,6 @@
 
 namespace app {
 
-/// Pearson correlation of two lists of equal length; NaN where one does not vary.
-double correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
-
 double median(std::vector<double> values);      ///< NaN of none; those that are NaN are left out
 double mean(const std::vector<double>& values); ///< the same
 

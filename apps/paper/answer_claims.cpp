@@ -3,6 +3,7 @@
 #include "apps/statistics.hpp"
 #include "apps/units.hpp"
 #include "domain/mwm/sampling.hpp"
+#include "domain/pearson.hpp"
 #include "domain/spectrum.hpp"
 
 #include <cmath>
@@ -64,7 +65,7 @@ double area_apart(const Trio& trio, std::size_t a, std::size_t b) {
 }
 
 double alike(const Trio& trio, std::size_t a, std::size_t b) {
-    return correlation(trio.heights[a], trio.heights[b]);
+    return rough::pearson(trio.heights[a], trio.heights[b]);
 }
 
 /// log10 of a spectrum's power octave by octave, from the longest wave on. In octaves, as the lines of two

@@ -1,6 +1,6 @@
 #include "apps/paper/fractal_study.hpp"
 
-#include "apps/statistics.hpp"
+#include "domain/pearson.hpp"
 #include "domain/response/curve.hpp"
 #include "ga/parallel.hpp"
 #include "ga/random.hpp"
@@ -30,7 +30,7 @@ FractalStudy study_of(const rough::Model& model, std::uint64_t seed) {
         Eigen::VectorXd held(whole.x.size());
         for (Eigen::Index j = 0; j < held.size(); ++j)
             held[j] = alone.held_at(whole.x[j]);
-        study.correlation.push_back(correlation(whole.y, held));
+        study.correlation.push_back(rough::pearson(whole.y, held));
         study.dominant.push_back(study.correlation.back() > threshold);
     }
     if (std::find(study.dominant.begin(), study.dominant.end(), true) == study.dominant.end()) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rough {
 
@@ -113,12 +112,8 @@ double value_at(const Genome& genome, const ShapeLimit& limit, double h) {
 } // namespace
 
 std::vector<Margin> margins(const Genome& genome, const Grid& grid, const MakingLimits& limits) {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const Series& series : genome.series)
-        for (const Chromosome& chromosome : series.chromosomes)
-            shortest = std::min(shortest, wave_length(series, chromosome.n));
     const auto all = waves(genome);
-    return {{"shortest_wave_mm", limits.shortest_wave, shortest * (1 + 1e-12), true},
+    return {{"shortest_wave_mm", limits.shortest_wave, shortest_wave(genome) * (1 + 1e-12), true},
             {"slope", limits.largest_slope, extremes(all, grid, 1).largest(), false},
             {"height_mm", limits.largest_height, extremes(all, grid, 0).range(), false},
             {"radius_mm", limits.smallest_radius, 1 / extremes(all, grid, 2).largest(), true}};

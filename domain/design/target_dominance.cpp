@@ -2,6 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/fitness/length_scales.hpp"
+#include "domain/pearson.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rough {
 
@@ -23,13 +22,6 @@ std::vector<ChromosomePlace> places(const Genome& genome) {
         for (std::size_t c = 0; c < genome.series[s].chromosomes.size(); ++c)
             all.push_back(place(genome, s, c));
     return all;
-}
-
-double shortest_wave(const Genome& genome) {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const ChromosomePlace& one : places(genome))
-        shortest = std::min(shortest, one.wave_length_mm);
-    return shortest;
 }
 
 Selection everything(const Genome& genome) { return {genome, places(genome), {}, {}}; }

@@ -16,9 +16,6 @@ struct ChromosomePlace {
 /// All of a genome's chromosomes, in order.
 std::vector<ChromosomePlace> places(const Genome& genome);
 
-/// The shortest wave length of a genome, mm.
-double shortest_wave(const Genome& genome);
-
 /// Which chromosomes to model, and the window that those left out may open.
 struct Selection {
     Genome genome;                        ///< with the chromosomes kept

@@ -1,6 +1,7 @@
 #include "domain/fitness/dominance.hpp"
 
 #include "domain/fitness/length_scales.hpp"
+#include "domain/pearson.hpp"
 #include "domain/response/curve.hpp"
 
 #include <cmath>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rough {
 
@@ -25,13 +24,6 @@ Genome only(const Genome& genome, const LengthScale& scale) {
     return filtered(genome, [&](std::size_t s, std::size_t c) {
         return std::find(scale.members.begin(), scale.members.end(), std::pair(s, c)) != scale.members.end();
     });
-}
-
-double pearson(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) {
-    const Eigen::ArrayXd da = a - a.mean(), db = b - b.mean();
-    const double spread = std::sqrt((da * da).sum() * (db * db).sum());
-    const double noise = 1e-12 * static_cast<double>(a.size()) * std::abs(a.mean() * b.mean());
-    return spread > noise ? (da * db).sum() / spread : std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace rough

@@ -2,8 +2,6 @@
 
 #include "domain/mwm/waves.hpp"
 
-#include <Eigen/Core>
-
 namespace rough {
 
 /// Chromosomes of one wave number, of any series: one length scale of the profile.
@@ -17,8 +15,5 @@ std::vector<LengthScale> length_scales(const Genome& genome);
 
 /// The genome without its other length scales.
 Genome only(const Genome& genome, const LengthScale& scale);
-
-/// Pearson's correlation of two series of equal length; NaN where one of them does not vary.
-double pearson(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b);
 
 } // namespace rough

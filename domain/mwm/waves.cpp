@@ -1,6 +1,8 @@
 #include "domain/mwm/waves.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace rough {
@@ -43,6 +45,14 @@ std::vector<Wave> waves(const Genome& genome) {
             result.push_back(one);
         }
     return result;
+}
+
+double shortest_wave(const Genome& genome) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Series& series : genome.series)
+        for (const Chromosome& chromosome : series.chromosomes)
+            shortest = std::min(shortest, wave_length(series, chromosome.n));
+    return shortest;
 }
 
 int last_chromosome(double lambda, double gamma, double shortest) {

@@ -33,6 +33,9 @@ Wave wave(const Series& series, const Chromosome& chromosome);
 /// All waves of a genome, scale included: one for each chromosome of each series, in order.
 std::vector<Wave> waves(const Genome& genome);
 
+/// The shortest wave length of a genome, mm.
+double shortest_wave(const Genome& genome);
+
 /// n_f of Eq. 4: the largest n whose wave length is at least `shortest` (mm), with a guard of 1e-12 so that
 /// an exact power keeps its last chromosome; 0 if there is none.
 int last_chromosome(double lambda, double gamma, double shortest);

@@ -1,6 +1,7 @@
 #include "apps/paper/claims.hpp"
 #include "apps/paper/lookup.hpp"
 #include "apps/statistics.hpp"
+#include "domain/pearson.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -157,6 +158,6 @@ TEST_CASE("curves are compared where both can be read") {
     CHECK(std::isnan(median({})));
     CHECK(std::isnan(slope(Eigen::VectorXd(1), Eigen::VectorXd(1))));
     CHECK(slope(Eigen::Vector3d(0, 1, 2), Eigen::Vector3d(5, 3, 1)) == Approx(-2));
-    CHECK(correlation(Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(2, 4, 6)) == Approx(1));
-    CHECK(std::isnan(correlation(Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(7, 7, 7))));
+    CHECK(rough::pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(2, 4, 6)) == Approx(1));
+    CHECK(std::isnan(rough::pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(7, 7, 7))));
 }
