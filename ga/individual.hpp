@@ -69,7 +69,6 @@ class Fitness {
         static const std::string none;
         return reason_ ? *reason_ : none;
     }
-    const Reason& shared_reason() const { return reason_; } ///< null when it did not fail
 
   private:
     double value_ = 0;

@@ -44,8 +44,7 @@ Figure convergence_figure(const PaperRun& run) {
         for (std::size_t first = 0; first < target.variants.size(); first += 3) {
             Plot plot;
             plot.alt = "Best similarity against curves and gradients spent, " + target.title + " target";
-            plot.title = target.title + " target";
-            plot.title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(plot.title[0])));
+            plot.title = titled(target);
             plot.x = {"Contact curves and gradients", false};
             plot.y = {"Best similarity", false};
             for (std::size_t v = first; v < std::min(first + 3, target.variants.size()); ++v)

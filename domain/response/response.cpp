@@ -11,14 +11,6 @@
 
 namespace rough {
 
-namespace {
-
-Response from_curve(const ContactCurve& curve, double range) {
-    return response_of(curve.steps, curve.solver, range);
-}
-
-} // namespace
-
 Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range) {
     const auto count = static_cast<Index>(steps.size());
     Response response{range, {}, {}, {}, {}, {}, solver};
@@ -133,8 +125,9 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
 Response respond(const Profile& profile, const Body& body, const Loading& loading,
                  const ContactOptions& options) {
     const double range = displacement_range(profile, body.kernel);
-    return from_curve(
-        solve_contact(profile, body, step_displacements(profile, body, loading, options), options), range);
+    const ContactCurve curve =
+        solve_contact(profile, body, step_displacements(profile, body, loading, options), options);
+    return response_of(curve.steps, curve.solver, range);
 }
 
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
@@ -186,7 +179,9 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
                 smooth.by_displacement[j] * (static_cast<double>(j + 1) / loading.steps) * d_last;
         area = {std::move(smooth.fraction), std::move(smooth.by_height)};
     }
-    return {from_curve(curve, range), {std::move(d_pressure), std::move(d_last)}, std::move(area)};
+    return {response_of(curve.steps, curve.solver, range),
+            {std::move(d_pressure), std::move(d_last)},
+            std::move(area)};
 }
 
 Response scaled(Response response, double factor) {

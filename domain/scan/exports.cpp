@@ -2,9 +2,9 @@
 
 #include "domain/errors.hpp"
 #include "domain/scan/cells.hpp"
+#include "domain/scan/lines.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace rough {
@@ -26,8 +26,7 @@ class Reader {
     [[noreturn]] void refuse(const std::string& expected) const {
         if (done())
             throw InputError(file_ + ": ends early, expected " + expected);
-        throw InputError(file_ + ", line " + std::to_string(line()) + ": '" + text_.substr(0, 60) +
-                         "', expected " + expected);
+        throw InputError(at(file_, line()) + ": '" + text_.substr(0, 60) + "', expected " + expected);
     }
     double positive(std::string_view word, const std::string& what) const {
         const auto value = number(word, Dialect{});

@@ -1,6 +1,7 @@
 #include "domain/scan/header.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/scan/lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +9,6 @@
 
 namespace rough {
 namespace {
-
-std::string at(const std::string& file, int line) { return file + ", line " + std::to_string(line); }
 
 struct Entry {
     std::string key; ///< lower case, without blanks, '-', '_' and '.'

@@ -103,6 +103,8 @@ std::string kind_of(const std::string& bytes) {
 
 } // namespace
 
+std::string at(const std::string& file, int line) { return file + ", line " + std::to_string(line); }
+
 std::vector<std::string> text_lines(const std::string& bytes, const std::string& file) {
     std::string text = to_utf8(bytes);
     if (text.starts_with("ISO 5436")) // softgauges end their fields with it

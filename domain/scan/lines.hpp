@@ -10,4 +10,7 @@ namespace rough {
 /// CR. The typographic minus becomes '-' and the no-break space ' '. Throws InputError on binary content.
 std::vector<std::string> text_lines(const std::string& bytes, const std::string& file);
 
+/// Where a message finds fault: "scan.txt, line 7".
+std::string at(const std::string& file, int line);
+
 } // namespace rough

@@ -1,6 +1,7 @@
 #include "domain/scan/points.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/scan/lines.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,7 @@ namespace rough {
 void refuse_missing(const Points& points, const std::string& file) {
     for (std::size_t i = 0; i < points.size(); ++i)
         if (std::isnan(points.x[i]) || std::isnan(points.heights[i]))
-            throw InputError(file + ", line " + std::to_string(points.line[i]) +
-                             ": a missing value, expected " +
+            throw InputError(at(file, points.line[i]) + ": a missing value, expected " +
                              (std::isnan(points.x[i]) ? "an x" : "a height") + " (--fill interpolates)");
 }
 

@@ -24,8 +24,6 @@ struct Account {
     void say(const std::string& part) { text += (text.empty() ? "" : "; ") + part; }
 };
 
-std::string at(const std::string& file, int line) { return file + ", line " + std::to_string(line); }
-
 std::string short_number(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", value);

@@ -1,6 +1,7 @@
 #include "domain/scan/table.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/scan/lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +12,6 @@ namespace rough {
 namespace {
 
 constexpr std::size_t most_rows = 10'000'000;
-
-std::string at(const std::string& file, int line) { return file + ", line " + std::to_string(line); }
 
 /// A line of blanks, or of a spreadsheet's empty cells.
 bool empty_line(std::string_view line) {
