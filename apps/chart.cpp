@@ -10,7 +10,6 @@
 #include "apps/settings.hpp"
 #include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
-#include "domain/errors.hpp"
 
 #include <chrono>
 

@@ -6,7 +6,6 @@
 #include "ga/errors.hpp"
 #include "ga/text/nearest.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>

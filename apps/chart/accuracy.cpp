@@ -4,8 +4,6 @@
 #include "apps/chart/words.hpp"
 #include "apps/statistics.hpp"
 
-#include <algorithm>
-
 namespace app {
 
 namespace {

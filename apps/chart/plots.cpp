@@ -5,7 +5,6 @@
 #include "apps/model_settings.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace app {
 

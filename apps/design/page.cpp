@@ -6,7 +6,6 @@
 #include "apps/units.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 namespace app {

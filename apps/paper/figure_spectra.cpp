@@ -3,7 +3,6 @@
 #include "domain/mwm/sampling.hpp"
 #include "domain/spectrum.hpp"
 
-#include <cmath>
 #include <numbers>
 
 namespace app {

@@ -1,7 +1,6 @@
 #include "apps/paper/lookup.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace app {
 

@@ -3,7 +3,6 @@
 #include <boost/property_tree/xml_parser.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <set>

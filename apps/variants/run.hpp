@@ -3,7 +3,6 @@
 #include "apps/variant_run.hpp"
 #include "domain/design/search.hpp"
 
-#include <map>
 #include <string>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #include "domain/errors.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstdio>
 

@@ -1,7 +1,6 @@
 #include "domain/database/starts.hpp"
 
 #include "domain/database/screen.hpp"
-#include "domain/errors.hpp"
 
 namespace rough {
 

@@ -4,7 +4,6 @@
 #include "domain/errors.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace rough {
 namespace {

@@ -1,6 +1,5 @@
 #include "domain/design/out_of_reach.hpp"
 
-#include <limits>
 #include <sstream>
 
 namespace rough {

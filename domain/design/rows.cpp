@@ -3,7 +3,6 @@
 #include "domain/design/loadings.hpp"
 #include "domain/response/sensitivity.hpp"
 
-#include <algorithm>
 #include <numeric>
 
 namespace rough {

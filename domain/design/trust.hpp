@@ -1,7 +1,6 @@
 #pragma once
 
 #include "domain/design/problem.hpp"
-#include "ga/random.hpp"
 
 #include <limits>
 

@@ -8,7 +8,6 @@
 #include "domain/response/sensitivity.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <sstream>

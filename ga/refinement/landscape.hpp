@@ -2,7 +2,6 @@
 
 #include "ga/problem.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <optional>
 

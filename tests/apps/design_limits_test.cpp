@@ -1,4 +1,3 @@
-#include "domain/atomic_file.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/mwm/waves.hpp"

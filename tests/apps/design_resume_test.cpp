@@ -1,4 +1,3 @@
-#include "domain/atomic_file.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 

@@ -13,7 +13,6 @@
 #include <cstdio>
 #include <functional>
 #include <random>
-#include <string>
 
 using namespace rough;
 using rough::testing::processor_seconds;

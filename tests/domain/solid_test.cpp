@@ -1,4 +1,3 @@
-#include "domain/errors.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/solid.hpp"
 #include "tests/domain/random_genome.hpp"

@@ -1,7 +1,6 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/design/target_dominance.hpp"
-#include "domain/errors.hpp"
 #include "ga/pareto/ranking.hpp"
 #include "tests/domain/random_genome.hpp"
 

@@ -4,8 +4,6 @@
 #include "domain/fractal.hpp"
 #include "tests/domain/random_genome.hpp"
 
-#include <numbers>
-
 /// Twenty targets of stiffness: what unseen surfaces of several kinds answer, and formulas.
 namespace suite {
 

@@ -1,4 +1,3 @@
-#include "domain/errors.hpp"
 #include "domain/fitness/dominance.hpp"
 #include "domain/fitness/rescaled_problem.hpp"
 #include "domain/mwm/database.hpp"
