@@ -5,8 +5,6 @@
 #include "domain/contact/datum.hpp"
 #include "domain/mwm/genome_json.hpp"
 
-#include <cmath>
-
 namespace app {
 
 using nlohmann::json;
@@ -31,10 +29,7 @@ json variant_json(const VariantRun& variant, const std::vector<rough::Model>& lo
     for (const StageRecord& stage : variant.stages) {
         json candidates = json::array();
         for (const Candidate& one : stage.candidates)
-            candidates.push_back(
-                {{"id", one.id},
-                 {"parents", one.parents},
-                 {"similarity", std::isnan(one.similarity) ? json() : json(one.similarity)}});
+            candidates.push_back({{"id", one.id}, {"parents", one.parents}, {"similarity", one.similarity}});
         stages.push_back({{"path", stage.path}, {"candidates", std::move(candidates)}});
     }
     json result = {{"similarity", variant.similarity},

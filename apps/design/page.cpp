@@ -32,9 +32,6 @@ Shown shown_as(const rough::Goal& goal) {
     }
 }
 
-constexpr Colour colours[] = {Colour::blue,   Colour::orange, Colour::green,
-                              Colour::purple, Colour::sky,    Colour::red};
-
 Plot goal_plot(const DesignRun& run, std::size_t g) {
     const rough::Goal& goal = run.setup.goals[g];
     const Shown shown = shown_as(goal);
@@ -129,12 +126,12 @@ Plot profile_plot(const DesignRun& run) {
     }
     const Unit unit = length_unit(largest);
     plot.y = {"Height under the highest point (" + unit.name + ")"};
-    for (std::size_t i = 0; i < all.size() && i < std::size(colours); ++i)
+    for (std::size_t i = 0; i < all.size() && i < line_colours.size(); ++i)
         plot.series.push_back(
             {"answer " + std::to_string(i + 1),
              Eigen::VectorXd::LinSpaced(
                  all[i].size(), 0, run.setup.model.grid.spacing() * static_cast<double>(all[i].size() - 1)),
-             unit.factor * all[i], colours[i], Style::line, i == 0 ? 2 : 1.2});
+             unit.factor * all[i], line_colours[i], Style::line, i == 0 ? 2 : 1.2});
     return plot;
 }
 

@@ -35,8 +35,4 @@ struct DesignRun {
     std::string version, command;
 };
 
-/// What is said of the search in one line: found, out of reach of every profile, or not found within the
-/// budget.
-std::string verdict_of(const DesignRun& run);
-
 } // namespace app
