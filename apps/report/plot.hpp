@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <limits>
 #include <string>
 #include <utility>
@@ -24,6 +25,10 @@ enum class Style { line, points, line_points, steps, bars };
 /// eight colours of Okabe and Ito's set that people who see colours differently can tell apart, as the page
 /// shows them.
 enum class Colour { text, faint, blue, orange, green, purple, sky, red };
+
+/// For series without a meaning of their own, in the order in which they are told apart best.
+constexpr std::array<Colour, 6> line_colours{Colour::blue,   Colour::orange, Colour::green,
+                                             Colour::purple, Colour::sky,    Colour::red};
 
 enum class Dash { solid, dashed, dotted };
 

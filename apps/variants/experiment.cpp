@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace app {
 
@@ -38,6 +39,13 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
     return targets;
 }
 
+/// An individual's similarity, where it was found.
+std::optional<double> similarity_of(const ga::Individual<rough::Genome>& individual) {
+    static const ga::Name similarity("similarity");
+    const ga::Fitness& fitness = individual.fitness;
+    return fitness.known(similarity) && !fitness.has_failed() ? std::optional(fitness.value()) : std::nullopt;
+}
+
 /// Counts children of two parents whose similarity is known, and how many are better than both, as they come.
 class ParentsWatch {
   public:
@@ -45,19 +53,19 @@ class ParentsWatch {
 
     void operator()(const ga::Event<rough::Genome>& event) {
         for (const auto& individual : event.population) {
-            if (!individual.fitness.known() || individual.fitness.has_failed() ||
-                individual.fitness.objective() != "similarity")
+            const auto similarity = similarity_of(individual);
+            if (!similarity)
                 continue;
-            const bool fresh = similarity_.emplace(individual.identity, individual.value()).second;
+            const bool fresh = similarity_.emplace(individual.identity, *similarity).second;
             if (fresh && individual.parents.size() == 2) {
                 const auto first = similarity_.find(*individual.parents.begin()),
                            second = similarity_.find(*(individual.parents.begin() + 1));
                 if (first != similarity_.end() && second != similarity_.end()) {
                     ++run_.crossed;
-                    run_.better += individual.value() > std::max(first->second, second->second);
+                    run_.better += *similarity > std::max(first->second, second->second);
                 }
             }
-            similarity_[individual.identity] = individual.value();
+            similarity_[individual.identity] = *similarity;
         }
     }
 
@@ -72,9 +80,7 @@ RaceRun run_once(const RaceTarget& target, const rough::SearchOptions& options) 
     ParentsWatch parents(run);
     const auto watch = [&](const ga::Event<rough::Genome>& event) {
         for (const auto& individual : event.population)
-            if (individual.fitness.known() && !individual.fitness.has_failed() &&
-                individual.fitness.objective() == "similarity")
-                best = std::max(best, individual.value());
+            best = std::max(best, similarity_of(individual).value_or(-HUGE_VAL));
         if (std::isfinite(best))
             run.history.push_back({event.counters.asked, event.seconds, best});
         parents(event);

@@ -16,10 +16,8 @@ struct Look {
 };
 
 Look look_of(std::size_t i) {
-    constexpr Colour colours[] = {Colour::blue,   Colour::orange, Colour::green,
-                                  Colour::purple, Colour::sky,    Colour::red};
-    constexpr Dash dashes[] = {Dash::solid, Dash::dashed};
-    return {colours[i % 6], dashes[(i / 6) % 2]};
+    return {line_colours[i % line_colours.size()],
+            i / line_colours.size() % 2 == 0 ? Dash::solid : Dash::dashed};
 }
 
 /// How far the best is from the target in the median, against what was spent.
