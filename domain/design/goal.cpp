@@ -19,10 +19,54 @@ constexpr const char* expected_columns = "expected pressure_MPa with stiffness_M
                                          "or conductance, or displacement_mm with "
                                          "contact_fraction or pressure_MPa; optionally lower and upper";
 
-/// The column's place in the header, or -1.
-int place_of(const std::vector<std::string>& header, const std::string& name) {
-    const auto found = std::find(header.begin(), header.end(), name);
-    return found == header.end() ? -1 : static_cast<int>(found - header.begin());
+/// What stands in a target file.
+struct Cells {
+    std::map<std::string, std::string> recorded; ///< by its "# key: value" lines
+    std::vector<std::string> header;
+    std::vector<std::vector<double>> rows; ///< as wide as the header
+
+    /// The column's place in the header, or -1.
+    int place_of(const std::string& name) const {
+        const auto found = std::find(header.begin(), header.end(), name);
+        return found == header.end() ? -1 : static_cast<int>(found - header.begin());
+    }
+    Eigen::VectorXd column(int place, double factor) const {
+        Eigen::VectorXd values(static_cast<Index>(rows.size()));
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            values[static_cast<Index>(k)] = factor * rows[k][static_cast<std::size_t>(place)];
+        return values;
+    }
+};
+
+Cells read_cells(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    if (!in || std::filesystem::is_directory(file))
+        throw InputError(file.string() + ": cannot be read, expected a target (CSV)");
+    Cells table;
+    int number = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        line = trim(line);
+        const std::string where = file.string() + ":" + std::to_string(number);
+        if (line.empty())
+            continue;
+        if (line[0] == '#') {
+            const auto colon = line.find(':');
+            if (colon != std::string::npos)
+                table.recorded[std::string(trim(line.substr(1, colon - 1)))] = trim(line.substr(colon + 1));
+        } else if (table.header.empty()) {
+            table.header = listed(line);
+        } else {
+            const auto cells = listed(line);
+            if (cells.size() != table.header.size())
+                throw InputError(where + ": \"" + line + "\" given, expected " +
+                                 std::to_string(table.header.size()) + " numbers with commas between");
+            table.rows.emplace_back();
+            for (const std::string& cell : cells)
+                table.rows.back().push_back(number_from(cell, where));
+        }
+    }
+    return table;
 }
 
 } // namespace
@@ -69,73 +113,41 @@ void validate(const Goal& goal) {
 }
 
 Goal read_goal(const std::filesystem::path& file, double conductance_to_stiffness) {
-    std::ifstream in(file);
-    if (!in || std::filesystem::is_directory(file))
-        throw InputError(file.string() + ": cannot be read, expected a target (CSV)");
+    const Cells cells = read_cells(file);
     Goal goal;
     goal.name = file.string();
-    std::vector<std::string> header;
-    std::vector<std::vector<double>> rows;
-    int number = 0;
-    for (std::string line; std::getline(in, line);) {
-        ++number;
-        line = trim(line);
-        const std::string where = file.string() + ":" + std::to_string(number);
-        if (line.empty())
-            continue;
-        if (line[0] == '#') {
-            const auto colon = line.find(':');
-            if (colon != std::string::npos)
-                goal.recorded[std::string(trim(line.substr(1, colon - 1)))] = trim(line.substr(colon + 1));
-        } else if (header.empty()) {
-            header = listed(line);
-        } else {
-            const auto cells = listed(line);
-            if (cells.size() != header.size())
-                throw InputError(where + ": \"" + line + "\" given, expected " +
-                                 std::to_string(header.size()) + " numbers with commas between");
-            rows.emplace_back();
-            for (const std::string& cell : cells)
-                rows.back().push_back(number_from(cell, where));
-        }
-    }
+    goal.recorded = cells.recorded;
     int x = -1, y = -1;
     double factor = 1;
     for (const Quantity quantity : quantities) {
         const Columns columns = columns_of(quantity);
-        if (place_of(header, columns.x) >= 0 && place_of(header, columns.y) >= 0) {
+        if (cells.place_of(columns.x) >= 0 && cells.place_of(columns.y) >= 0) {
             if (y >= 0)
                 throw InputError(file.string() + ":1: more than one curve given, expected one a file");
-            goal.quantity = quantity, x = place_of(header, columns.x), y = place_of(header, columns.y);
+            goal.quantity = quantity, x = cells.place_of(columns.x), y = cells.place_of(columns.y);
         }
     }
-    if (y < 0 && place_of(header, "pressure_MPa") >= 0 && place_of(header, "conductance") >= 0) {
+    if (y < 0 && cells.place_of("pressure_MPa") >= 0 && cells.place_of("conductance") >= 0) {
         if (!(conductance_to_stiffness > 0))
             throw InputError(file.string() +
                              ": a conductance is given, expected --resistivity with it: C = 2 "
                              "K/(E* resistivity)");
-        x = place_of(header, "pressure_MPa"), y = place_of(header, "conductance");
+        x = cells.place_of("pressure_MPa"), y = cells.place_of("conductance");
         factor = conductance_to_stiffness;
     }
-    const int lower = place_of(header, "lower"), upper = place_of(header, "upper");
+    const int lower = cells.place_of("lower"), upper = cells.place_of("upper");
     const std::size_t known = (x >= 0) + (y >= 0) + (lower >= 0) + (upper >= 0);
-    if (x < 0 || y < 0 || known != header.size() || (lower >= 0) != (upper >= 0)) {
+    if (x < 0 || y < 0 || known != cells.header.size() || (lower >= 0) != (upper >= 0)) {
         std::string given;
-        for (const auto& name : header)
+        for (const auto& name : cells.header)
             given += (given.empty() ? "" : ",") + name;
         throw InputError(file.string() + ": columns \"" + given + "\" given, " + expected_columns);
     }
-    const auto column = [&](int place, double scale) {
-        Eigen::VectorXd values(static_cast<Index>(rows.size()));
-        for (std::size_t k = 0; k < rows.size(); ++k)
-            values[static_cast<Index>(k)] = scale * rows[k][static_cast<std::size_t>(place)];
-        return values;
-    };
-    goal.x = column(x, 1);
-    goal.y = column(y, factor);
+    goal.x = cells.column(x, 1);
+    goal.y = cells.column(y, factor);
     if (lower >= 0) {
-        goal.lower = column(lower, factor);
-        goal.upper = column(upper, factor);
+        goal.lower = cells.column(lower, factor);
+        goal.upper = cells.column(upper, factor);
     }
     validate(goal);
     return goal;

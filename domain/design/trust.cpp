@@ -29,14 +29,6 @@ DesignSetup in_final_amplitude(const DesignSetup& setup) {
     return final;
 }
 
-double or_unknown(const std::function<double()>& similarity) {
-    try {
-        return similarity();
-    } catch (const std::exception&) {
-        return unknown;
-    }
-}
-
 double quantile(std::vector<double> values, double part) {
     std::erase_if(values, [](double value) { return std::isnan(value); });
     if (values.empty())
@@ -97,6 +89,81 @@ void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOp
         flag("contact reaches the profile's ends, where a real surface would go on");
 }
 
+/// One question, asked of what it refers to; NaN where it has no answer.
+struct Job {
+    std::string name;
+    std::function<double()> similarity;
+
+    double answer() const {
+        try {
+            return similarity();
+        } catch (const std::exception&) {
+            return unknown;
+        }
+    }
+};
+
+Job under(const DesignSetup& setup, const Genome& genome, const std::string& name, const Model& model) {
+    return {name, [&setup, &genome, model] { return similarity(setup, respond(setup, genome, model)); }};
+}
+
+std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const TrustOptions& options) {
+    std::vector<Job> jobs{under(setup, genome, "as designed", setup.model)};
+    for (const Index finer : {2, 4})
+        jobs.push_back(
+            under(setup, genome, std::to_string(finer) + " times the nodes", refined(setup.model, finer)));
+    Model steps = setup.model;
+    steps.loading.steps *= 4;
+    jobs.push_back(under(setup, genome, "4 times the load steps", steps));
+    if (setup.model.body.kernel == Kernel::free) {
+        DesignSetup far = in_final_amplitude(setup);
+        far.goals = with_datum(setup.goals, setup.model, 4);
+        far.model.body.datum *= 4;
+        if (!far.goals.empty())
+            jobs.push_back({"4 times the datum, the target moved with it",
+                            [far, &genome] { return similarity(far, respond(far, genome, far.model)); }});
+    }
+    if (options.noise > 0)
+        for (int draw = 0; draw < options.noise_draws; ++draw)
+            jobs.push_back({"height noise, draw " + std::to_string(draw + 1), [&, draw] {
+                                ga::Stream random(ga::fold(ga::fold(options.seed, "height noise"),
+                                                           static_cast<std::uint64_t>(draw)));
+                                Profile noisy = sample(genome, setup.model.grid);
+                                for (double& z : noisy.heights)
+                                    z += options.noise * random.normal();
+                                const DesignSetup final = in_final_amplitude(setup);
+                                return similarity(final, respond(final, noisy, final.model));
+                            }});
+    return jobs;
+}
+
+std::vector<Job> kernels_of(const DesignSetup& setup, const Genome& genome) {
+    std::vector<Job> jobs;
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
+        if (kernel != setup.model.body.kernel)
+            jobs.push_back(under(setup, genome, name_of(kernel), with_kernel(setup.model, kernel)));
+    return jobs;
+}
+
+/// Of the same spectrum: a ridge's amplitude stays, its place moves.
+std::vector<Job> redrawn_phases(const DesignSetup& setup, const Genome& genome, const TrustOptions& options) {
+    std::vector<Job> jobs;
+    for (int draw = 0; draw < options.phase_draws; ++draw)
+        jobs.push_back({"", [&, draw] {
+                            ga::Stream random(
+                                ga::fold(ga::fold(options.seed, "phases"), static_cast<std::uint64_t>(draw)));
+                            Genome redrawn = genome;
+                            for (Series& series : redrawn.series)
+                                for (Chromosome& chromosome : series.chromosomes) {
+                                    const double turn = random.uniform(0, 2 * std::numbers::pi);
+                                    for (double& phase : chromosome.phases)
+                                        phase += turn;
+                                }
+                            return similarity(setup, with_fitting_amplitude(setup, redrawn));
+                        }});
+    return jobs;
+}
+
 } // namespace
 
 std::vector<Goal> with_datum(const std::vector<Goal>& goals, const Model& model, double factor) {
@@ -125,65 +192,25 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
     DesignSetup setup = given;
     if (std::isfinite(options.seconds))
         setup.model.contact.stop = late;
-    std::vector<std::pair<std::string, std::function<double()>>> jobs;
-    const auto under = [&](const Model& model) {
-        return [&setup, &genome, model] { return similarity(setup, respond(setup, genome, model)); };
-    };
-    jobs.emplace_back("as designed", under(setup.model));
-    for (const Index finer : {2, 4})
-        jobs.emplace_back(std::to_string(finer) + " times the nodes", under(refined(setup.model, finer)));
-    Model steps = setup.model;
-    steps.loading.steps *= 4;
-    jobs.emplace_back("4 times the load steps", under(steps));
-    if (setup.model.body.kernel == Kernel::free) {
-        DesignSetup far = in_final_amplitude(setup);
-        far.goals = with_datum(setup.goals, setup.model, 4);
-        far.model.body.datum *= 4;
-        if (!far.goals.empty())
-            jobs.emplace_back("4 times the datum, the target moved with it",
-                              [far, &genome] { return similarity(far, respond(far, genome, far.model)); });
-    }
-    if (options.noise > 0)
-        for (int draw = 0; draw < options.noise_draws; ++draw)
-            jobs.emplace_back("height noise, draw " + std::to_string(draw + 1), [&, draw] {
-                ga::Stream random(
-                    ga::fold(ga::fold(options.seed, "height noise"), static_cast<std::uint64_t>(draw)));
-                Profile noisy = sample(genome, setup.model.grid);
-                for (double& z : noisy.heights)
-                    z += options.noise * random.normal();
-                const DesignSetup final = in_final_amplitude(setup);
-                return similarity(final, respond(final, noisy, final.model));
-            });
+    std::vector<Job> jobs = checks_of(setup, genome, options);
     const std::size_t checks = jobs.size();
-    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
-        if (kernel != setup.model.body.kernel)
-            jobs.emplace_back(name_of(kernel), under(with_kernel(setup.model, kernel)));
+    for (Job& job : kernels_of(setup, genome))
+        jobs.push_back(std::move(job));
     const std::size_t kernels = jobs.size();
-    for (int draw = 0; draw < options.phase_draws; ++draw)
-        jobs.emplace_back("", [&, draw] {
-            ga::Stream random(ga::fold(ga::fold(options.seed, "phases"), static_cast<std::uint64_t>(draw)));
-            Genome redrawn = genome;
-            for (Series& series : redrawn.series)
-                for (Chromosome& chromosome :
-                     series.chromosomes) { // the ridge's amplitude stays, its place moves
-                    const double turn = random.uniform(0, 2 * std::numbers::pi);
-                    for (double& phase : chromosome.phases)
-                        phase += turn;
-                }
-            return similarity(setup, with_fitting_amplitude(setup, redrawn));
-        });
+    for (Job& job : redrawn_phases(setup, genome, options))
+        jobs.push_back(std::move(job));
     std::vector<double> values(jobs.size(), unknown);
     std::vector<char> done(jobs.size(), 0);
     ga::parallel_for(jobs.size(), ga::thread_count(options.threads), [&](std::size_t i) {
-        values[i] = or_unknown(jobs[i].second);
+        values[i] = jobs[i].answer();
         done[i] = std::isfinite(values[i]) || !late();
     });
     std::vector<double> checked, redrawn;
     for (std::size_t i = 0; i < kernels; ++i)
         if (!done[i])
-            trust.left_out.push_back(jobs[i].first);
+            trust.left_out.push_back(jobs[i].name);
         else
-            (i < checks ? trust.checks : trust.kernels).push_back({jobs[i].first, values[i]});
+            (i < checks ? trust.checks : trust.kernels).push_back({jobs[i].name, values[i]});
     for (const Check& check : trust.checks)
         checked.push_back(check.similarity);
     for (std::size_t i = kernels; i < jobs.size(); ++i)
