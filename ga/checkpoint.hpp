@@ -105,8 +105,8 @@ class Checkpoints : public Keeper<P> {
     using Outcome = typename P::Outcome; ///< kept where it converts to json
 
     /// @param file         where the run is kept
-    /// @param description  whatever else decides the result (the problem's settings); a file with another is
-    /// refused
+    /// @param description  whatever else decides the result (the problem's settings); a file with another
+    ///                     is refused
     /// @param resume       go on from the file if there is one; otherwise it is replaced
     /// @param interval     seconds between two writes
     Checkpoints(std::filesystem::path file, std::string description, bool resume, double interval = 1)

@@ -21,9 +21,9 @@ struct Step {
 ///     std::string text() const;                                  as it is written in a text pipeline
 ///     void check(Known&) const;                                  what it needs and makes known
 ///     Population operator()(Population, Context<P>&) const;      a template over the problem P, constrained
-///     by what it uses
-/// deriving from this tag, which gives it `|`. One that reads the start of its generation says how much of it
-/// by
+///                                                                by what it uses
+/// deriving from this tag, which gives it `|`. One that reads the start of its generation says how much of
+/// it by
 ///     std::size_t reads_of_start() const;                        the best so many; everyone for all
 /// One that keeps a part of a scored population, whatever the others' fitness, says which by
 ///     Demand demand() const;

@@ -82,8 +82,7 @@ std::string words_of_crossing(const ChartData& data) {
 
 std::string words_of_nested_and_active_set(const ChartData& data) {
     return "<b>nested</b> gives the exact solution of the grid, with every step's tangent. Its factor takes "
-           "4 "
-           "bytes for each pair of contact nodes, and its cost is that of contact: take it where few nodes "
+           "4 bytes for each pair of contact nodes, and its cost is that of contact: take it where few nodes "
            "touch, or on coarse grids. <b>active-set</b> needs no factor and keeps to its tolerance: take it "
            "where many nodes touch on a fine grid." +
            words_of_crossing(data);

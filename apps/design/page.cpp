@@ -193,8 +193,7 @@ void add_front(Page& page, const DesignRun& run) {
 void add_alternatives(Page& page, const DesignRun& run) {
     page.section("Different answers");
     page.prose("How much two profiles differ is 1 less the correlation coefficient of their heights, the "
-               "better one of "
-               "as they are and one of them mirrored; answers that differ by " +
+               "better one of as they are and one of them mirrored; answers that differ by " +
                readable(rough::different) + " or more are listed.");
     Figure surfaces{"profiles",
                     "Figure " + std::to_string(run.setup.goals.size() + 1) + ". The surfaces.",

@@ -30,9 +30,9 @@ Figure ridges_figure(const std::vector<RidgeCount>& counts) {
     for (std::size_t i = 0; i < counts.size(); ++i)
         ridges[static_cast<Eigen::Index>(i)] = counts[i].ridges;
     Plot plot;
-    plot.alt = "Share of random phase sets that satisfy Equation 10 against the number of ridges: all of "
-               "them as the "
-               "formula is printed, about nine in ten with a pair left out, and half for Equation 8's arccos";
+    plot.alt =
+        "Share of random phase sets that satisfy Equation 10 against the number of ridges: all of them as "
+        "the formula is printed, about nine in ten with a pair left out, and half for Equation 8's arccos";
     plot.x = {"Number of ridges M", true, 2, 1100};
     plot.y = {"Share of phase sets (%)", false, 40, 102};
     plot.series = {

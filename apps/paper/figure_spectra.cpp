@@ -57,8 +57,7 @@ Figure spectra_figure(const PaperRun& run) {
     Figure figure{"figure-11",
                   "Figure 11. What the surfaces are made of.",
                   "Discrete spectrum (the power of each cosine, exact) and continuous power spectral density "
-                  "(FFT of the "
-                  "sampled heights under a Hann window) of the three answers.",
+                  "(FFT of the sampled heights under a Hann window) of the three answers.",
                   {}};
     for (const TargetRun& target : run.targets) {
         figure.panels.push_back(lines_plot(run, target));

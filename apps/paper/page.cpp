@@ -94,9 +94,8 @@ void add_runs(Page& page, const PaperRun& run) {
     page.section("The runs");
     page.prose(
         "Similarity is 1 − the largest relative misfit over the target's points (Eq. 12). The fine grid has "
-        "four "
-        "elements for each of the run's: an answer that is good on one grid only is tuned to that grid. The "
-        "minimax forms are the same algorithms with all points of the target seen by GCMMA at once.");
+        "four elements for each of the run's: an answer that is good on one grid only is tuned to that grid. "
+        "The minimax forms are the same algorithms with all points of the target seen by GCMMA at once.");
     for (const TargetRun& target : run.targets)
         page.table(runs_table(target));
     page.figure(convergence_figure(run));
@@ -122,10 +121,8 @@ std::string paper_page(const PaperRun& run) {
     const std::vector<Claim> claims = paper_claims(run, studies);
     Page page("Rough surfaces that press back as asked",
               "Three genetic algorithms design the profile of a rough surface so that its contact stiffness "
-              "follows a "
-              "target. This page repeats the experiment of Cinat, Gnecco and Paggi (2020) and sets every "
-              "claim of the "
-              "paper beside what was measured here.");
+              "follows a target. This page repeats the experiment of Cinat, Gnecco and Paggi (2020) and sets "
+              "every claim of the paper beside what was measured here.");
     add_glance(page, run, claims);
     page.section("The answers");
     page.figure(answers_figure(run));

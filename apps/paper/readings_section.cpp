@@ -85,8 +85,7 @@ void add_readings(Page& page, const PaperRun& run, const Readings& readings) {
         {"Target",
          "The paper's is not published; one is drawn in its spirit (the smoothed median of the database).",
          "The held-out one is the curve of a genome outside the database, so that a perfect answer exists. "
-         "Every "
-         "figure shows both."});
+         "Every figure shows both."});
     table.rows.push_back(
         {"Shortest wave", "The grid's spacing (Eq. 4).",
          "Waves under eight nodes are poorly resolved: see “on the fine grid” in the runs."});

@@ -89,17 +89,13 @@ std::string summary_of(const std::vector<StabilityCell>& cells) {
 std::string stability_page(const std::vector<StabilityCell>& cells) {
     Page page("Where contact methods fail",
               "Every solver on scenes made to break it. A result counts as solved only where it carries its "
-              "certificate "
-              "and a second opinion agrees; otherwise the program says so and gives no curve.");
+              "certificate and a second opinion agrees; otherwise the program says so and gives no curve.");
     page.prose(summary_of(cells) + ".");
     page.table(by_method(cells));
     page.prose("On up to 256 nodes the second opinion is an oracle in extended precision that shares no code "
-               "with the "
-               "solvers; direct methods are held to 1e-9 and iterative ones to ten times their tolerance of "
-               "1e-6, in "
-               "pressure and tangent stiffness, and to its number of contact nodes. On larger grids the "
-               "direct and the "
-               "iterative method judge each other. A cell ends after 30 s.");
+               "with the solvers; direct methods are held to 1e-9 and iterative ones to ten times their "
+               "tolerance of 1e-6, in pressure and tangent stiffness, and to its number of contact nodes. On "
+               "larger grids the direct and the iterative method judge each other. A cell ends after 30 s.");
     page.section("Scene by scene");
     page.table(by_scene(cells));
     if (const Table said = complaints(cells); !said.rows.empty()) {

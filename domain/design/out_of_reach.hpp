@@ -15,9 +15,8 @@ struct OutOfReach {
 };
 
 /// Exact tests, without a search, of each goal on its own:
-/// - contact sets are nested, so K(P) and contact fractions never fall: a rising curve misses two points y_i
-/// >
-///   y_j, i < j, by (y_i - y_j)/(y_i + y_j) at least;
+/// - contact sets are nested, so K(P) and contact fractions never fall: a rising curve misses two points,
+///   y_i above y_j with i < j, by (y_i - y_j)/(y_i + y_j) at least;
 /// - K is at most that of full contact and at least that of one node on the grid (for secants and what lies
 ///   between them, too);
 /// - P(Delta) is convex from (0, 0) on, for the same reason, and no steeper than full contact.

@@ -73,10 +73,8 @@ const ga::Variants& design_variants() {
          "score | elite 2 } | best 1"},
         // The paper's algorithms (Algorithms 3-5).
         {"sog", "score | best 3 | refine gcmma 5 genes=dominant | refine gcmma 2 genes=others | best 1"},
-        {"gco",
-         "pair(score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, unite) | fit | score "
-         "| best 3 "
-         "| refine gcmma 3 genes=dominant | refine gcmma 2 genes=others | best 1"},
+        {"gco", "pair(score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, unite) | fit | "
+                "score | best 3 | refine gcmma 3 genes=dominant | refine gcmma 2 genes=others | best 1"},
         {"cco",
          "pair(score low | above 0.95 at_least=3 | reduce dominant, score high | above 0.95 at_least=3 | "
          "reduce dominant, unite) | fit | score | best 3 | refine gcmma 3 genes=phases | best 1"},
@@ -86,12 +84,10 @@ const ga::Variants& design_variants() {
          "reduce goal2, unite) | fit | score | best 3 | refine gcmma 3 genes=macro | refine gcmma 3 "
          "genes=micro | best 1"},
         // What two targets cost each other: NSGA-II whose ends and children are refined.
-        {"nsga2",
-         "shape 40 | score | best 20 | repeat 1 { score goal1 | refine lm 15 | parents } | repeat 1 { score "
-         "goal2 | refine lm 15 | parents } | pareto goal1 goal2 | best 40 | repeat 15 { tournament 2 | cross "
-         "uniform rate=0.8 | mutate 0.05 gaussian 0.02 | score | refine lm 5 | parents | pareto goal1 goal2 "
-         "| "
-         "best 40 } | front"},
+        {"nsga2", "shape 40 | score | best 20 | repeat 1 { score goal1 | refine lm 15 | parents } | repeat 1 "
+                  "{ score goal2 | refine lm 15 | parents } | pareto goal1 goal2 | best 40 | repeat 15 { "
+                  "tournament 2 | cross uniform rate=0.8 | mutate 0.05 gaussian 0.02 | score | refine lm 5 | "
+                  "parents | pareto goal1 goal2 | best 40 } | front"},
         // Global optimisers of NLopt on every gene of the best start.
         {"esch", "score | best 1 | refine nlopt GN_ESCH 5000"},
         {"crs2", "score | best 1 | refine nlopt GN_CRS2_LM 5000"},

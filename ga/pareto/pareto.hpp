@@ -10,9 +10,9 @@ namespace ga {
 /// is NSGA-II's crowded comparison, so every selection serves; the front is where fitness is 0 or more.
 /// Failed individuals rank last.
 ///
-///     pareto({"f1", "f2"}) | repeat(250, tournament(2) | cross(sbx()) | mutate(0.03, polynomial()) |
-///     parents()
-///                                        | pareto({"f1", "f2"}) | best(100)) | front()
+///     pareto({"f1", "f2"})
+///         | repeat(250, tournament(2) | cross(sbx()) | mutate(0.03, polynomial()) | parents()
+///                           | pareto({"f1", "f2"}) | best(100)) | front()
 struct Pareto : Operator {
     std::vector<std::string> objectives; ///< names, two at least
 

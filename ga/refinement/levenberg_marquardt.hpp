@@ -10,9 +10,9 @@ namespace ga {
 /// and Nielsen's damping (1999). Variables at a bound towards which the descent points stay there; a step is
 /// cut at the box.
 /// @param evaluations  at most, after the start; >= 1
-/// @param sharpen      after this many of them, row k weighs (|r_k| / max|r|)^2 + 0.05, which drives the
-/// squares
-///                     towards the maximum norm; 0 for never
+/// @param sharpen      after this many of them, row k weighs (|r_k| / max|r|)^2 + 0.05, which drives
+///                     the squares towards the maximum norm;
+///                     0 for never
 inline ResidualMethod lm(int evaluations = 30, int sharpen = 0) {
     check_evaluations("lm", evaluations);
     if (sharpen < 0)
