@@ -2,9 +2,19 @@
 
 #include "domain/response/curve.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace app {
+
+/// A member of each row, or what a function says of it.
+template <class Row, class Value>
+std::vector<double> column(const std::vector<Row>& rows, Value value) {
+    std::vector<double> values;
+    for (const Row& row : rows)
+        values.push_back(std::invoke(value, row));
+    return values;
+}
 
 double median(std::vector<double> values);      ///< NaN of none; those that are NaN are left out
 double mean(const std::vector<double>& values); ///< the same

@@ -59,6 +59,8 @@ std::string readable(double value, int digits) {
     return sign + mantissa + " × 10" + superscript(order);
 }
 
+std::string percent(double share, int digits) { return readable(100 * share, digits) + " %"; }
+
 std::string brief(double value, int digits) {
     const std::string text = readable(value, digits);
     const std::size_t end = std::min(text.find(' '), text.size()); // of the number before a power of ten

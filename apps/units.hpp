@@ -19,7 +19,10 @@ Unit length_unit(double largest);
 /// A number in `digits` significant digits, as for reading: "0.954", "1.2 × 10⁻⁷", "–" if it is none.
 std::string readable(double value, int digits = 3);
 
-/// The same without the noughts at its end: "0.95", "30".
+/// A share in percent: 0.954 as "95.4 %".
+std::string percent(double share, int digits = 3);
+
+/// As readable, without the noughts at its end: "0.95", "30".
 std::string brief(double value, int digits = 2);
 
 } // namespace app

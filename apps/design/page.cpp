@@ -154,8 +154,7 @@ void add_answer(Page& page, const DesignRun& run) {
     };
     for (const auto& margin : run.margins)
         limits.rows.push_back({in_words(margin.name), margin.limit > 0 ? readable(margin.limit) : "none",
-                               readable(margin.value),
-                               margin.limit > 0 ? readable(100 * margin.margin()) + " %" : "–"});
+                               readable(margin.value), margin.limit > 0 ? percent(margin.margin()) : "–"});
     page.table(limits);
 }
 

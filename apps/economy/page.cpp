@@ -12,8 +12,6 @@ namespace app {
 
 namespace {
 
-std::string percent(double part) { return readable(100 * part, 3) + " %"; }
-
 /// Medians over the random surfaces, by accuracy.
 Series median_line(const EconomyRun& run, const std::string& label, Colour colour, Dash dash,
                    const std::function<bool(const SavingRow&)>& of,

@@ -96,12 +96,7 @@ double high_exponent(const rough::Spectrum& spectrum) {
     return slope(octaves, powers.tail(half)) - 1; // an octave's power is its density times its width
 }
 
-std::size_t chromosomes(const VariantRun& variant) {
-    std::size_t count = 0;
-    for (const auto& series : variant.answer.genome.series)
-        count += series.chromosomes.size();
-    return count;
-}
+std::size_t chromosomes(const VariantRun& variant) { return waves(variant.answer.genome).size(); }
 
 Claim over_trios(const std::vector<Trio>& trios, Claim claim,
                  const std::function<std::pair<std::string, bool>(const Trio&)>& find) {
@@ -131,7 +126,7 @@ std::vector<Claim> answer_claims(const PaperRun& run) {
                        bool held = true;
                        for (const VariantRun* variant : trio.variants) {
                            words += (words.empty() ? "off by at most " : ", ") +
-                                    readable(100 * (1 - variant->similarity), 2) + " %";
+                                    percent(1 - variant->similarity, 2);
                            held = held && variant->similarity >= 0.95;
                        }
                        return std::pair(words, held);

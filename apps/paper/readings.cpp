@@ -20,18 +20,11 @@ Curve at_pressure(const rough::Response& response, double max_pressure) {
                      max_pressure / response.pressure[response.steps() - 1]); // Eq. 11
 }
 
-std::size_t chromosomes(const Genome& genome) {
-    std::size_t count = 0;
-    for (const auto& series : genome.series)
-        count += series.chromosomes.size();
-    return count;
-}
-
 Reduction reduction_of(const Genome& genome, const Curve& whole, const PaperRun& run,
                        const rough::DominanceRule& rule) {
     const rough::Dominance dominance = rule(genome);
     const Genome kept = reduced(genome, dominance);
-    return {static_cast<double>(chromosomes(kept)) / static_cast<double>(chromosomes(genome)),
+    return {static_cast<double>(waves(kept).size()) / static_cast<double>(waves(genome).size()),
             similarity(whole, at_pressure(respond(kept, run.model), run.max_pressure)), dominance.only_best};
 }
 

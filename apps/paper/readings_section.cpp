@@ -11,13 +11,6 @@ namespace app {
 
 namespace {
 
-std::vector<double> column(const std::vector<Reduction>& rows, double Reduction::*which) {
-    std::vector<double> values;
-    for (const Reduction& row : rows)
-        values.push_back(row.*which);
-    return values;
-}
-
 /// One reading of Algorithm 1: what it keeps of the database and what the three algorithms reach with it.
 std::string dominance_words(const PaperRun& run, const Readings& readings, rough::DominanceReading reading) {
     const bool same_pressure = reading == rough::DominanceReading::same_pressure;
@@ -26,8 +19,8 @@ std::string dominance_words(const PaperRun& run, const Readings& readings, rough
         std::count_if(rows.begin(), rows.end(), [](const Reduction& row) { return row.only_best; });
     std::string words = std::string(same_pressure ? "At equal pressures" : "By load step") +
                         ": s(reduced, whole) = " + readable(median(column(rows, &Reduction::similarity))) +
-                        " in the median with " + readable(100 * mean(column(rows, &Reduction::kept)), 2) +
-                        " % of the chromosomes; for " + std::to_string(alone) + " of " +
+                        " in the median with " + percent(mean(column(rows, &Reduction::kept)), 2) +
+                        " of the chromosomes; for " + std::to_string(alone) + " of " +
                         std::to_string(rows.size()) +
                         " genomes none passes 0.95, and the best is kept. Answers";
     for (const TargetRun& target : run.targets) {

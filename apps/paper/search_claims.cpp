@@ -79,10 +79,7 @@ Finding a_minute(const TargetRun& target) {
 /// Of one algorithm's rows over the thresholds.
 template <class Value>
 std::vector<double> over_thresholds(const TargetRun& target, const std::string& variant, Value value) {
-    std::vector<double> values;
-    for (const ThresholdRow& row : thresholds_of(target, variant))
-        values.push_back(value(row));
-    return values;
+    return column(thresholds_of(target, variant), value);
 }
 
 double spread(const std::vector<double>& values) {
@@ -93,7 +90,7 @@ double spread(const std::vector<double>& values) {
 }
 
 double best_spread(const TargetRun& target, const std::string& variant) {
-    return spread(over_thresholds(target, variant, [](const ThresholdRow& row) { return row.similarity; }));
+    return spread(over_thresholds(target, variant, &ThresholdRow::similarity));
 }
 
 Finding varies(const TargetRun& target, const std::string& variant, bool wanted) {
@@ -138,12 +135,11 @@ Finding equal_size(const TargetRun& target) {
 }
 
 Finding more_efficient(const TargetRun& target) {
-    const auto share = [](const ThresholdRow& row) { return row.share_above; };
-    const auto gco = over_thresholds(target, "gco", share), cco = over_thresholds(target, "cco", share);
+    const auto gco = over_thresholds(target, "gco", &ThresholdRow::share_above),
+               cco = over_thresholds(target, "cco", &ThresholdRow::share_above);
     if (gco.empty() || cco.empty())
         return {};
-    return {"mean share above 0.95: GCO " + readable(100 * mean(gco), 2) + " %, CCO " +
-                readable(100 * mean(cco), 2) + " %",
+    return {"mean share above 0.95: GCO " + percent(mean(gco), 2) + ", CCO " + percent(mean(cco), 2),
             mean(gco) == mean(cco) ? std::nullopt : std::optional(mean(gco) > mean(cco))};
 }
 

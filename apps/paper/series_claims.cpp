@@ -12,17 +12,7 @@ namespace app {
 
 namespace {
 
-std::string percent(double share, int digits = 3) { return readable(100 * share, digits) + " %"; }
-
 Verdict decided(bool holds) { return holds ? Verdict::reproduced : Verdict::contradicted; }
-
-template <class Row, class Value>
-std::vector<double> column(const std::vector<Row>& rows, Value value) {
-    std::vector<double> values;
-    for (const Row& row : rows)
-        values.push_back(value(row));
-    return values;
-}
 
 Claim one_wave(const Studies& studies) {
     double misfit = 0;
@@ -37,8 +27,8 @@ Claim one_wave(const Studies& studies) {
 }
 
 Claim condition(const Studies& studies) {
-    const auto printed = column(studies.ridges, [](const RidgeCount& c) { return c.as_printed; });
-    const auto slipped = column(studies.ridges, [](const RidgeCount& c) { return c.last_missing; });
+    const auto printed = column(studies.ridges, &RidgeCount::as_printed);
+    const auto slipped = column(studies.ridges, &RidgeCount::last_missing);
     const auto [least, most] = std::minmax_element(slipped.begin(), slipped.end());
     const double lowest = *std::min_element(printed.begin(), printed.end());
     return {"Figure 2", "Condition (10) holds for 88.5–98 % of random phases, about 95 % on average.",
@@ -51,7 +41,7 @@ Claim condition(const Studies& studies) {
 }
 
 Claim arccos(const Studies& studies) {
-    const double share = mean(column(studies.ridges, [](const RidgeCount& c) { return c.right_phase; }));
+    const double share = mean(column(studies.ridges, &RidgeCount::right_phase));
     return {"Eq. 8", "The phase of the sum is arccos(g<sub>1</sub>/R).",
             "Right for " + percent(share) + " of random phase sets: arccos loses the sign of g<sub>2</sub>.",
             "Right for more than 99 % of them.", decided(share > 0.99)};
@@ -59,8 +49,8 @@ Claim arccos(const Studies& studies) {
 
 Claim part_suffices(const Studies& studies) {
     const auto& rows = studies.readings.same_pressure;
-    const double kept = mean(column(rows, [](const Reduction& r) { return r.kept; }));
-    const double s = median(column(rows, [](const Reduction& r) { return r.similarity; }));
+    const double kept = mean(column(rows, &Reduction::kept));
+    const double s = median(column(rows, &Reduction::similarity));
     return {"Sections 1, 2.3", "K(p) needs only part of the chromosomes.",
             "Algorithm 1 keeps " + percent(kept, 2) +
                 " of a database genome's chromosomes in the mean; the reduced "
@@ -75,7 +65,7 @@ Claim part_suffices(const Studies& studies) {
 /// Which half of the waves a curve owes more to.
 Claim governed(const Studies& studies, bool stiffness) {
     const auto change = [&](const std::vector<Removal>& rows) {
-        return median(column(rows, [&](const Removal& r) { return stiffness ? r.stiffness : r.area; }));
+        return median(column(rows, stiffness ? &Removal::stiffness : &Removal::area));
     };
     const double coarse = change(studies.readings.without_coarse),
                  fine = change(studies.readings.without_fine);

@@ -82,8 +82,7 @@ void add_target(Page& page, const Race& race, const RaceTarget& target, std::siz
             {variant->name, readable(variant->median_judged(), 4), readable(run.seconds),
              std::to_string(run.found.counters.evaluations), std::to_string(run.found.counters.gradients),
              std::to_string(crossed),
-             crossed > 0 ? readable(100.0 * static_cast<double>(better) / static_cast<double>(crossed)) + " %"
-                         : "–"});
+             crossed > 0 ? percent(static_cast<double>(better) / static_cast<double>(crossed)) : "–"});
     }
     page.table(table);
 }
