@@ -19,6 +19,8 @@ constexpr std::size_t remembered = 60; ///< individuals an archive keeps
 
 /// How often a pipeline that makes its own starts is begun for a similarity that is asked for.
 constexpr int attempts = 8;
+/// Share of the time that is kept for bringing an answer within the limits.
+constexpr double share_for_limits = 0.1;
 constexpr std::size_t shown_compromises = 24;
 constexpr Index exactly_reported = 16385;
 constexpr double reported_tolerance = 1e-10;
@@ -45,9 +47,6 @@ std::vector<Answer> answers_of(const DesignSetup& setup, const std::vector<Genom
     return answers;
 }
 
-/// Share of the time that is kept for it.
-constexpr double share_for_limits = 0.1;
-
 /// The best answer, then the best of the way that differ from it and from each other.
 std::vector<Answer> alternatives(const DesignSetup& setup, const Answer& best, const Archive& archive,
                                  const SearchOptions& options) {
@@ -72,6 +71,22 @@ std::vector<Answer> alternatives(const DesignSetup& setup, const Answer& best, c
         all[i].difference = differences[i];
     all.insert(all.begin(), best);
     return all;
+}
+
+/// What the pipeline gave, and the best of its way, each once; at most `most` of either.
+std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Population<Genome>& population,
+                                  const Archive& archive, std::size_t most) {
+    std::vector<Genome> candidates;
+    std::set<std::string> keys;
+    const auto consider = [&](const Genome& genome) {
+        if (keys.insert(problem.key(genome)).second)
+            candidates.push_back(genome);
+    };
+    for (std::size_t i = 0; i < std::min(population.size(), most); ++i)
+        consider(population[i].genome);
+    for (std::size_t i = 0; i < std::min(archive.best.size(), most); ++i)
+        consider(archive.best[i].genome);
+    return candidates;
 }
 
 std::vector<Genome> database_for(const DesignSetup& setup, int threads) {
@@ -204,17 +219,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
             problem,
             {shaped_start(setup, ga::Stream(options.seed)), 0, {}, ga::Fitness(by_similarity, 0), nullptr});
 
-    // What the pipeline gave, and the best of its way.
-    std::vector<Genome> candidates;
-    std::set<std::string> keys;
-    const auto consider = [&](const Genome& genome) {
-        if (keys.insert(problem.key(genome)).second)
-            candidates.push_back(genome);
-    };
-    for (std::size_t i = 0; i < std::min(population.size(), options.compared); ++i)
-        consider(population[i].genome);
-    for (std::size_t i = 0; i < std::min(archive.best.size(), options.compared); ++i)
-        consider(archive.best[i].genome);
+    const std::vector<Genome> candidates = candidates_of(problem, population, archive, options.compared);
     std::vector<Answer> answers = answers_of(setup, candidates, options.threads);
     if (std::none_of(answers.begin(), answers.end(), [](const Answer& a) { return a.within_limits; })) {
         run.budget = {std::numeric_limits<long>::max(), share_for_limits * options.seconds, options.stop};
