@@ -105,7 +105,7 @@ int contact(const Words& words) {
         settings.has("genome") ? computed_response(settings) : measured_response(settings);
     const rough::Response& response = result.response;
     rough::write_atomically(settings.text("out"), csv(response));
-    rough::write_atomically(account, account_json(result.account).dump(2) + "\n");
+    write_json(account, account_json(result.account));
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
          name_of(response.solver) + ", height range " + readable(response.range) +
          " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));

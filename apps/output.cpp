@@ -3,6 +3,8 @@
 #include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace app {
 
 namespace fs = std::filesystem;
@@ -45,6 +47,10 @@ OutputFolder::~OutputFolder() {
     std::error_code not_empty;
     for (const fs::path& folder : made_)
         fs::remove(folder, not_empty);
+}
+
+void write_json(const fs::path& file, const nlohmann::json& content) {
+    rough::write_atomically(file, content.dump(1) + "\n");
 }
 
 void expect_writable(const fs::path& file, bool force) {

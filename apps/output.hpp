@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -23,6 +25,9 @@ class OutputFolder {
     std::filesystem::path path_;
     std::vector<std::filesystem::path> made_; ///< the innermost first
 };
+
+/// Writes a JSON file whole or not at all. A number that is not known (NaN) is null in it.
+void write_json(const std::filesystem::path& file, const nlohmann::json& content);
 
 /// A file to write at an explicit place: its folder must exist, and it must not be there unless `force`.
 void expect_writable(const std::filesystem::path& file, bool force);

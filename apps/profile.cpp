@@ -211,7 +211,7 @@ int profile(const Words& words) {
         write("profile.svg", profile_picture(shape.profile));
         write("spectrum.svg", spectrum_picture(spectrum));
     }
-    write(numbers_file, numbers_of(shape, roughness).dump(1) + "\n");
+    write_json(out.path() / numbers_file, numbers_of(shape, roughness));
     say(shape.account);
     tell_roughness(roughness);
     say("written to " + out.path().string());

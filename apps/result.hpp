@@ -11,7 +11,7 @@ namespace app {
 VariantRun variant_run(const std::string& name, const rough::SearchResult& found,
                        std::vector<StageRecord> stages, double seconds);
 
-/// One variant's way and answer, as result.json holds it (a number that is not known, NaN, as null), with
+/// One variant's way and answer, as result.json holds it, with
 /// what was modelled of the answer: one account for each way the target is loaded, `loaded` being the model
 /// that the search used for it. For the free half-plane with dK/d ln d at each load step.
 nlohmann::json variant_json(const VariantRun& variant, const std::vector<rough::Model>& loaded);

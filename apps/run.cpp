@@ -146,7 +146,7 @@ int run(const Words& given) {
         const auto place = &target == &paper.targets.front() ? folder : folder / "heldout";
         std::filesystem::create_directories(place);
         write_target_tables(target, place);
-        rough::write_atomically(place / "result.json", result_json(paper, target).dump(1) + "\n");
+        write_json(place / "result.json", result_json(paper, target));
     }
     write_database_table(paper, folder);
     if (interrupt.asked()) {

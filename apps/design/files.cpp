@@ -1,6 +1,7 @@
 #include "apps/design/files.hpp"
 
 #include "apps/csv.hpp"
+#include "apps/output.hpp"
 #include "apps/result.hpp"
 #include "domain/atomic_file.hpp"
 #include "domain/mwm/genome_json.hpp"
@@ -107,7 +108,7 @@ json design_json(const DesignRun& run) {
 } // namespace
 
 void write_design_result(const DesignRun& run, const std::filesystem::path& folder) {
-    rough::write_atomically(folder / "result.json", design_json(run).dump(1) + "\n");
+    write_json(folder / "result.json", design_json(run));
 }
 
 void write_design_tables(const DesignRun& run, const std::filesystem::path& folder) {

@@ -1,5 +1,6 @@
 #include "apps/csv.hpp"
 #include "apps/economy/experiment.hpp"
+#include "apps/output.hpp"
 #include "apps/result.hpp"
 #include "domain/atomic_file.hpp"
 
@@ -76,7 +77,7 @@ json result_json(const EconomyRun& run) {
 } // namespace
 
 void write_economy(const EconomyRun& run, const std::filesystem::path& folder) {
-    rough::write_atomically(folder / "result.json", result_json(run).dump(1) + "\n");
+    write_json(folder / "result.json", result_json(run));
     rough::write_atomically(folder / "savings.csv", savings_csv(run));
     rough::write_atomically(folder / "searches.csv", searches_csv(run));
     rough::write_atomically(folder / "budget.csv", budget_csv(run));

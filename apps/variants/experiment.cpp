@@ -2,6 +2,7 @@
 
 #include "apps/csv.hpp"
 #include "apps/model_settings.hpp"
+#include "apps/output.hpp"
 #include "apps/recorder.hpp"
 #include "apps/result.hpp"
 #include "apps/statistics.hpp"
@@ -211,7 +212,7 @@ void write_race(const Race& race, const std::filesystem::path& folder) {
         const bool first = &target == &race.targets.front();
         const auto place = first ? folder : folder / target.setup.goals[0].name;
         std::filesystem::create_directories(place);
-        rough::write_atomically(place / "result.json", race_json(race, target).dump(1) + "\n");
+        write_json(place / "result.json", race_json(race, target));
         for (const RaceVariant& variant : target.variants)
             for (const RaceRun& run : variant.runs)
                 for (const Spent& spent : run.history)
