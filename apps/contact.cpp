@@ -50,8 +50,7 @@ void expect_common(const Settings& settings) {
 }
 
 rough::EconomicResponse measured_response(const Settings& settings) {
-    const long nodes = settings.has("nodes") ? settings.whole("nodes", 2, 10000000) : 0;
-    const rough::Scan scan = scan_from(settings.text("profile"), settings, nodes);
+    const rough::Scan scan = scan_from(settings.text("profile"), settings, nodes_from(settings, 0));
     const rough::Model model = model_from(settings, scan.profile);
     rough::Profile profile = scan.profile;
     profile.spacing = model.grid.spacing();

@@ -37,8 +37,7 @@ rough::Model model_on(rough::Grid grid, const Settings& settings, const std::str
 rough::Model model_from(const Settings& settings, double length, const std::string& prefix) {
     rough::Grid grid;
     grid.length = length;
-    if (settings.has(prefix + "nodes"))
-        grid.nodes = settings.whole(prefix + "nodes", 2, 10000000);
+    grid.nodes = nodes_from(settings, grid.nodes, prefix);
     if (settings.has(prefix + "length"))
         grid.length = settings.positive(prefix + "length");
     return model_on(grid, settings, prefix);
@@ -85,6 +84,12 @@ double accuracy_from(const Settings& settings, const std::string& prefix) {
                : 0;
 }
 
+rough::Index nodes_from(const Settings& settings, rough::Index otherwise, const std::string& prefix,
+                        rough::Index least) {
+    const std::string name = prefix + "nodes";
+    return settings.has(name) ? settings.whole(name, least, 10000000) : otherwise;
+}
+
 rough::Model model_from(const Settings& settings, const std::string& prefix) {
     return model_from(settings, rough::Grid().length, prefix);
 }
@@ -93,8 +98,7 @@ rough::Model model_from(const Settings& settings, double length) { return model_
 
 rough::Model model_from(const Settings& settings, const rough::Profile& scan, const std::string& prefix) {
     rough::Grid grid;
-    grid.nodes =
-        settings.has(prefix + "nodes") ? settings.whole(prefix + "nodes", 2, 10000000) : scan.nodes();
+    grid.nodes = nodes_from(settings, scan.nodes(), prefix);
     const bool wraps = settings.text(prefix + "kernel") == name_of(rough::Kernel::periodic);
     const double own = scan.spacing * static_cast<double>(wraps ? scan.nodes() : scan.nodes() - 1);
     grid.length = settings.has(prefix + "length") ? settings.positive(prefix + "length") : own;

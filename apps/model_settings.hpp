@@ -16,6 +16,10 @@ Setting accuracy_setting(const std::string& prefix = "", const std::string& agai
 /// 0 where none is asked for. Throws rough::InputError on one that is not more than 0 and at most 1.
 double accuracy_from(const Settings& settings, const std::string& prefix = "");
 
+/// --nodes, from `least` to 1e7, or what stands for it where it is not given.
+rough::Index nodes_from(const Settings& settings, rough::Index otherwise, const std::string& prefix = "",
+                        rough::Index least = 2);
+
 /// The model they describe. A measured profile brings its own grid: nodes and length then default to its own.
 rough::Model model_from(const Settings& settings, const std::string& prefix = "");
 /// Of a genome that was made for a length (mm), which --length overrides.

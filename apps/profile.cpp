@@ -1,5 +1,6 @@
 #include "apps/commands.hpp"
 #include "apps/csv.hpp"
+#include "apps/model_settings.hpp"
 #include "apps/output.hpp"
 #include "apps/report/plot.hpp"
 #include "apps/scan_settings.hpp"
@@ -23,6 +24,7 @@ namespace app {
 namespace {
 
 constexpr const char* numbers_file = "profile.json";
+constexpr rough::Index fewest_nodes = 10; ///< that roughness can be told of
 
 std::vector<Setting> profile_settings() {
     const std::vector<Setting> settings{
@@ -53,8 +55,7 @@ Shape shape_of_genome(const Settings& settings) {
     const auto [genome, length] = rough::read_genome_file(settings.text("genome"));
     rough::Grid grid;
     grid.length = length;
-    if (settings.has("nodes"))
-        grid.nodes = settings.whole("nodes", 10, 10000000);
+    grid.nodes = nodes_from(settings, grid.nodes, "", fewest_nodes);
     if (settings.has("length"))
         grid.length = settings.positive("length");
     Shape shape{sample(genome, grid), discrete_spectrum(genome), settings.text("genome")};
@@ -69,8 +70,8 @@ Shape shape_of_genome(const Settings& settings) {
 Shape shape_of_scan(const Settings& settings) {
     if (settings.given("length"))
         throw rough::InputError("--length: given with a scan, which has its own");
-    rough::Scan scan = scan_from(settings.text("profile"), settings,
-                                 settings.has("nodes") ? settings.whole("nodes", 10, 10000000) : 0);
+    rough::Scan scan =
+        scan_from(settings.text("profile"), settings, nodes_from(settings, 0, "", fewest_nodes));
     return {std::move(scan.profile), {}, std::move(scan.account)};
 }
 

@@ -61,8 +61,7 @@ Made made_target(const Settings& settings) {
         profile = sample(genome, made.model.grid);
     } else {
         name = settings.text("like");
-        const long nodes = settings.has("nodes") ? settings.whole("nodes", 2, 10000000) : 0;
-        const rough::Scan scan = scan_from(name, settings, nodes);
+        const rough::Scan scan = scan_from(name, settings, nodes_from(settings, 0));
         say(scan.account);
         made.model = model_from(settings, scan.profile);
         profile = scan.profile;

@@ -140,7 +140,7 @@ DesignRun design_from(const Settings& settings) {
         profile.spacing = own.grid.spacing();
         run.like = profile;
         setup.model = own;
-        setup.model.grid.nodes = settings.has("nodes") ? settings.whole("nodes", 2, 10000000) : 512;
+        setup.model.grid.nodes = nodes_from(settings, 512);
         setup.goals = {goal_like(profile, own, settings.text("like"), settings.whole("points", 2, 100000),
                                  setup.max_pressure.value_or(0))};
     } else {
