@@ -58,17 +58,14 @@ void write_pictures(const ChartData& data, const std::filesystem::path& folder) 
 } // namespace
 
 int chart(const Words& words) {
-    if (shows_help(words, "chart [--out DIR] [--minutes M] [--quick]",
-                   "Charts the time of a pressure curve against its error for every contact solver, grid, "
-                   "number of load\n"
-                   "steps and tolerance, on scenes with a known or a refined solution: from coarse grids to "
-                   "fine, so that\n"
-                   "a chart that ends early has the same of every scene. Writes chart.csv (as it goes), "
-                   "growth.csv,\n"
-                   "pictures (SVG) and chart.html, which says in words which method to take when, and what "
-                   "was left out\n"
-                   "and why. Ctrl-C ends it with what there is.",
-                   chart_settings(), {"chart --quick --out out/chart", "chart --minutes 3 --out out/chart"}))
+    if (shows_help(
+            words, "chart [--out DIR] [--minutes M] [--quick]",
+            "Charts the time of a pressure curve against its error for every contact solver, grid, number of "
+            "load steps and tolerance, on scenes with a known or a refined solution: from coarse grids to "
+            "fine, so that a chart that ends early has the same of every scene. Writes chart.csv (as it "
+            "goes), growth.csv, pictures (SVG) and chart.html, which says in words which method to take "
+            "when, and what was left out and why. Ctrl-C ends it with what there is.",
+            chart_settings(), {"chart --quick --out out/chart", "chart --minutes 3 --out out/chart"}))
         return 0;
     const Settings settings = read_command_line(words, chart_settings());
     const double minutes = settings.positive("minutes");

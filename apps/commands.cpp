@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <sstream>
 
 namespace app {
 
@@ -29,16 +30,33 @@ std::string command_line(const std::string& subcommand, const Words& words) {
     return line;
 }
 
+namespace {
+
 bool asks_help(const Words& words) {
     return std::any_of(words.begin(), words.end(),
                        [](const std::string& word) { return word == "--help" || word == "-h"; });
 }
 
+/// In lines of up to 100 letters.
+std::string folded(const std::string& text) {
+    constexpr std::size_t widest = 100;
+    std::istringstream words(text);
+    std::string lines, line;
+    for (std::string word; words >> word; line += (line.empty() ? "" : " ") + word)
+        if (!line.empty() && line.size() + 1 + word.size() > widest) {
+            lines += line + "\n";
+            line.clear();
+        }
+    return lines + line + "\n";
+}
+
+} // namespace
+
 bool shows_help(const Words& words, const std::string& usage, const std::string& text,
                 const std::vector<Setting>& settings, const std::vector<std::string>& examples) {
     if (!asks_help(words))
         return false;
-    std::cout << "Usage: rugosa " << usage << "\n\n" << text << "\n";
+    std::cout << "Usage: rugosa " << usage << "\n\n" << folded(text);
     if (!settings.empty())
         std::cout << "\n" << described(settings);
     if (!examples.empty())

@@ -5,6 +5,8 @@
 
 namespace app {
 
+struct Setting;
+
 using Words = std::vector<std::string>; ///< what follows the subcommand on the command line
 
 /// A subcommand. Returns the program's exit code; throws rough::InputError on wrong use or bad input.
@@ -30,11 +32,8 @@ const std::vector<Command>& commands();
 /// "rugosa design --target t.csv": the command as it was given, for a result to be repeated by.
 std::string command_line(const std::string& subcommand, const Words& words);
 
-/// Whether --help or -h is among the words.
-bool asks_help(const Words& words);
-
-/// True when the words ask for help; then prints the page: usage, the text, the settings and the examples.
-struct Setting;
+/// True when --help or -h is among the words; then prints the page: usage, the text (in lines of its own),
+/// the settings and the examples.
 bool shows_help(const Words& words, const std::string& usage, const std::string& text,
                 const std::vector<Setting>& settings, const std::vector<std::string>& examples);
 

@@ -79,10 +79,9 @@ rough::EconomicResponse computed_response(const Settings& settings) {
 int contact(const Words& words) {
     if (shows_help(
             words, "contact (--genome G.json | --profile SCAN.txt [--unit U]) --out CURVE.csv [flags]",
-            "Presses a rough profile on an elastic body, load step by load step, and writes "
-            "displacement, mean\n"
-            "pressure, contact fraction and tangent stiffness, each step with its KKT residual; and beside "
-            "the\ncurve, CURVE.json: what was modelled, and how wrong it may be.",
+            "Presses a rough profile on an elastic body, load step by load step, and writes displacement, "
+            "mean pressure, contact fraction and tangent stiffness, each step with its KKT residual; and "
+            "beside the curve, CURVE.json: what was modelled, and how wrong it may be.",
             contact_settings(),
             {"contact --genome surface.json --out curve.csv",
              "contact --genome surface.json --kernel periodic --steps 50 --out curve.csv",

@@ -52,15 +52,12 @@ int design(const Words& words) {
     const ga::Stopwatch clock;
     if (shows_help(
             words, "design (--target T.csv | --like SCAN.txt [--unit U]) [flags]",
-            "Finds a rough profile that answers as the target asks, and says what to believe of it. Writes\n"
+            "Finds a rough profile that answers as the target asks, and says what to believe of it. Writes "
             "result.json, genome.json, answer.csv and report.html to a folder. A target is a CSV file with "
-            "the\n"
-            "columns pressure_MPa and stiffness_MPa_per_mm, contact_fraction or conductance, or "
-            "displacement_mm\n"
-            "and contact_fraction or pressure_MPa; columns lower and upper give a tolerance band.\n"
-            "Exit codes: 0 done; 2 wrong use; 3 similarity or limits missed, or the target is out of reach; "
-            "130\n"
-            "interrupted. The best so far is written in every case but wrong use.",
+            "the columns pressure_MPa and stiffness_MPa_per_mm, contact_fraction or conductance, or "
+            "displacement_mm and contact_fraction or pressure_MPa; columns lower and upper give a tolerance "
+            "band. Exit codes: 0 done; 2 wrong use; 3 similarity or limits missed, or the target is out of "
+            "reach; 130 interrupted. The best so far is written in every case but wrong use.",
             design_settings(),
             {"design --target target.csv", "design --target target.csv --max-pressure 1.6e-4 --seconds 5",
              "design --like scan.txt --unit um --reach-similarity 0.99",

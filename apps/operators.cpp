@@ -12,9 +12,8 @@ namespace app {
 int operators(const Words& words) {
     if (shows_help(words, "operators",
                    "Lists every operator of text pipelines with its parameters, their defaults and ranges, "
-                   "and one line\n"
-                   "of meaning. Stages are joined by '|'; pair(left, right, unite) sends the same genomes "
-                   "down two ways.",
+                   "and one line of meaning. Stages are joined by '|'; pair(left, right, unite) sends the "
+                   "same genomes down two ways.",
                    {}, {"operators"}))
         return 0;
     read_command_line(words, {});

@@ -175,10 +175,8 @@ void tell_roughness(const rough::Roughness& r) {
 int profile(const Words& words) {
     if (shows_help(words, "profile (GENOME.json | --profile SCAN.txt) [--out DIR] [flags]",
                    "Writes what a rough profile is: its heights (heights.csv), a solid to print or mesh "
-                   "(profile.stl), a\n"
-                   "picture (profile.svg), its roughness (profile.json) and its power spectrum "
-                   "(spectrum.csv, spectrum.svg;\n"
-                   "lines.csv holds a genome's waves).",
+                   "(profile.stl), a picture (profile.svg), its roughness (profile.json) and its power "
+                   "spectrum (spectrum.csv, spectrum.svg; lines.csv holds a genome's waves).",
                    profile_settings(),
                    {"profile surface.json", "profile surface.json --nodes 2048 --magnify 100 --out surface",
                     "profile --profile scan.txt --unit um --detrend parabola"}))

@@ -104,7 +104,7 @@ int run_at_once(const Words& given, const Settings& flags, const std::vector<Set
 
 int run(const Words& given) {
     if (shows_help(given, "run EXPERIMENT.ini [--out DIR] [--set section.key=value]... [flags]",
-                   "Runs an experiment and writes result.json, tables (CSV) and report.html to a folder.\n"
+                   "Runs an experiment and writes result.json, tables (CSV) and report.html to a folder. "
                    "--set changes one key of the experiment and may be repeated.",
                    run_settings(),
                    {"run experiments/paper.ini", "run experiments/paper.ini --out results --seed 7",

@@ -75,9 +75,8 @@ std::string csv_of(const std::vector<StabilityCell>& cells) {
 int stability(const Words& words) {
     if (shows_help(words, "stability [--out DIR]",
                    "Tries every contact solver on scenes in which methods fail, and says which solved them, "
-                   "refused\n"
-                   "them or did not converge; 'wrong' is a result that a second opinion contradicts. Writes\n"
-                   "stability.csv and stability.html; a cell takes at most 30 s.",
+                   "refused them or did not converge; 'wrong' is a result that a second opinion contradicts. "
+                   "Writes stability.csv and stability.html; a cell takes at most 30 s.",
                    stability_settings(),
                    {"stability --out out/stability", "stability --scene spike --out out/spike"}))
         return 0;

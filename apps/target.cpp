@@ -101,8 +101,8 @@ int target(const Words& words) {
             words,
             "target (--formula F --to X | --genome G.json | --like SCAN.txt | --check T.csv) [--out T.csv] "
             "[flags]",
-            "Makes target files for rugosa design, or checks one: reads it, and tests exactly whether any\n"
-            "profile could answer so. A file made here records the body, length and datum it is meant for.\n"
+            "Makes target files for rugosa design, or checks one: reads it, and tests exactly whether any "
+            "profile could answer so. A file made here records the body, length and datum it is meant for. "
             "Exit code 3 says that the target is out of reach.",
             target_settings(),
             {"target --formula \"0.3 + 0.8 * sqrt(p / 1.6e-4)\" --to 1.6e-4 --out target.csv",

@@ -53,8 +53,7 @@ int database_query(const Words& words) {
     if (shows_help(words,
                    "database query FILE --target T.csv [--max-pressure P] [--best K] [--out GENOME.json]",
                    "Scores every stored curve against a target (Eq. 12) and names the nearest genomes, each "
-                   "also on a grid\n"
-                   "four times finer. Flags of a set-up are compared with the file's.",
+                   "also on a grid four times finer. Flags of a set-up are compared with the file's.",
                    query_settings(),
                    {"database query genomes.db --target target.csv --best 5",
                     "database query genomes.db --target target.csv --max-pressure 1.6e-4 --out best.json"}))
