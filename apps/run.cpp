@@ -5,6 +5,7 @@
 #include "apps/output.hpp"
 #include "apps/paper/experiment.hpp"
 #include "apps/paper/page.hpp"
+#include "apps/paper/settings.hpp"
 #include "apps/paper/tables.hpp"
 #include "apps/result.hpp"
 #include "apps/units.hpp"
