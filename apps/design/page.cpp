@@ -257,8 +257,9 @@ std::string design_page(const DesignRun& run) {
                  std::to_string(run.found.counters.evaluations + run.found.counters.gradients)},
                 {"seconds", readable(run.seconds)}});
     for (const auto& reason : run.out_of_reach)
-        page.prose("<strong>Out of reach:</strong> " + reason.reason +
-                   ". No profile has a similarity above " + readable(reason.bound, 4) + ".");
+        page.prose("<strong>Out of reach:</strong> " + reason.reason + ". No profile " +
+                   (reason.on_this_grid ? "on this grid " : "") + "has a similarity above " +
+                   readable(reason.bound, 4) + ".");
     add_answer(page, run);
     if (!run.found.front.empty())
         add_front(page, run);

@@ -11,26 +11,24 @@ namespace app {
 
 namespace {
 
-/// What a search's answer may take longer than the start that was measured.
-constexpr double longer = 1.5;
+/// What a search's answer may take longer than the start that was measured, on a machine that may have become
+/// busier since.
+constexpr double longer = 2.5;
 /// No part but the search gets more than this share of the whole.
 constexpr double largest_share = 0.25;
 
 /// Of the whole, for what nobody measured.
 constexpr double slack = 0.02;
 
-/// The least of some tries, as the first meets cold memory; no more than `most` seconds in all, but one try.
+/// The mean of three tries, or of fewer that take `most` seconds.
 template <class Work>
 double seconds_of(double most, Work work) {
-    double least = HUGE_VAL, all = 0;
-    for (int i = 0; i < 3 && (i == 0 || all + least < most); ++i) {
-        const ga::Stopwatch clock;
+    const ga::Stopwatch clock;
+    int tries = 0;
+    do
         work();
-        const double took = clock.seconds();
-        least = std::min(least, took);
-        all += took;
-    }
-    return least;
+    while (++tries < 3 && clock.seconds() < most);
+    return clock.seconds() / tries;
 }
 
 } // namespace

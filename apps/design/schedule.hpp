@@ -13,6 +13,9 @@ class Schedule {
     Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& setup, int threads, bool pictures);
 
     double spent() const { return clock_.seconds(); }
+    /// Seconds that one answer takes on both grids, as far as is known; more than there are for all is told.
+    double one_answer() const { return both_; }
+    bool is_hopeless() const { return both_ > limit_; }
     /// Seconds from now on that the search may take.
     double for_search() const;
     /// Answers that there is time to compare on the finer grid, as SearchOptions::compared.

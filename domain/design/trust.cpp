@@ -15,6 +15,10 @@ namespace rough {
 
 namespace {
 
+const std::string in_finer_steps = "4 times the load steps, for the target too";
+/// A likeness that falls by more than this with the load steps is said to hang on them.
+constexpr double unsettled = 0.01;
+
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// 2 L/(pi E*) ln(factor): what a farther datum adds to a displacement for each unit of mean pressure.
@@ -52,6 +56,14 @@ Model with_kernel(Model model, Kernel kernel) {
     return model;
 }
 
+template <class... Parts>
+void flag(Trust& trust, const Parts&... parts) {
+    std::ostringstream line;
+    line.precision(3);
+    (line << ... << parts);
+    trust.flags.push_back(line.str());
+}
+
 void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
                    Trust& trust) {
     const Profile profile = sample(genome, setup.model.grid);
@@ -71,22 +83,16 @@ void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOp
     trust.contact_at_ends = setup.model.body.kernel != Kernel::periodic && (*least == 0 || *most == n - 1);
     trust.shortest_wave_nodes = margins(genome, setup.model.grid, {})[0].value / setup.model.grid.spacing();
 
-    const auto flag = [&](const auto&... parts) {
-        std::ostringstream line;
-        line.precision(3);
-        (line << ... << parts);
-        trust.flags.push_back(line.str());
-    };
     if (trust.rms_slope > 0.1)
-        flag("rms slope ", trust.rms_slope, " is above 0.1: half-plane theory supposes small slopes");
+        flag(trust, "rms slope ", trust.rms_slope, " is above 0.1: half-plane theory supposes small slopes");
     if (options.hardness > 0 && trust.peak_pressure > options.hardness)
-        flag("peak pressure ", trust.peak_pressure, " MPa is above the hardness, ", options.hardness,
+        flag(trust, "peak pressure ", trust.peak_pressure, " MPa is above the hardness, ", options.hardness,
              " MPa: the peaks would flow");
     if (trust.shortest_wave_nodes < 8 * (1 - 1e-9))
-        flag("the shortest wave has ", trust.shortest_wave_nodes,
+        flag(trust, "the shortest wave has ", trust.shortest_wave_nodes,
              " nodes, under 8: the grid is part of the answer");
     if (trust.contact_at_ends)
-        flag("contact reaches the profile's ends, where a real surface would go on");
+        flag(trust, "contact reaches the profile's ends, where a real surface would go on");
 }
 
 /// One question, asked of what it refers to; NaN where it has no answer.
@@ -115,6 +121,17 @@ std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const
     Model steps = setup.model;
     steps.loading.steps *= 4;
     jobs.push_back(under(setup, genome, "4 times the load steps", steps));
+    if (options.like)
+        jobs.push_back({in_finer_steps, [&setup, &genome, &like = *options.like, steps] {
+                            DesignSetup finer = setup;
+                            const Response own = respond(like, steps.body, steps.loading, steps.contact);
+                            for (Goal& goal : finer.goals) {
+                                const Curve curve = curve_of(goal.quantity, own);
+                                for (Index k = 0; k < goal.points(); ++k)
+                                    goal.y[k] = curve.at(std::min(goal.x[k], curve.to));
+                            }
+                            return similarity(finer, respond(finer, genome, steps));
+                        }});
     if (setup.model.body.kernel == Kernel::free) {
         DesignSetup far = in_final_amplitude(setup);
         far.goals = with_datum(setup.goals, setup.model, 4);
@@ -216,6 +233,10 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
     for (std::size_t i = kernels; i < jobs.size(); ++i)
         if (done[i])
             redrawn.push_back(values[i]);
+    for (const Check& check : trust.checks)
+        if (check.name == in_finer_steps && check.similarity < trust.checks[0].similarity - unsettled)
+            flag(trust, "with ", in_finer_steps, ", the similarity is ", check.similarity, ": ",
+                 setup.model.loading.steps, " steps are too few to know the target by");
     trust.median = quantile(checked, 0.5);
     trust.tenth = quantile(checked, 0.1);
     trust.redrawn = static_cast<int>(redrawn.size());

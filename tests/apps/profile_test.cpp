@@ -126,6 +126,11 @@ TEST_CASE("a genome designed for a scan's length is pressed, printed and describ
     CHECK(file.length == Approx(0.2));
     const auto result = nlohmann::json::parse(rough::read_whole(folder / "d" / "result.json"));
     CHECK(result["length_mm"].get<double>() == file.length);
+    const auto& checks = result["variants"]["pipeline"]["trust"]["checks"];
+    CHECK(std::any_of(checks.begin(), checks.end(), [](const auto& check) {
+        return check["name"] == "4 times the load steps, for the target too" &&
+               check["similarity"].is_number();
+    }));
 
     REQUIRE(rugosa("profile d/genome.json --pictures off --out solid", folder.path()).code == 0);
     const auto numbers = nlohmann::json::parse(rough::read_whole(folder / "solid" / "profile.json"));
