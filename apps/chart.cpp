@@ -69,7 +69,9 @@ int chart(const Words& words) {
         return 0;
     const Settings settings = read_command_line(words, chart_settings());
     const double minutes = settings.positive("minutes");
-    const OutputFolder folder(settings.text("out"), "chart", settings.is_on("force"), "chart.csv");
+    const OutputFolder folder(
+        settings.text("out"), "chart",
+        {{"chart.csv", "growth.csv", "chart.html", "*.svg"}, {}, settings.is_on("force")});
     const Interrupt interrupt;
     GrowingTable table(folder.path() / "chart.csv");
     ChartData data;

@@ -94,16 +94,21 @@ int contact(const Words& words) {
     if (!settings.has("out"))
         throw rough::InputError("contact: --out is missing, expected the curve file to write");
     expect_common(settings);
-    expect_writable(settings.text("out"), settings.is_on("force"));
+    expect_writable(settings.text("out"), settings);
 
+    // A device or a pipe has nothing beside it.
+    const bool has_account = !std::filesystem::exists(settings.text("out")) ||
+                             std::filesystem::is_regular_file(settings.text("out"));
     const std::filesystem::path account = account_beside(settings.text("out"));
-    expect_writable(account, settings.is_on("force"));
+    if (has_account)
+        expect_writable(account, settings);
 
     const rough::EconomicResponse result =
         settings.has("genome") ? computed_response(settings) : measured_response(settings);
     const rough::Response& response = result.response;
     rough::write_atomically(settings.text("out"), csv(response));
-    write_json(account, account_json(result.account));
+    if (has_account)
+        write_json(account, account_json(result.account));
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
          name_of(response.solver) + ", height range " + readable(response.range) +
          " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));

@@ -26,9 +26,8 @@ std::string verdict_of(const DesignRun& run) {
     const double judged = run.found.best.judged();
     std::string line;
     if (!run.out_of_reach.empty())
-        line = "out of reach of every profile: " + run.out_of_reach.front().reason +
-               "; no similarity is above " + readable(run.bound, 4) + ", the nearest found has " +
-               readable(judged, 4);
+        line = run.out_of_reach.front().verdict() + "; no similarity is above " + readable(run.bound, 4) +
+               ", the nearest found has " + readable(judged, 4);
     else if (judged >= run.wanted)
         line = "found: similarity " + readable(judged, 5) + " on both grids";
     else
@@ -76,8 +75,14 @@ int design(const Words& words) {
     if (resume && !settings.has("out"))
         throw rough::InputError(
             "--resume: given without --out, expected the folder of the design to go on with");
-    const OutputFolder output(settings.text("out"), "design", settings.is_on("force") || resume);
+    const OutputFolder output(settings.text("out"), "design",
+                              {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor"},
+                               settings.files(),
+                               settings.is_on("force"),
+                               resume});
     const auto& folder = output.path();
+    if (resume && is_finished(folder, "checkpoint.cbor"))
+        return 0;
     const bool pictures = settings.one_of("pictures", {"on", "off"}) == 0;
     for (const auto& account : run.accounts)
         say(account);
@@ -85,6 +90,10 @@ int design(const Words& words) {
     const Interrupt interrupt;
     Progress progress;
     const Schedule schedule(clock, run.options.seconds, run.setup, run.options.threads, pictures);
+    if (schedule.is_hopeless())
+        say("note: one answer takes about " + readable(schedule.one_answer(), 2) +
+            " s on this grid and the finer one, more than --seconds gives; expected more of it, or fewer "
+            "--nodes");
     run.options.seconds = schedule.for_search();
     run.options.compared = schedule.compared();
     if (run.options.compared == 1)
@@ -108,9 +117,6 @@ int design(const Words& words) {
     run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
     run.verdict = verdict_of(run);
     run.seconds = schedule.spent();
-    if (run.found.stopped.empty() || (run.options.reach && run.found.best.judged() >= *run.options.reach))
-        std::filesystem::remove(checkpoint);
-
     write_design_result(run, folder);
     write_design_tables(run, folder);
     if (!run.interrupted) {
@@ -127,6 +133,8 @@ int design(const Words& words) {
         else if (pictures)
             say("note: no time was left for report.html; expected more --seconds for it");
     }
+    if (run.found.stopped.empty() || (run.options.reach && run.found.best.judged() >= *run.options.reach))
+        std::filesystem::remove(checkpoint);
     if (run.trust)
         for (const auto& flag : run.trust->flags)
             say("note: " + flag);

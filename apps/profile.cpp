@@ -193,8 +193,11 @@ int profile(const Words& words) {
     const std::string solid = binary_stl(shape.profile, extrusion);
 
     const std::filesystem::path source = settings.text(settings.has("genome") ? "genome" : "profile");
-    const OutputFolder out(settings.text("out"), source.stem().string(), settings.is_on("force"),
-                           numbers_file);
+    const OutputFolder out(settings.text("out"), source.stem().string(),
+                           {{numbers_file, "heights.csv", "profile.stl", "spectrum.csv", "lines.csv",
+                             "profile.svg", "spectrum.svg"},
+                            settings.files(),
+                            settings.is_on("force")});
     const auto write = [&](const char* name, const std::string& content) {
         rough::write_atomically(out.path() / name, content);
     };

@@ -79,16 +79,25 @@ std::string kind_of(const std::filesystem::path& file, const std::vector<std::st
     return read_ini(file, any, overrides).text("experiment.kind");
 }
 
+std::vector<std::filesystem::path> inputs_of(const Settings& flags, const Settings& experiment) {
+    std::vector<std::filesystem::path> inputs = flags.files();
+    for (const auto& file : experiment.files())
+        inputs.push_back(file);
+    return inputs;
+}
+
 /// An experiment without checkpoints: what it gives is written as it ends, or as far as it came.
 template <class Run, class Write, class Page>
 int run_at_once(const Words& given, const Settings& flags, const std::vector<Setting>& known,
-                const std::vector<std::string>& overrides, Run work, Write write, Page page) {
+                const std::vector<std::string>& overrides, Run work, Write write, Page page,
+                const std::vector<std::string>& names) {
     const std::filesystem::path file = flags.text("experiment");
     const Settings settings = read_ini(file, known, overrides);
     if (flags.is_on("resume"))
         throw rough::InputError("--resume: given with an experiment of kind " +
                                 settings.text("experiment.kind") + ", which keeps no checkpoints");
-    const OutputFolder output(flags.text("out"), file.stem().string(), flags.is_on("force"));
+    const OutputFolder output(flags.text("out"), file.stem().string(),
+                              {names, inputs_of(flags, settings), flags.is_on("force")});
     const Interrupt interrupt;
     Progress progress;
     auto result = work(settings, progress, interrupt.flag());
@@ -126,17 +135,26 @@ int run(const Words& given) {
     const std::filesystem::path file = flags.text("experiment");
     const std::string kind = kind_of(file, overrides);
     if (kind == "variants")
-        return run_at_once(given, flags, variants_settings(), overrides, run_race, write_race, race_page);
+        return run_at_once(given, flags, variants_settings(), overrides, run_race, write_race, race_page,
+                           {"result.json", "variants.csv", "report.html"});
     if (kind == "economy")
         return run_at_once(given, flags, economy_settings(), overrides, run_economy, write_economy,
-                           economy_page);
+                           economy_page,
+                           {"result.json", "savings.csv", "searches.csv", "budget.csv", "report.html"});
     const Settings settings = read_ini(file, paper_settings(), overrides);
     const bool resume = flags.is_on("resume");
     if (resume && !flags.has("out"))
         throw rough::InputError(
             "--resume: given without --out, expected the folder of the run to go on with");
-    const OutputFolder output(flags.text("out"), file.stem().string(), flags.is_on("force") || resume);
+    const OutputFolder output(flags.text("out"), file.stem().string(),
+                              {{"result.json", "report.html", "genomes.csv", "scores.csv", "stages.csv",
+                                "curves.csv", "thresholds.csv", "heldout", "log", "checkpoints"},
+                               inputs_of(flags, settings),
+                               flags.is_on("force"),
+                               resume});
     const auto& folder = output.path();
+    if (resume && is_finished(folder, "checkpoints"))
+        return 0;
     const Interrupt interrupt;
     Progress progress;
     PaperRun paper = run_paper(settings, progress, interrupt.flag(), {folder, resume});

@@ -119,6 +119,23 @@ std::filesystem::path Settings::path(const std::string& name) const {
     return std::filesystem::path(source_).parent_path() / text(name);
 }
 
+std::vector<std::filesystem::path> Settings::files() const {
+    std::vector<std::filesystem::path> all;
+    std::error_code error;
+    for (const auto& [name, value] : given_) {
+        if (name == "out")
+            continue;
+        for (const std::string& word : rough::listed(value)) {
+            const auto file = source_.empty() || overridden_.count(name)
+                                  ? std::filesystem::path(word)
+                                  : std::filesystem::path(source_).parent_path() / word;
+            if (std::filesystem::is_regular_file(file, error))
+                all.push_back(file);
+        }
+    }
+    return all;
+}
+
 std::size_t Settings::one_of(const std::string& name, const std::vector<std::string>& words) const {
     const auto found = std::find(words.begin(), words.end(), text(name));
     if (found != words.end())

@@ -38,6 +38,9 @@ class Settings {
     std::filesystem::path path(const std::string& name) const;
     std::size_t one_of(const std::string& name, const std::vector<std::string>& words) const;
 
+    /// Every file that is there and that a value names, but --out: those that are read.
+    std::vector<std::filesystem::path> files() const;
+
     /// "--nodes" or "paper.ini: model.nodes", for messages.
     std::string place(const std::string& name) const;
     /// The names given whose beginning is `prefix`, without it, in alphabetical order.

@@ -83,7 +83,8 @@ int stability(const Words& words) {
     const Settings settings = read_command_line(words, stability_settings());
     const std::string only = settings.text("scene");
     expect_scene(only);
-    const OutputFolder folder(settings.text("out"), "stability", settings.is_on("force"), "stability.csv");
+    const OutputFolder folder(settings.text("out"), "stability",
+                              {{"stability.csv", "stability.html"}, {}, settings.is_on("force")});
     Progress progress;
     const std::vector<StabilityCell> cells = table_of(only, progress);
     rough::write_atomically(folder.path() / "stability.csv", csv_of(cells));

@@ -89,8 +89,7 @@ int report(const rough::Goal& goal, const rough::Model& model) {
     setup.goals = {goal};
     const auto reasons = rough::out_of_reach(setup);
     for (const auto& reason : reasons)
-        say("out of reach of every profile: " + reason.reason + "; no similarity is above " +
-            readable(reason.bound, 4));
+        say(reason.verdict() + "; no similarity is above " + readable(reason.bound, 4));
     return reasons.empty() ? 0 : 3;
 }
 
@@ -121,7 +120,7 @@ int target(const Words& words) {
     }
     if (!settings.has("out"))
         throw rough::InputError("target: --out is missing, expected the target file to write");
-    expect_writable(settings.text("out"), settings.is_on("force"));
+    expect_writable(settings.text("out"), settings);
     Made made = made_target(settings);
     if (settings.has("band")) {
         const double part = settings.number("band", 0, 1);

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-/// How a variant came to its answer, as result files, pages and experiments read it. An unknown number is NaN.
+/// How a variant came to its answer, as result files, pages and experiments read it. An unknown number is
+/// NaN.
 namespace app {
 
 /// A genome and what it answers: its scale is Eq. 11's, so that the response's last pressure is p_max.

@@ -95,10 +95,10 @@ std::filesystem::path without_links(std::filesystem::path path) {
 } // namespace
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {
+    if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path) &&
+        !std::filesystem::is_directory(path))
+        return write_through(path, content);
     const std::filesystem::path target = without_links(path);
-    if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target) &&
-        !std::filesystem::is_directory(target))
-        return write_through(target, content);
     Draft draft(target);
     draft.write(content, target);
     draft.keep_as(target);

@@ -62,7 +62,7 @@ int database_query(const Words& words) {
     if (!settings.has("file") || !settings.has("target"))
         throw rough::InputError("database query: expected a genome database and --target");
     if (settings.has("out"))
-        expect_writable(settings.text("out"), settings.is_on("force"));
+        expect_writable(settings.text("out"), settings);
     rough::ScreenOptions options;
     if (settings.has("max-pressure"))
         options.max_pressure = settings.positive("max-pressure");

@@ -68,6 +68,10 @@ TEST_CASE("a target is checked against its own model, and called out of reach wh
     CHECK(other.error_lines() == 1);
     CHECK(other.err.find("kernel") != std::string::npos);
     CHECK(rugosa("target --check '" RUGOSA_TEST_DATA "/target_paper.csv'").code == 0);
+    folder.write("soft.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-6,0.01\n1e-5,0.02\n");
+    const Ended soft = rugosa("target --check soft.csv", folder.path());
+    CHECK(soft.code == 3);
+    CHECK_THAT(soft.out, Catch::Contains("on this grid") && Catch::Contains("single node"));
     for (const char* words : {"target", "target --formula p --out a.csv", "target --formula p --to 1",
                               "target --formula 'p +' --to 1 --out a.csv", "target --check nowhere.csv",
                               "target --formula '-p' --to 1 --out a.csv"}) {

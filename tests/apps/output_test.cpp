@@ -1,0 +1,116 @@
+#include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
+
+#include <catch2/catch.hpp>
+
+using app::testing::Ended;
+using app::testing::Folder;
+using app::testing::rugosa;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string genome =
+    R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]},{"n":3,"phases":[1]}]}]})";
+const std::string quick_design =
+    "design --target target.csv --nodes 128 --pipeline 'sample 2 | score | best 1' --out ";
+
+/// A folder with a genome, a target and a scan.
+struct Desk : Folder {
+    Desk() {
+        write("genome.json", genome);
+        write("target.csv", rough::read_whole(RUGOSA_TEST_DATA "/target_paper.csv"));
+        write("scan.txt", "x [um];z [um]\n0;1\n1;3\n2;0.5\n3;2\n4;1\n5;3\n6;0\n7;2\n8;1\n9;2\n10;0\n11;1\n");
+    }
+};
+
+void check_refused(const Ended& ended, const std::string& named) {
+    CHECK(ended.code == 2);
+    CHECK(ended.error_lines() == 1);
+    CHECK_THAT(ended.err, Catch::Contains(named));
+}
+
+} // namespace
+
+TEST_CASE("no file that a command writes to its folder takes the place of one that was there") {
+    const std::string experiment = RUGOSA_SOURCE "/experiments/";
+    const Desk desk;
+    for (const std::string& words : {std::string("profile genome.json --nodes 64 --out "), quick_design,
+                                     "run '" + experiment +
+                                         "paper.ini' --pictures off --nodes 64 --set database.pairs=6 --set "
+                                         "paper.sweep-points=0 --out ",
+                                     std::string("stability --scene spike --out ")}) {
+        const Ended first = rugosa(words + "first", desk.path());
+        INFO(words << first.err);
+        REQUIRE((first.code == 0 || first.code == 3));
+        for (const auto& entry : fs::directory_iterator(desk / "first")) {
+            const std::string name = entry.path().filename().string();
+            const Desk theirs;
+            fs::create_directory(theirs / "o");
+            if (entry.is_directory())
+                fs::create_directory(theirs / "o" / name);
+            else
+                theirs.write("o/" + name, "theirs");
+            check_refused(rugosa(words + "o", theirs.path()), name);
+            if (!entry.is_directory())
+                CHECK(rough::read_whole(theirs / "o" / name) == "theirs");
+            CHECK(std::distance(fs::directory_iterator(theirs / "o"), fs::directory_iterator{}) == 1);
+        }
+        fs::remove_all(desk / "first");
+    }
+}
+
+TEST_CASE("what a command reads is never written over, not even by force") {
+    const Desk desk;
+    fs::create_directory(desk / "o");
+    desk.write("o/answer.csv", rough::read_whole(desk / "target.csv"));
+    desk.write("o/heights.csv", rough::read_whole(desk / "scan.txt"));
+    fs::create_symlink("genome.json", desk / "linked.json");
+    for (const auto& [words, input] :
+         {std::pair("contact --genome genome.json --out genome.csv", "genome.json"),
+          {"contact --genome genome.json --out genome.json", "genome.json"},
+          {"contact --genome genome.json --out linked.csv", "genome.json"},
+          {"contact --profile scan.txt --out scan.txt", "scan.txt"},
+          {"target --genome genome.json --out genome.json", "genome.json"},
+          {"design --target o/answer.csv --out o", "o/answer.csv"},
+          {"design --target target.csv,o/answer.csv --out o", "o/answer.csv"},
+          {"profile --profile o/heights.csv --out o", "o/heights.csv"}}) {
+        const std::string before = rough::read_whole(desk / input);
+        check_refused(rugosa(std::string(words) + " --force", desk.path()), "is read here");
+        CHECK(rough::read_whole(desk / input) == before);
+    }
+}
+
+TEST_CASE("a finished run is not run again by --resume, whatever the settings") {
+    const Desk desk;
+    REQUIRE(rugosa(quick_design + "o", desk.path()).code == 0);
+    const std::string before = rough::read_whole(desk / "o/result.json");
+    const Ended again = rugosa(quick_design + "o --seed 5 --resume", desk.path());
+    CHECK(again.code == 0);
+    CHECK_THAT(again.out, Catch::Contains("finished"));
+    CHECK(rough::read_whole(desk / "o/result.json") == before);
+    CHECK(rugosa(quick_design + "o --seed 5 --force", desk.path()).code == 0);
+    CHECK(app::testing::result_in(desk / "o")["seed"] == 5);
+}
+
+TEST_CASE("what can be gone on with is not begun anew unasked") {
+    const Desk desk;
+    fs::create_directory(desk / "o");
+    desk.write("o/checkpoint.cbor", "half done");
+    check_refused(rugosa(quick_design + "o", desk.path()), "--resume");
+    CHECK(rough::read_whole(desk / "o/checkpoint.cbor") == "half done");
+}
+
+TEST_CASE("a curve is written through a link to where it points, and a device has no account beside it") {
+    const Desk desk;
+    fs::create_directory(desk / "far");
+    fs::create_symlink("far/curve.csv", desk / "curve.csv");
+    CHECK(rugosa("contact --genome genome.json --nodes 64 --steps 2 --out curve.csv", desk.path()).code == 0);
+    CHECK(fs::is_symlink(desk / "curve.csv"));
+    CHECK_THAT(rough::read_whole(desk / "far/curve.csv"), Catch::StartsWith("displacement_mm,"));
+    fs::create_symlink("/dev/null", desk / "nowhere");
+    CHECK(rugosa("contact --genome genome.json --nodes 64 --steps 2 --out nowhere", desk.path()).code == 0);
+    CHECK(fs::is_character_file(desk / "nowhere"));
+    CHECK_FALSE(fs::exists(desk / "nowhere.json"));
+}
