@@ -4,11 +4,13 @@
 // `foretold` gives up by a coarse grid's estimate; with a seed (not 60) the targets are 20 that nothing was
 // tuned on.
 #include "domain/mwm/database.hpp"
+#include "domain/variants/paper.hpp"
 #include "tests/benchmarks/measure.hpp"
 #include "tests/domain/twenty_targets.hpp"
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <string_view>
 
 using namespace rough;
