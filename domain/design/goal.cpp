@@ -1,6 +1,6 @@
 #include "domain/design/goal.hpp"
 
-#include "domain/errors.hpp"
+#include "domain/contact/refuse.hpp"
 #include "domain/text.hpp"
 
 #include <algorithm>
@@ -88,11 +88,7 @@ Columns columns_of(Quantity quantity) {
 void validate(const Goal& goal) {
     const Columns columns = columns_of(goal.quantity);
     const auto fail = [&](Index k, const std::string& column, double value, const std::string& expected) {
-        std::ostringstream line;
-        line.precision(9);
-        line << goal.name << ": point " << k + 1 << ": " << column << " is " << value << ", expected "
-             << expected;
-        throw InputError(line.str());
+        refuse(goal.name, ": point ", k + 1, ": ", column, " is ", value, ", expected ", expected);
     };
     const bool of_area = is_area(goal.quantity);
     if (goal.points() == 0)

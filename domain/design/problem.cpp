@@ -1,15 +1,14 @@
 #include "domain/design/problem.hpp"
 
+#include "domain/contact/refuse.hpp"
 #include "domain/design/loadings.hpp"
 #include "domain/design/rows.hpp"
 #include "domain/design/starts.hpp"
-#include "domain/errors.hpp"
 #include "domain/mwm/cross.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 namespace rough {
 
@@ -38,14 +37,10 @@ void check(const DesignSetup& setup) {
     for (const Goal& goal : setup.goals) {
         validate(goal);
         if (!(goal.weight > 0) || goal.weight > 1)
-            throw InputError(goal.name + ": weight " + std::to_string(goal.weight) +
-                             " given, expected more than 0, at most 1");
-        if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9)) {
-            std::ostringstream line;
-            line << goal.name << ": pressures up to " << goal.last() << " MPa given, expected at most "
-                 << "max-pressure, " << *setup.max_pressure << " MPa";
-            throw InputError(line.str());
-        }
+            refuse(goal.name, ": weight ", goal.weight, " given, expected more than 0, at most 1");
+        if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
+            refuse(goal.name, ": pressures up to ", goal.last(),
+                   " MPa given, expected at most max-pressure, ", *setup.max_pressure, " MPa");
         if (setup.max_pressure && !goal.against_pressure())
             throw InputError(goal.name +
                              ": a curve against displacement was given with max-pressure, expected "

@@ -1,7 +1,7 @@
 #include "domain/fitness/rescaled_problem.hpp"
 
+#include "domain/contact/refuse.hpp"
 #include "domain/contact/stepped.hpp"
-#include "domain/errors.hpp"
 #include "domain/fitness/foretold.hpp"
 #include "domain/fitness/similarity_bound.hpp"
 #include "domain/fitness/stiffness_limits.hpp"
@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <sstream>
 
 namespace rough {
 
@@ -104,24 +103,18 @@ RescaledProblem::RescaledProblem(Model model, Target target, double max_pressure
     : model_(std::move(model)), target_(std::move(target)), max_pressure_(max_pressure),
       memory_(std::move(memory)), reach_(reach), outlook_(outlook), stiffest_(stiffest(model_)) {
     validate(target_);
-    if (!(max_pressure > 0) || target_.highest_pressure() > max_pressure * (1 + 1e-9)) {
-        std::ostringstream line;
-        line << target_.name << ": pressures up to " << target_.highest_pressure()
-             << " MPa given, expected at most max-pressure, " << max_pressure << " MPa";
-        throw InputError(line.str());
-    }
+    if (!(max_pressure > 0) || target_.highest_pressure() > max_pressure * (1 + 1e-9))
+        refuse(target_.name, ": pressures up to ", target_.highest_pressure(),
+               " MPa given, expected at most max-pressure, ", max_pressure, " MPa");
     std::vector<Index> all(static_cast<std::size_t>(target_.points()));
     std::iota(all.begin(), all.end(), Index{0});
     points_ = {{"similarity", all},
                {"low", points_within(target_, {0, threshold})},
                {"high", points_within(target_, {threshold, max_pressure * (1 + 1e-9)})}};
     for (const auto& [name, points] : points_) {
-        if (points.empty()) {
-            std::ostringstream line;
-            line << "threshold: " << threshold << " MPa leaves no point of the target " << target_.name
-                 << " in the " << name << " part, expected one within its pressures";
-            throw InputError(line.str());
-        }
+        if (points.empty())
+            refuse("threshold: ", threshold, " MPa leaves no point of the target ", target_.name, " in the ",
+                   name, " part, expected one within its pressures");
         objectives_.push_back({name, [target = target_, points = points](const Outcome& outcome) {
                                    return similarity(target, outcome.stiffness, points);
                                }});

@@ -1,9 +1,8 @@
 #include "domain/response/curve.hpp"
 
-#include "domain/errors.hpp"
+#include "domain/contact/refuse.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 namespace rough {
 
@@ -17,11 +16,8 @@ Segment segment_at(const Curve& curve, double position) {
 
 double Curve::at(double position) const {
     const double guard = 1e-9 * (to - from);
-    if (!(position >= from - guard && position <= to + guard)) {
-        std::ostringstream line;
-        line << "curve: value asked at " << position << ", expected between " << from << " and " << to;
-        throw InputError(line.str());
-    }
+    if (!(position >= from - guard && position <= to + guard))
+        refuse("curve: value asked at ", position, ", expected between ", from, " and ", to);
     const Segment s = segment_at(*this, position);
     return (1 - s.weight) * y[s.left] + s.weight * y[s.left + 1];
 }

@@ -1,12 +1,11 @@
 #include "domain/response/response.hpp"
 
-#include "domain/errors.hpp"
+#include "domain/contact/refuse.hpp"
 #include "domain/response/smooth_area.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 
 namespace rough {
@@ -108,12 +107,9 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
         const double missing = aim - step.pressure;
         if (std::abs(missing) <= enough)
             return displacement;
-        if (missing > 0 && displacement == farthest) {
-            std::ostringstream line;
-            line << "profile: in full contact at " << step.pressure << " MPa, expected at " << pressure
-                 << " MPa or more: its heights are too small for the load";
-            throw InputError(line.str());
-        }
+        if (missing > 0 && displacement == farthest)
+            refuse("profile: in full contact at ", step.pressure, " MPa, expected at ", pressure,
+                   " MPa or more: its heights are too small for the load");
         // The tangent lies below the convex curve: from a pressure too high Newton comes down without
         // passing the root; from one too low it passes it once.
         const double next = displacement + missing / step.tangent_stiffness;

@@ -1,11 +1,10 @@
 #include "domain/response/target.hpp"
 
-#include "domain/errors.hpp"
+#include "domain/contact/refuse.hpp"
 #include "domain/text.hpp"
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
 #include <vector>
 
 namespace rough {
@@ -18,12 +17,9 @@ constexpr const char* header = "pressure_MPa,stiffness_MPa_per_mm";
 
 void validate(const Target& target) {
     const auto fail = [&](Eigen::Index k, const std::string& what, double value) {
-        std::ostringstream line;
-        line.precision(9);
-        line << target.name << ": point " << k + 1 << ": " << what << " is " << value << ", expected ";
-        throw InputError(line.str() + (what == "stiffness"
-                                           ? "a finite number greater than 0 (MPa/mm)"
-                                           : "finite numbers greater than 0 (MPa), increasing"));
+        refuse(target.name, ": point ", k + 1, ": ", what, " is ", value, ", expected ",
+               what == "stiffness" ? "a finite number greater than 0 (MPa/mm)"
+                                   : "finite numbers greater than 0 (MPa), increasing");
     };
     if (target.points() == 0)
         throw InputError(target.name + ": no points given, expected at least one");
