@@ -130,6 +130,11 @@ TEST_CASE("numbers for reading keep their significant digits") {
     CHECK(readable(-12.34, 2) == "−12");
     CHECK(readable(0) == "0");
     CHECK(readable(1.26e-9, 2) == "1.3 × 10⁻⁹");
+    CHECK(brief(30.04, 3) == "30");
+    CHECK(brief(0.1) == "0.1");
+    CHECK(brief(1200) == "1200");
+    CHECK(brief(1.02e-9) == "1 × 10⁻⁹");
+    CHECK(percent(0.0321, 2) == "3.2 %");
     CHECK(readable(std::nan("")) == "–");
     CHECK(readable(9.996) == "10.0");
     CHECK(readable(999999.9) == "1.00 × 10⁶");
