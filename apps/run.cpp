@@ -69,14 +69,17 @@ nlohmann::json result_json(const PaperRun& run, const TargetRun& target) {
     return result;
 }
 
+enum class Kind { paper, variants, economy };
+
 /// What the experiment is of, before its keys are known.
-std::string kind_of(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+Kind kind_of(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
     const std::vector<Setting> any =
         joined({paper_settings(),
                 variants_settings(),
                 economy_settings(),
                 {{"experiment.*", "", ""}, {"targets.*", "", ""}, {"variants.*", "", ""}}});
-    return read_ini(file, any, overrides).text("experiment.kind");
+    return static_cast<Kind>(
+        read_ini(file, any, overrides).one_of("experiment.kind", {"paper", "variants", "economy"}));
 }
 
 std::vector<std::filesystem::path> inputs_of(const Settings& flags, const Settings& experiment) {
@@ -133,11 +136,11 @@ int run(const Words& given) {
             overrides.push_back("model." + flag.name + "=" + flags.text(flag.name));
 
     const std::filesystem::path file = flags.text("experiment");
-    const std::string kind = kind_of(file, overrides);
-    if (kind == "variants")
+    const Kind kind = kind_of(file, overrides);
+    if (kind == Kind::variants)
         return run_at_once(given, flags, variants_settings(), overrides, run_race, write_race, race_page,
                            {"result.json", "variants.csv", "report.html"});
-    if (kind == "economy")
+    if (kind == Kind::economy)
         return run_at_once(given, flags, economy_settings(), overrides, run_economy, write_economy,
                            economy_page,
                            {"result.json", "savings.csv", "searches.csv", "budget.csv", "report.html"});

@@ -1,6 +1,5 @@
 #include "apps/settings.hpp"
 
-#include "domain/errors.hpp"
 #include "domain/text.hpp"
 #include "ga/text/nearest.hpp"
 #include "ga/text/number.hpp"
@@ -12,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace app {
@@ -45,27 +45,84 @@ po::options_description options_of(const std::vector<Setting>& known, const std:
     return options;
 }
 
-std::map<std::string, std::string> values_of(const po::parsed_options& parsed, const std::string& place) {
+std::map<std::string, std::string> values_of(const po::parsed_options& parsed) {
     std::map<std::string, std::string> values;
     for (const auto& option : parsed.options) {
         const std::string value = option.value.empty() ? "on" : option.value.front();
+        if (value.empty())
+            throw InputError("--" + option.string_key + ": \"\" given, expected a value");
         if (!values.emplace(option.string_key, value).second)
-            throw InputError(place + option.string_key + ": given twice, expected once");
+            throw InputError("--" + option.string_key + ": given twice, expected once");
     }
     return values;
+}
+
+struct Ini {
+    std::map<std::string, std::string> values; ///< by section.key
+    std::map<std::string, int> lines;
+};
+
+/// [section], key = value, # comments; bytes are kept as they are, as they may name files.
+Ini parsed_ini(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    if (!in || std::filesystem::is_directory(file))
+        throw InputError(file.string() + ": cannot be read, expected an experiment (.ini)");
+    Ini ini;
+    std::string line, section;
+    for (int number = 1; std::getline(in, line); ++number) {
+        if (number == 1 && line.starts_with("\xEF\xBB\xBF"))
+            line.erase(0, 3);
+        const std::string_view text = rough::trim(std::string_view(line).substr(0, line.find('#')));
+        const std::string place = file.string() + ":" + std::to_string(number) + ": ";
+        const auto equals = text.find('=');
+        if (text.size() > 2 && text.front() == '[' && text.back() == ']') {
+            section = std::string(rough::trim(text.substr(1, text.size() - 2))) + ".";
+        } else if (equals != text.npos && equals > 0) {
+            const std::string name = section + std::string(rough::trim(text.substr(0, equals)));
+            if (!ini.values.emplace(name, rough::trim(text.substr(equals + 1))).second)
+                throw InputError(place + name + ": given twice, expected once");
+            ini.lines[name] = number;
+        } else if (!text.empty()) {
+            throw InputError(place + "\"" + std::string(text.substr(0, 60)) +
+                             "\" given as a line, expected [section] or key = value");
+        }
+    }
+    return ini;
+}
+
+/// What a key may have meant: a name near to it, else those of its section, else the sections.
+std::string key_suggestion(const std::string& name, const std::vector<std::string>& names) {
+    const std::set<std::string> keys(names.begin(), names.end());
+    std::set<std::string> sections;
+    std::vector<std::string> beside;
+    for (const std::string& key : keys) {
+        const std::string section = key.substr(0, key.find('.') + 1);
+        sections.insert(section + "*");
+        if (name.starts_with(section))
+            beside.push_back(key);
+    }
+    const std::string near = ga::suggestion(name, {keys.begin(), keys.end()});
+    if (near.find("did you mean") != std::string::npos)
+        return near;
+    return ga::suggestion(beside.empty() ? "" : name,
+                          beside.empty() ? std::vector<std::string>(sections.begin(), sections.end())
+                                         : beside);
 }
 
 } // namespace
 
 Settings::Settings(std::string source, std::vector<Setting> known, std::map<std::string, std::string> given,
-                   std::set<std::string> overridden)
-    : source_(std::move(source)), given_(std::move(given)), overridden_(std::move(overridden)) {
+                   std::map<std::string, int> lines)
+    : source_(std::move(source)), given_(std::move(given)), lines_(std::move(lines)) {
     for (auto& setting : known)
         known_.emplace(setting.name, setting);
 }
 
 std::string Settings::place(const std::string& name) const {
-    return source_.empty() ? "--" + name : source_ + ": " + name;
+    if (source_.empty())
+        return "--" + name;
+    const auto line = lines_.find(name);
+    return source_ + (line == lines_.end() ? "" : ":" + std::to_string(line->second)) + ": " + name;
 }
 
 const std::string& Settings::text(const std::string& name) const {
@@ -114,7 +171,7 @@ std::uint64_t Settings::seed(const std::string& name) const {
 int Settings::threads(const std::string& name) const { return static_cast<int>(whole(name, 0, 1024)); }
 
 std::filesystem::path Settings::path(const std::string& name) const {
-    if (source_.empty() || overridden_.count(name))
+    if (source_.empty() || !lines_.count(name))
         return text(name);
     return std::filesystem::path(source_).parent_path() / text(name);
 }
@@ -126,7 +183,7 @@ std::vector<std::filesystem::path> Settings::files() const {
         if (name == "out")
             continue;
         for (const std::string& word : rough::listed(value)) {
-            const auto file = source_.empty() || overridden_.count(name)
+            const auto file = source_.empty() || !lines_.count(name)
                                   ? std::filesystem::path(word)
                                   : std::filesystem::path(source_).parent_path() / word;
             if (std::filesystem::is_regular_file(file, error))
@@ -172,7 +229,7 @@ Settings read_command_line(const std::vector<std::string>& words, const std::vec
                 throw InputError(
                     "'" + option.value.front() + "' given, expected " +
                     (positional.empty() ? "flags only" : "one " + positional.front() + " beside the flags"));
-        return {"", known, values_of(parsed, "--")};
+        return {"", known, values_of(parsed)};
     } catch (const po::unknown_option& error) {
         std::string name = error.get_option_name();
         name.erase(0, name.find_first_not_of('-'));
@@ -190,38 +247,27 @@ Settings read_command_line(const std::vector<std::string>& words, const std::vec
 
 Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>& known,
                   const std::vector<std::string>& overrides) {
-    std::ifstream in(file);
-    if (!in || std::filesystem::is_directory(file))
-        throw InputError(file.string() + ": cannot be read, expected an experiment (.ini)");
-    std::map<std::string, std::string> values;
-    try {
-        values = values_of(po::parse_config_file(in, options_of(known), true), file.string() + ": ");
-        for (auto& [name, value] : values) // a comment may follow a value
-            value.erase(value.find_last_not_of(" \t\r") + 1);
-    } catch (const po::invalid_config_file_syntax& error) {
-        const std::string line = error.tokens();
-        throw InputError(file.string() + ": \"" + line.substr(0, 60) +
-                         "\" given as a line, expected [section] or key = value");
-    } catch (const po::error& error) {
-        throw InputError(file.string() + ": " + error.what());
-    }
-    std::set<std::string> overridden;
+    auto [values, lines] = parsed_ini(file);
     for (const auto& override_text : overrides) {
         const auto equals = override_text.find('=');
         if (equals == std::string::npos || equals == 0)
             throw InputError("--set: \"" + override_text + "\" given, expected section.key=value");
         const std::string name = override_text.substr(0, equals);
         values[name] = override_text.substr(equals + 1);
-        overridden.insert(name);
+        lines.erase(name);
     }
     const auto names = names_of(known);
+    const Settings settings(file.string(), known, values, lines);
     for (const auto& [name, value] : values) {
         const std::string any = name.substr(0, name.find('.')) + ".*";
         if (std::find(names.begin(), names.end(), name) == names.end() &&
-            std::find(names.begin(), names.end(), any) == names.end())
-            throw InputError(file.string() + ": unknown key '" + name + "'" + ga::suggestion(name, names));
+            std::find(names.begin(), names.end(), any) == names.end()) {
+            const std::string place = settings.place(name);
+            throw InputError(place.substr(0, place.size() - name.size()) + "unknown key '" + name + "'" +
+                             key_suggestion(name, names));
+        }
     }
-    return {file.string(), known, values, overridden};
+    return settings;
 }
 
 std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists) {

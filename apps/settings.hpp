@@ -1,9 +1,11 @@
 #pragma once
 
+#include "domain/errors.hpp"
+#include "ga/errors.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -22,8 +24,9 @@ struct Setting {
 /// expected.
 class Settings {
   public:
+    /// `lines` are those of the file, by name, of what was not given on the command line.
     Settings(std::string source, std::vector<Setting> known, std::map<std::string, std::string> given,
-             std::set<std::string> overridden = {});
+             std::map<std::string, int> lines = {});
 
     bool given(const std::string& name) const { return given_.count(name) > 0; }
     bool has(const std::string& name) const { return !text(name).empty(); }
@@ -41,7 +44,8 @@ class Settings {
     /// Every file that is there and that a value names, but --out: those that are read.
     std::vector<std::filesystem::path> files() const;
 
-    /// "--nodes" or "paper.ini: model.nodes", for messages.
+    /// "--nodes", "paper.ini:12: model.nodes" or, where no line of the file gives it, "paper.ini:
+    /// model.nodes"; for messages.
     std::string place(const std::string& name) const;
     /// The names given whose beginning is `prefix`, without it, in alphabetical order.
     std::vector<std::string> names_under(const std::string& prefix) const;
@@ -50,16 +54,17 @@ class Settings {
     std::string source_; ///< the file, "" for a command line
     std::map<std::string, Setting> known_;
     std::map<std::string, std::string> given_;
-    std::set<std::string> overridden_; ///< by --set
+    std::map<std::string, int> lines_; ///< of the file
 };
 
-/// Reads a command line. Throws rough::InputError on an unknown flag (with the nearest name) or a word too
-/// many.
+/// Reads a command line. Throws rough::InputError on an unknown flag (with the nearest name), an empty value
+/// or a word too many.
 Settings read_command_line(const std::vector<std::string>& words, const std::vector<Setting>& known,
                            const std::vector<std::string>& positional = {});
 
 /// Reads an .ini file, then `overrides` ("section.key=value"). A key that ends in ".*" among `known` admits
-/// any key of that section. Throws rough::InputError on an unknown section or key (with the nearest name).
+/// any key of that section; an empty value is none. Throws rough::InputError on an unknown section or key
+/// (with the nearest name).
 Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>& known,
                   const std::vector<std::string>& overrides = {});
 
@@ -68,6 +73,16 @@ std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists);
 
 /// Throws rough::InputError on the first of these that was given; `where` says where it may be.
 void expect_none(const Settings& settings, const std::vector<Setting>& of, const std::string& where);
+/// What `work` gives, its ga::UsageError as a rough::InputError that begins with the key's place: for text of
+/// an experiment that ga reads.
+template <class Work>
+auto read_at(const Settings& settings, const std::string& key, Work work) {
+    try {
+        return work();
+    } catch (const ga::UsageError& error) {
+        throw rough::InputError(settings.place(key) + ": " + error.what());
+    }
+}
 
 /// The settings as a help page lists them.
 std::string described(const std::vector<Setting>& known);

@@ -225,7 +225,7 @@ class Economy {
 
 std::vector<Setting> economy_settings() {
     const std::vector<Setting> settings{
-        {"experiment.kind", "", "economy"},
+        {"experiment.kind", "", "paper, variants or economy"},
         {"experiment.seed", "1", "seed of everything random"},
         {"experiment.threads", "0", "threads of the design; the rest is timed on one; 0 takes all"},
         {"economy.accuracies", "3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4", "what is asked for, commas between"},

@@ -55,9 +55,11 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
                                     ": the name of one of the paper's variants, expected another");
         texts[name] = settings.text("variants." + name);
     }
-    ga::Parser<RescaledProblem> parser(paper_registry(words), texts);
     for (const auto& name : own)
-        variants.push_back({name, parser.variant(name)});
+        variants.push_back(
+            {name, read_at(settings, "variants." + name, [&] {
+                 return ga::Parser<RescaledProblem>(paper_registry(words), texts).variant(name);
+             })});
     return variants;
 }
 
@@ -97,7 +99,8 @@ class Paper {
             if (stop_)
                 return;
             progress_.show(target.title + ": " + variant.name);
-            if (auto run = run_kept(variant, problem, target.title)) {
+            if (auto run = read_at(settings_, "variants." + variant.name,
+                                   [&] { return run_kept(variant, problem, target.title); })) {
                 run->similarity_refined = similarity(problem, run->answer.genome, 4);
                 target.variants.push_back(std::move(*run));
             }

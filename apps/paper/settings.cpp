@@ -63,7 +63,7 @@ void take_target_files(const Settings& settings, PaperRun& run) {
 
 std::vector<Setting> paper_settings() {
     const std::vector<Setting> settings{
-        {"experiment.kind", "", "paper"},
+        {"experiment.kind", "paper", "paper, variants or economy"},
         {"experiment.seed", "1", "seed of everything random"},
         {"experiment.threads", "0", "threads; 0 takes all"},
         {"target.file", "", "target curve (CSV)"},

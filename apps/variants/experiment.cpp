@@ -163,7 +163,7 @@ double RaceVariant::median_at_seconds(double seconds) const {
 
 std::vector<Setting> variants_settings() {
     const std::vector<Setting> settings{
-        {"experiment.kind", "", "variants"},
+        {"experiment.kind", "", "paper, variants or economy"},
         {"experiment.seed", "1", "first seed"},
         {"experiment.seeds", "3", "runs of each way"},
         {"experiment.threads", "0", "threads; 0 takes all"},
@@ -198,7 +198,8 @@ Race run_race(const Settings& settings, Progress& progress, const std::atomic<bo
                 options.threads = race.threads;
                 options.evaluations = race.budget;
                 options.stop = &stop;
-                variant.runs.push_back(run_once(target, options));
+                variant.runs.push_back(
+                    read_at(settings, "variants." + name, [&] { return run_once(target, options); }));
             }
             target.variants.push_back(std::move(variant));
         }

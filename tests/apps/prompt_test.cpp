@@ -31,6 +31,13 @@ struct Desk : Folder {
         write("noise", std::string("\x01\x7f\xff\xfe\n\x80\n\x00key", 10));
         write("key.ini", "[paper]\nx=1\n");
         write("line.ini", "[paper]\nno equals\n");
+        write("kind.ini", "\xEF\xBB\xBF[experiment]\nkind = foo\n");
+        write("value.ini", "[target]\nfile = t.csv\n[paper]\nmax-pressure = some # MPa\n");
+        write("twice.ini", "[paper]\nthreshold = 0.4\nthreshold=0.5\n");
+        write("variant.ini",
+              "[target]\nfile = t.csv\n[paper]\nmax-pressure = 1e-5\n[variants]\nmine = scor | best 1\n");
+        write("ways.ini",
+              "[experiment]\nkind=variants\n[targets]\nfiles=t.csv\n[variants]\nmine=shape 9 | bst 1\n");
         std::filesystem::create_directory(path() / "folder");
         write("result.json", "{}");
     }
@@ -76,6 +83,11 @@ const std::vector<Wrong> wrong_uses{
     {"contact --genome g.json --out g.json", {"--out", "g.json", "is read here"}},
     {"contact --genome g.json --out no/such/c.csv", {"--out", "no/such"}},
     {"contact --genome g.json --out c.csv --nodes 1e8", {"--nodes", "1e8", "10000000"}},
+    {"contact --genome g.json --out c.csv --nodes ''", {"--nodes: \"\" given, expected a value"}},
+    {"contact --genome g.json --out c.csv --length ''", {"--length: \"\" given, expected a value"}},
+    {"contact --genome g.json --out c.csv --modulus ''", {"--modulus: \"\" given, expected a value"}},
+    {"design --target t.csv --seconds ''", {"--seconds: \"\" given, expected a value"}},
+    {"design --target t.csv --pipeline ''", {"--pipeline: \"\" given, expected a value"}},
     {"contact --genome g.json --out c.csv --nodes nan", {"--nodes", "nan", "finite"}},
     {"contact --genome g.json --out c.csv --nodes 5.5", {"--nodes", "5.5", "whole number"}},
     {"contact --genome g.json --out c.csv --length 0", {"--length", "greater than 0"}},
@@ -114,8 +126,15 @@ const std::vector<Wrong> wrong_uses{
     {"target --check columns.csv", {"columns.csv"}},
     {"run", {"no experiment"}},
     {"run none.ini", {"none.ini", "cannot be read"}},
-    {"run key.ini", {"key.ini", "'paper.x'", "expected one of"}},
-    {"run line.ini", {"line.ini", "\"no equals\"", "key = value"}},
+    {"run key.ini", {"key.ini:2:", "'paper.x'", "expected one of paper."}},
+    {"run line.ini", {"line.ini:2:", "\"no equals\"", "key = value"}},
+    {"run kind.ini", {"kind.ini:2: experiment.kind:", "\"foo\"", "paper, variants, economy"}},
+    {"run kind.ini --set experiment.kind=variant", {"kind.ini: experiment.kind:", "'variants'"}},
+    {"run value.ini", {"value.ini:4: paper.max-pressure:", "\"some\"", "number"}},
+    {"run twice.ini", {"twice.ini:3: paper.threshold:", "given twice"}},
+    {"run variant.ini", {"variant.ini:6: variants.mine:", "'scor'", "'score'"}},
+    {"run ways.ini", {"ways.ini:6: variants.mine:", "'bst'", "'best'"}},
+    {"run key.ini --set paper.x= --set foo.bar=3", {"'foo.bar'", "expected one of database.*, "}},
     {"run empty", {"empty: target.file", "missing"}},
     {"run noise", {"noise"}},
     {paper + "more", {"'more'", "one experiment"}},
