@@ -181,8 +181,8 @@ TEST_CASE("bad input to an experiment gets one line and exit code 2, and leaves 
     const std::vector<std::pair<std::string, std::string>> cases{
         {"run", "no experiment given"},
         {"run missing.ini", "missing.ini: cannot be read"},
-        {"run unknown.ini", "unknown.ini: unknown key 'model.nodez'; did you mean 'model.nodes'?"},
-        {"run section.ini", "section.ini: unknown key 'modle.nodes'"},
+        {"run unknown.ini", "unknown.ini:2: unknown key 'model.nodez'; did you mean 'model.nodes'?"},
+        {"run section.ini", "section.ini:2: unknown key 'modle.nodes'"},
         {"run broken.ini", "broken.ini"},
         {"run twice.ini", "model.nodes: given twice"},
         {paper + " --set nodes", "--set"},
