@@ -156,6 +156,10 @@ double Settings::positive(const std::string& name) const {
     return value;
 }
 
+double Settings::pressure(const std::string& name) const {
+    return number(name, std::numeric_limits<double>::min(), 1e100);
+}
+
 long Settings::whole(const std::string& name, long from, long to) const {
     const double value = rough::number_from(text(name), place(name));
     if (value != std::floor(value) || value < static_cast<double>(from) || value > static_cast<double>(to))

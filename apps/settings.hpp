@@ -34,6 +34,8 @@ class Settings {
     bool is_on(const std::string& name) const;
     double number(const std::string& name, double from, double to) const;
     double positive(const std::string& name) const;
+    /// A pressure (MPa) whose squares fit double precision.
+    double pressure(const std::string& name) const;
     long whole(const std::string& name, long from, long to) const;
     std::uint64_t seed(const std::string& name) const; ///< up to 2^53, which JSON holds exactly
     int threads(const std::string& name) const;        ///< 0 for all

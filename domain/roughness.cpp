@@ -57,6 +57,10 @@ Roughness roughness(const Profile& profile) {
     r.Rdq = std::sqrt(r.m2);
     r.rms_curvature = std::sqrt(r.m4);
     r.bandwidth = r.m0 * r.m4 / (r.m2 * r.m2);
+    if (!std::isfinite(r.Rsk + r.Rku + r.m2 + r.m4 + r.bandwidth))
+        throw InputError(
+            "roughness: its parameters do not fit double precision, expected heights and a length "
+            "nearer to 1 mm");
     return r;
 }
 

@@ -1,6 +1,6 @@
 #include "domain/solid.hpp"
 
-#include "domain/errors.hpp"
+#include "domain/contact/refuse.hpp"
 
 #include <Eigen/Geometry>
 
@@ -53,9 +53,17 @@ class Facets {
 
 void expect_positive(double value, const char* what) {
     if (!(value > 0) || !std::isfinite(value))
-        throw InputError(std::string("solid: ") + what + " " + std::to_string(value) +
-                         ", expected a number above 0");
+        refuse("solid: ", what, " ", value, ", expected a number above 0");
 }
+
+void expect_normal(double length, const char* what) {
+    if (!std::isnormal(static_cast<float>(length)))
+        refuse("solid: a ", what, " of ", length,
+               " mm, expected one that single precision holds, 1.2e-38 to 3.4e38 mm");
+}
+
+/// Numbers of single precision that a relief spans, at least; one part of 2^24 is lost beside a whole.
+constexpr double fewest_levels = 256, levels = 16777216;
 
 } // namespace
 
@@ -64,13 +72,22 @@ std::string binary_stl(const Profile& profile, const Extrusion& extrusion) {
     const double lowest = profile.heights.minCoeff(), range = profile.heights.maxCoeff() - lowest;
     const double length = profile.spacing * static_cast<double>(nodes - 1);
     const double width = extrusion.width != 0 ? extrusion.width : length / 4;
-    const double base = extrusion.base != 0 ? extrusion.base : std::max(range, length / 10);
+    const double thickest = range * levels / fewest_levels;
+    const double base =
+        extrusion.base != 0 ? extrusion.base : std::max(range, std::min(length / 10, thickest / 4));
     expect_positive(extrusion.magnify, "magnification");
     expect_positive(width, "width");
     expect_positive(base, "base");
 
-    Facets facets;
     const double m = extrusion.magnify;
+    expect_normal(m * length, "length");
+    expect_normal(m * width, "width");
+    expect_normal(m * (base + range), "height");
+    if (base > thickest)
+        refuse("solid: base ", base, " mm, expected at most ", thickest,
+               " mm: beside a thicker one single precision loses the heights, ", range, " mm");
+
+    Facets facets;
     const auto vertex = [&](Index i, bool back, bool top) {
         const double height = base + profile.heights[i] - lowest;
         return Vertex(static_cast<float>(m * profile.spacing * static_cast<double>(i)),

@@ -111,6 +111,11 @@ LoadStep load_step(const ContactProblem& problem, double displacement, const Ste
     step.pressure = found.pressure.sum() / problem.elements * problem.pressure_unit;
     step.tangent_stiffness = found.stiffness * problem.stiffness_unit;
     step.kkt_residual = found.residual;
+    if (!std::isfinite(step.pressure) || !std::isfinite(step.tangent_stiffness))
+        refuse(
+            "mean pressure ", step.pressure, " MPa and stiffness ", step.tangent_stiffness,
+            " MPa/mm at a displacement of ", displacement,
+            " mm, a modulus, heights and a node spacing whose response fits double precision are expected");
     step.contact_nodes = static_cast<Index>(found.nodes.size());
     step.contact_fraction = static_cast<double>(step.contact_nodes) / static_cast<double>(problem.nodes());
     return step;

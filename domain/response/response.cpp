@@ -184,6 +184,9 @@ Response scaled(Response response, double factor) {
     response.range *= factor;
     response.displacement *= factor;
     response.pressure *= factor;
+    if (!response.displacement.allFinite() || !response.pressure.allFinite())
+        throw InputError("amplitude: a profile and its response multiplied by " + std::to_string(factor) +
+                         ", expected a factor whose pressures and displacements fit double precision");
     return response;
 }
 

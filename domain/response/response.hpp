@@ -78,7 +78,7 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
                                            ContactOptions options = {}, bool with_area = false);
 
 /// The response of the profile times `factor` (> 0): displacements and pressures scale, stiffness and area
-/// stay.
+/// stay. Throws InputError where they do not fit double precision.
 Response scaled(Response response, double factor);
 
 } // namespace rough

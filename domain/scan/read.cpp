@@ -298,6 +298,9 @@ Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
                          "), expected a rough profile");
     const double rms = std::sqrt((profile.heights.array() - profile.heights.mean()).square().mean());
     const double length = profile.spacing * static_cast<double>(profile.nodes() - 1);
+    if (!std::isfinite(rms) || !std::isfinite(length))
+        throw InputError(file + ": heights up to " + short_number(size) + " mm over " + short_number(length) +
+                         " mm, expected lengths whose squares fit double precision");
     return {std::move(profile), file + ": " + points_text(read) + ", length " + short_number(length) +
                                     " mm, height range " + short_number(range) + " mm, rms " +
                                     short_number(rms) + " mm; " + account.text};

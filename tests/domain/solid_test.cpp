@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <map>
+#include <set>
 
 using namespace rough;
 
@@ -114,4 +115,20 @@ TEST_CASE("a solid of no size is refused") {
     CHECK_THROWS_WITH(binary_stl(profile, {.width = -1}), Catch::Contains("width"));
     CHECK_THROWS_WITH(binary_stl(profile, {.base = std::nan("")}), Catch::Contains("base"));
     CHECK_THROWS_WITH(binary_stl(profile, {.magnify = 0}), Catch::Contains("magnification"));
+}
+
+TEST_CASE("a solid that single precision cannot hold is refused, and heights are not lost beside its base") {
+    const Profile profile = rough_profile(5, 50);
+    CHECK_THROWS_WITH(binary_stl(profile, {.width = 1e308}), Catch::Contains("width of 1e+308 mm"));
+    CHECK_THROWS_WITH(binary_stl(profile, {.width = 1e-308}), Catch::Contains("width of 1e-308 mm"));
+    CHECK_THROWS_WITH(binary_stl(profile, {.magnify = 1e300}), Catch::Contains("length of"));
+    CHECK_THROWS_WITH(binary_stl(profile, {.base = 1e7}), Catch::Contains("base 10000000 mm"));
+    Profile smooth = profile;
+    smooth.heights *= 1e-9;
+    const Mesh mesh = parsed(binary_stl(smooth));
+    std::set<float> levels;
+    for (const auto& facet : mesh.facets)
+        for (const Corner& corner : facet)
+            levels.insert(corner[2]);
+    CHECK(levels.size() >= 45); // of 50 nodes
 }
