@@ -17,7 +17,11 @@ using Function = std::function<double(double)>;
 class Reader {
   public:
     Reader(const std::string& text, std::string name, std::string where)
-        : text_(text), name_(std::move(name)), where_(std::move(where)) {}
+        : text_(text), name_(std::move(name)), where_(std::move(where)) {
+        if (text_.size() > longest)
+            throw rough::InputError(where_ + ": a formula of " + std::to_string(text_.size()) +
+                                    " characters given, expected at most " + std::to_string(longest));
+    }
 
     Function whole() {
         Function result = sum();
@@ -31,7 +35,7 @@ class Reader {
         Function left = product();
         while (next() == '+' || next() == '-') {
             const char sign = text_[at_++];
-            left = [a = left, b = product(), sign](double x) {
+            left = [a = std::move(left), b = product(), sign](double x) {
                 return sign == '+' ? a(x) + b(x) : a(x) - b(x);
             };
         }
@@ -42,7 +46,7 @@ class Reader {
         Function left = power();
         while (next() == '*' || next() == '/') {
             const char sign = text_[at_++];
-            left = [a = left, b = power(), sign](double x) {
+            left = [a = std::move(left), b = power(), sign](double x) {
                 return sign == '*' ? a(x) * b(x) : a(x) / b(x);
             };
         }
@@ -50,6 +54,16 @@ class Reader {
     }
 
     Function power() {
+        if (++depth_ > deepest)
+            throw rough::InputError(where_ + ": column " + std::to_string(at_ + 1) +
+                                    ": parentheses, signs or powers more than " + std::to_string(deepest) +
+                                    " deep, expected fewer");
+        const Function result = signed_power();
+        --depth_;
+        return result;
+    }
+
+    Function signed_power() {
         if (next() == '-' || next() == '+') {
             const double sign = text_[at_++] == '-' ? -1 : 1;
             return [a = power(), sign](double x) { return sign * a(x); };
@@ -132,8 +146,11 @@ class Reader {
                                 ": expected " + expected);
     }
 
+    static constexpr std::size_t longest = 10000;
+    static constexpr int deepest = 100;
     std::string text_, name_, where_;
     std::size_t at_ = 0;
+    int depth_ = 0;
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "apps/model_settings.hpp"
 
+#include "apps/units.hpp"
 #include "domain/errors.hpp"
 
 #include <limits>
@@ -88,6 +89,17 @@ rough::Index nodes_from(const Settings& settings, rough::Index otherwise, const 
                         rough::Index least) {
     const std::string name = prefix + "nodes";
     return settings.has(name) ? settings.whole(name, least, 10000000) : otherwise;
+}
+
+double shortest_wave_from(const Settings& settings, const std::string& name, const rough::Grid& grid) {
+    if (!settings.has(name))
+        return 8 * grid.spacing();
+    const double wave = settings.positive(name);
+    if (wave < grid.spacing())
+        throw rough::InputError(settings.place(name) + ": " + settings.text(name) +
+                                " mm given, expected at least the distance of two nodes, " +
+                                readable(grid.spacing(), 6) + " mm: the grid sees no shorter wave");
+    return wave;
 }
 
 rough::Model model_from(const Settings& settings, const std::string& prefix) {

@@ -26,6 +26,10 @@ rough::Model model_from(const Settings& settings, const std::string& prefix = ""
 rough::Model model_from(const Settings& settings, double length);
 rough::Model model_from(const Settings& settings, const rough::Profile& scan, const std::string& prefix = "");
 
+/// The shortest wave that a search may use, mm; 8 node distances where none is given. Throws
+/// rough::InputError on one that the grid does not see: shorter than a node distance.
+double shortest_wave_from(const Settings& settings, const std::string& name, const rough::Grid& grid);
+
 const std::vector<std::string>& solver_names(); ///< in the order of rough::Solver
 const std::string& name_of(rough::Solver solver);
 

@@ -65,7 +65,7 @@ int database_query(const Words& words) {
         expect_writable(settings.text("out"), settings);
     rough::ScreenOptions options;
     if (settings.has("max-pressure"))
-        options.max_pressure = settings.positive("max-pressure");
+        options.max_pressure = settings.pressure("max-pressure");
     options.best = static_cast<std::size_t>(settings.whole("best", 1, 10000));
     options.threads = settings.threads("threads");
     const rough::Goal goal = rough::read_goal(settings.text("target"));

@@ -9,6 +9,7 @@
 #include "domain/text.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace app {
 
@@ -53,22 +54,31 @@ rough::Goal goal_like(const rough::Profile& profile, const rough::Model& model, 
     return goal;
 }
 
+/// --NAME-from and --NAME-to, each between `least` and `greatest`.
+void take_range(const Settings& settings, const std::string& name, double& from, double& to, double least,
+                double greatest) {
+    const auto shown = [&](const std::string& flag, double value) {
+        return "--" + flag + ": " +
+               (settings.has(flag) ? settings.text(flag) + " given" : readable(value, 6) + " by itself");
+    };
+    for (const auto& [flag, value] : {std::pair(name + "-from", &from), std::pair(name + "-to", &to)})
+        if (settings.has(flag))
+            *value = settings.number(flag, least, greatest);
+    if (from > to)
+        throw rough::InputError(shown(name + "-from", from) + ", " + shown(name + "-to", to) +
+                                ", expected from no greater than to");
+}
+
 void take_bounds(const Settings& settings, rough::DesignSetup& setup) {
     rough::GeneBounds& bounds = setup.bounds;
     const double L = setup.model.grid.length;
-    const auto number = [&](const char* name, double standard, double from, double to) {
-        return settings.has(name) ? settings.number(name, from, to) : standard;
-    };
-    bounds.H_from = number("H-from", bounds.H_from, -10, 10);
-    bounds.H_to = number("H-to", std::max(bounds.H_to, bounds.H_from), bounds.H_from, 10);
-    bounds.gamma_from = number("gamma-from", bounds.gamma_from, 1.001, 100);
-    bounds.gamma_to =
-        number("gamma-to", std::max(bounds.gamma_to, bounds.gamma_from), bounds.gamma_from, 100);
-    bounds.lambda_from = number("lambda-from", 0.25 * L, 1e-12, 1e12);
-    bounds.lambda_to = number("lambda-to", std::max(4 * L, bounds.lambda_from), bounds.lambda_from, 1e12);
+    take_range(settings, "H", bounds.H_from, bounds.H_to, std::numeric_limits<double>::min(), 10);
+    take_range(settings, "gamma", bounds.gamma_from, bounds.gamma_to, 1.001, 100);
+    bounds.lambda_from = 0.25 * L;
+    bounds.lambda_to = 4 * L;
+    take_range(settings, "lambda", bounds.lambda_from, bounds.lambda_to, 1e-12, 1e12);
     rough::MakingLimits& limits = setup.limits;
-    limits.shortest_wave =
-        settings.has("shortest-wave") ? settings.positive("shortest-wave") : 8 * setup.model.grid.spacing();
+    limits.shortest_wave = shortest_wave_from(settings, "shortest-wave", setup.model.grid);
     if (limits.shortest_wave > bounds.lambda_to)
         throw rough::InputError("--shortest-wave: " + settings.text("shortest-wave") +
                                 " mm given, expected at most the longest wave, " +
@@ -130,7 +140,7 @@ DesignRun design_from(const Settings& settings) {
     DesignRun run;
     rough::DesignSetup& setup = run.setup;
     if (settings.has("max-pressure"))
-        setup.max_pressure = settings.positive("max-pressure");
+        setup.max_pressure = settings.pressure("max-pressure");
     if (settings.has("like")) {
         const rough::Scan scan = scan_from(settings.text("like"), settings, 0);
         run.accounts.push_back(scan.account);

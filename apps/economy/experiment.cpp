@@ -212,7 +212,7 @@ class Economy {
         run_.budget.push_back({"target", "the same on the finer grid", 1 - run_.design.similarity_refined});
     }
 
-    double max_pressure() const { return settings_.positive("targets.max-pressure"); }
+    double max_pressure() const { return settings_.pressure("targets.max-pressure"); }
 
     const Settings& settings_;
     Progress& progress_;

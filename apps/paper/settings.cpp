@@ -6,6 +6,8 @@
 #include "domain/response/curve.hpp"
 #include "ga/parallel.hpp"
 
+#include <limits>
+
 namespace app {
 
 namespace {
@@ -14,7 +16,7 @@ rough::DatabaseLayout layout_from(const Settings& settings, const rough::Model& 
     rough::DatabaseLayout layout;
     layout.pairs = static_cast<int>(settings.whole("database.pairs", 1, 100000));
     layout.phase_columns = static_cast<int>(settings.whole("database.phase-columns", 1, 1000));
-    layout.H_from = settings.number("database.H-from", -10, 10);
+    layout.H_from = settings.number("database.H-from", std::numeric_limits<double>::min(), 10);
     layout.H_to = settings.number("database.H-to", layout.H_from, 10);
     layout.gamma_from = settings.number("database.gamma-from", 1.01, 100);
     layout.gamma_to = settings.number("database.gamma-to", layout.gamma_from, 100);
@@ -53,7 +55,7 @@ void take_target_files(const Settings& settings, PaperRun& run) {
         throw rough::InputError(settings.place("target.file") +
                                 ": missing, expected a target (CSV), or target.profile, a measured profile");
     run.searched = model_from(settings, "model.");
-    run.max_pressure = settings.positive("paper.max-pressure");
+    run.max_pressure = settings.pressure("paper.max-pressure");
     run.targets.push_back({"drawn", rough::read_target(settings.path("target.file")), 0, {}, {}, {}});
     if (settings.has("heldout.file"))
         run.targets.push_back({"held-out", rough::read_target(settings.path("heldout.file")), 0, {}, {}, {}});

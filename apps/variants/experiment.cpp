@@ -31,10 +31,9 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
         target.setup.goals = {rough::read_goal(path)};
         target.setup.goals[0].name = path.stem().string();
         if (settings.has("targets.max-pressure"))
-            target.setup.max_pressure = settings.positive("targets.max-pressure");
-        target.setup.limits.shortest_wave = settings.has("targets.shortest-wave")
-                                                ? settings.positive("targets.shortest-wave")
-                                                : 8 * target.setup.model.grid.spacing();
+            target.setup.max_pressure = settings.pressure("targets.max-pressure");
+        target.setup.limits.shortest_wave =
+            shortest_wave_from(settings, "targets.shortest-wave", target.setup.model.grid);
         targets.push_back(std::move(target));
     }
     return targets;

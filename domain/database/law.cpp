@@ -21,8 +21,8 @@ void expect(bool good, const Parts&... parts) {
 void validate(const GenomeLaw& law) {
     expect(law.series >= 1 && law.series <= 16, "series ", law.series, ", expected 1 to 16");
     expect(law.ridges >= 1 && law.ridges <= 1000, "ridges ", law.ridges, ", expected 1 to 1000");
-    expect(std::isfinite(law.H_from) && law.H_from <= law.H_to && std::isfinite(law.H_to), "H from ",
-           law.H_from, " to ", law.H_to, ", expected a range");
+    expect(law.H_from > 0 && law.H_from <= law.H_to && std::isfinite(law.H_to), "H from ", law.H_from, " to ",
+           law.H_to, ", expected a range above 0");
     expect(law.gamma_from > 1 && law.gamma_from <= law.gamma_to && std::isfinite(law.gamma_to), "gamma from ",
            law.gamma_from, " to ", law.gamma_to, ", expected a range above 1");
     expect(law.shortest > 0 && law.shortest <= law.lambda && std::isfinite(law.lambda), "waves from ",

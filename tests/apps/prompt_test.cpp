@@ -24,6 +24,8 @@ struct Desk : Folder {
         write("broken.json", R"({"series":[)");
         write("list.json", "[1,2]");
         write("scan.txt", "x [um];z [um]\n0;1\n1;3\n2;0.5\n3;2\n4;1\n");
+        write("one.txt", "1\n3\n0.5\n2\n1\n");
+        write("huge.txt", "0;-1e308\n1;1e308\n2;0.5\n3;2\n4;1\n");
         write("t.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-6,0.1\n5e-6,0.12\n1e-5,0.14\n");
         write("word.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-5,0.5\n5e-5,x\n");
         write("columns.csv", "a,b\n1,2\n");
@@ -95,12 +97,19 @@ const std::vector<Wrong> wrong_uses{
     {"contact --genome g.json --out c.csv --kernel periodic --reach 1", {"--reach", "less than 1"}},
     {"contact --genome g.json --out c.csv --reach 0", {"--reach", "above 0 and up to 1"}},
     {"contact --genome g.json --out c.csv --datum 0.1", {"0.1 mm", "(L + delta)/4"}},
+    {"contact --genome g.json --out c.csv --modulus 1e308", {"pressure inf MPa", "fits double precision"}},
+    {"contact --genome g.json --out c.csv --length 1e-308", {"all heights are equal"}},
+    {"contact --profile one.txt --spacing 1e-308 --out c.csv", {"inf MPa", "fits double precision"}},
+    {"contact --profile huge.txt --unit mm --detrend parabola --out c.csv",
+     {"huge.txt", "fit double precision"}},
     {"contact --genome g.json --out c.csv --poisson 0.6", {"--poisson", "0.6", "0.5"}},
     {"contact --genome g.json --out c.csv --seed -1", {"--seed", "-1"}},
     {"contact --genome g.json --out c.csv --threads x", {"--threads", "\"x\""}},
     {"profile", {"genome file", "--profile"}},
     {"profile g.json g.json", {"'g.json'", "one genome"}},
     {"profile g.json --nodes 3", {"--nodes", "10"}},
+    {"profile g.json --width 1e308", {"width of 1e+308 mm", "single precision"}},
+    {"profile g.json --base 1e7", {"base 10000000 mm", "single precision"}},
     {"profile g.json --out scan.txt", {"--out", "scan.txt"}},
     {"design", {"--target", "--like"}},
     {"design --target word.csv", {"word.csv:3", "\"x\""}},
@@ -109,6 +118,15 @@ const std::vector<Wrong> wrong_uses{
     {"design --target t.csv --points 5", {"--points", "--like only"}},
     {"design --target t.csv --variant sgo", {"'sgo'", "did you mean 'sog'"}},
     {"design --target t.csv --pipeline 'scor | best 1'", {"column 1", "'scor'", "did you mean 'score'"}},
+    {"design --target t.csv --H-from 3", {"--H-from: 3 given", "--H-to: 2.5"}},
+    {"design --target t.csv --H-from 2 --H-to 1", {"--H-from: 2 given", "--H-to: 1 given"}},
+    {"design --target t.csv --H-to 0.01", {"--H-from: 0.05", "--H-to: 0.01 given"}},
+    {"design --target t.csv --H-from -1 --H-to 0", {"--H-from: -1 given", "above 0"}},
+    {"design --target t.csv --gamma-from 1", {"--gamma-from: 1 given", "1.001"}},
+    {"design --target t.csv --gamma-from 4.5", {"--gamma-from: 4.5 given", "--gamma-to: 4"}},
+    {"design --target t.csv --lambda-from 1e7", {"--lambda-from: 1e7 given", "--lambda-to: 3.39768"}},
+    {"design --target t.csv --shortest-wave 1e-308", {"--shortest-wave: 1e-308", "two nodes, 0.00166"}},
+    {"design --target t.csv --max-pressure 1e308", {"--max-pressure: 1e308", "1e+100"}},
     {"design --target t.csv --weights 1,2", {"--weights", "expected 1"}},
     {"design --target t.csv --out .", {"--out", "holds result.json", "--force"}},
     {"design --target t.csv --database g.json", {"g.json", "no genome database"}},
@@ -117,10 +135,17 @@ const std::vector<Wrong> wrong_uses{
     {"database build", {"no file"}},
     {"database build g.json", {"g.json", "no genome database"}},
     {"database build new.db --hurst-from 3", {"H from 3 to 1.5"}},
+    {"database build new.db --hurst-from 0", {"H from 0", "above 0"}},
     {"database info none.db", {"none.db", "no such file"}},
     {"database query none.db", {"--target"}},
+    {"database query none.db --target t.csv --max-pressure 1e308", {"--max-pressure: 1e308", "1e+100"}},
     {"target --formula 'sqr(p)' --to 1 --out x.csv", {"--formula", "column 1", "sqrt"}},
     {"target --formula 'p - 1' --to 1 --out x.csv", {"--formula", "point 1", "-0.95", "greater than 0"}},
+    {"target --formula '" + std::string(200, '(') + "' --to 1 --out x.csv",
+     {"--formula: column 101", "100 deep"}},
+    {"target --formula '" + std::string(9000, '-') + "p' --to 1 --out x.csv",
+     {"--formula: column 101", "100 deep"}},
+    {"target --formula '" + std::string(20000, '(') + "' --to 1 --out x.csv", {"20000 characters", "10000"}},
     {"target --formula p --out x.csv", {"--to", "missing"}},
     {"target --formula p --to 1 --out t.csv", {"t.csv exists"}},
     {"target --check columns.csv", {"columns.csv"}},
