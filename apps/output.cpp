@@ -3,6 +3,7 @@
 #include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
+#include "domain/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -90,7 +91,7 @@ bool is_finished(const fs::path& folder, const std::string& checkpoint) {
 }
 
 void write_json(const fs::path& file, const nlohmann::json& content) {
-    rough::write_atomically(file, content.dump(1) + "\n");
+    rough::write_atomically(file, rough::json_text(content) + "\n");
 }
 
 void expect_writable(const fs::path& file, const Settings& settings) {

@@ -5,6 +5,7 @@
 #include "apps/result.hpp"
 #include "domain/errors.hpp"
 #include "domain/fitness/stored.hpp"
+#include "domain/json_text.hpp"
 #include "domain/variants/paper.hpp"
 #include "ga/checkpoint.hpp"
 #include "ga/observers/log.hpp"
@@ -186,7 +187,7 @@ class Paper {
         nlohmann::json settings = model_json(problem.model());
         settings["target"] = target_json(problem.target());
         settings["max_pressure_MPa"] = problem.max_pressure();
-        return settings.dump();
+        return rough::json_text(settings, true);
     }
 
     std::optional<VariantRun> told(const Variant& variant, const RescaledProblem& problem, const Run& result,

@@ -5,6 +5,7 @@
 #include "domain/design/stored.hpp"
 #include "domain/design/within_limits.hpp"
 #include "domain/errors.hpp"
+#include "domain/json_text.hpp"
 #include "domain/mwm/database.hpp"
 #include "ga/checkpoint.hpp"
 
@@ -172,7 +173,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
                          "' makes its own starts, expected one that begins with those given (score | ...)");
     std::optional<ga::Checkpoints<DesignProblem>> keeper;
     if (options.keeping) {
-        keeper.emplace(options.keeping->file, description(setup).dump(), options.keeping->resume);
+        keeper.emplace(options.keeping->file, json_text(description(setup), true), options.keeping->resume);
         keeper->keep("archive", archive.best);
         keeper->keep("front", front);
         if (options.keeping->also)

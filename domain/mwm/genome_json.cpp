@@ -1,6 +1,7 @@
 #include "domain/mwm/genome_json.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 std::string shown(const json& value) {
-    std::string text = value.dump();
+    std::string text = json_text(value, true);
     return text.size() > 40 ? text.substr(0, 37) + "..." : text;
 }
 
@@ -127,7 +128,7 @@ std::string genome_file_text(const Genome& genome, double length) {
     json file = genome_to_json(genome);
     if (length != standard_length)
         file["length_mm"] = length;
-    return file.dump(1) + "\n";
+    return json_text(file) + "\n";
 }
 
 } // namespace rough

@@ -40,3 +40,22 @@ TEST_CASE("ways to search are compared on the same targets with the same budget 
     CHECK(bad.error_lines() == 1);
     CHECK(bad.err.find("bets") != std::string::npos);
 }
+
+TEST_CASE("names of files, folders and ways may hold bytes that are no UTF-8") {
+    const Folder folder;
+    folder.write("t\xE9.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-6,0.1\n5e-6,0.12\n1e-5,0.14\n");
+    folder.write("e\xE9.ini",
+                 "[experiment]\nkind = variants\nseeds = 1\nbudget = 20\n[targets]\nfiles = t\xE9.csv\n"
+                 "[model]\nnodes = 32\n[variants]\nw\xE9 = sample 4 | score | best 1\n");
+    const Ended raced = rugosa("run e\xE9.ini --pictures off --out r\xE9", folder.path());
+    INFO(raced.err);
+    CHECK(raced.code == 0);
+    CHECK(result_in(folder / "r\xE9")["variants"].count("w\xEF\xBF\xBD") == 1);
+    const Ended designed =
+        rugosa("design --target t\xE9.csv --nodes 32 --pictures off --out d\xE9 --pipeline "
+               "'sample 4 | score | best 1'",
+               folder.path());
+    INFO(designed.err);
+    CHECK(designed.err.empty());
+    CHECK(result_in(folder / "d\xE9")["target"]["name"] == "t\xEF\xBF\xBD.csv");
+}
