@@ -23,6 +23,19 @@ TEST_CASE("formulas follow the rules of arithmetic") {
         CHECK_THROWS_AS(value(bad, 1), rough::InputError);
 }
 
+TEST_CASE("a formula as deep as may be is read, a long one too, a deeper or longer one is refused") {
+    const auto value = [](const std::string& text) { return app::formula(text, "p", "here")(1); };
+    CHECK(value(std::string(99, '(') + "p" + std::string(99, ')')) == 1);
+    CHECK(value(std::string(98, '-') + "p") == 1);
+    std::string sum = "p";
+    while (sum.size() < 9998)
+        sum += "+p";
+    CHECK(value(sum) == 5000);
+    for (const std::string& bad :
+         {std::string(100000, '-') + "p", std::string(101, '(') + "p" + std::string(101, ')'), sum + "+p+p"})
+        CHECK_THROWS_AS(value(bad), rough::InputError);
+}
+
 TEST_CASE("a target made of a formula, a genome or a scan is read back with its model") {
     const Folder folder;
     REQUIRE(
