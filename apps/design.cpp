@@ -90,10 +90,9 @@ int design(const Words& words) {
     const Interrupt interrupt;
     Progress progress;
     const Schedule schedule(clock, run.options.seconds, run.setup, run.options.threads, pictures);
-    if (schedule.is_hopeless())
-        say("note: one answer takes about " + readable(schedule.one_answer(), 2) +
-            " s on this grid and the finer one, more than --seconds gives; expected more of it, or fewer "
-            "--nodes");
+    if (schedule.least() > run.options.seconds)
+        say("note: an answer on this grid and the finer one takes about " + readable(schedule.least(), 2) +
+            " s, more than --seconds gives; expected more of it, or fewer --nodes");
     run.options.seconds = schedule.for_search();
     run.options.compared = schedule.compared();
     if (run.options.compared == 1)

@@ -53,12 +53,15 @@ Schedule::Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& 
     }
 }
 
+double Schedule::picking() const {
+    // The search's last piece of work is one that may need both grids.
+    return longer * both_ * (1 + std::ceil(2.0 * static_cast<double>(compared()) / threads_));
+}
+
 double Schedule::for_search() const {
     if (std::isinf(limit_))
         return limit_;
-    // The search's last piece of work is one that may need both grids.
-    const double picking = longer * both_ * (1 + std::ceil(2.0 * static_cast<double>(compared()) / threads_));
-    const double rest = page_ + std::min(trust_, largest_share * limit_) + picking + slack * limit_;
+    const double rest = page_ + std::min(trust_, largest_share * limit_) + picking() + slack * limit_;
     return std::max(0.1 * limit_, limit_ - rest) - spent();
 }
 

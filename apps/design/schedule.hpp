@@ -13,9 +13,8 @@ class Schedule {
     Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& setup, int threads, bool pictures);
 
     double spent() const { return clock_.seconds(); }
-    /// Seconds that one answer takes on both grids, as far as is known; more than there are for all is told.
-    double one_answer() const { return both_; }
-    bool is_hopeless() const { return both_ > limit_; }
+    /// Seconds that a start, an answer picked on both grids and the report take without any search.
+    double least() const { return picking() + page_; }
     /// Seconds from now on that the search may take.
     double for_search() const;
     /// Answers that there is time to compare on the finer grid, as SearchOptions::compared.
@@ -25,6 +24,8 @@ class Schedule {
     bool has_time_for_page() const { return spent() + page_ < limit_; }
 
   private:
+    double picking() const;
+
     ga::Stopwatch clock_;
     double limit_;
     int threads_;

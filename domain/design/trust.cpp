@@ -235,8 +235,9 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
             redrawn.push_back(values[i]);
     for (const Check& check : trust.checks)
         if (check.name == in_finer_steps && check.similarity < trust.checks[0].similarity - unsettled)
-            flag(trust, "with ", in_finer_steps, ", the similarity is ", check.similarity, ": ",
-                 setup.model.loading.steps, " steps are too few to know the target by");
+            flag(trust, "with ", in_finer_steps, ", the similarity is ", check.similarity,
+                 ": the two curves agree less between the ", setup.model.loading.steps,
+                 " steps than at them");
     trust.median = quantile(checked, 0.5);
     trust.tenth = quantile(checked, 0.1);
     trust.redrawn = static_cast<int>(redrawn.size());
