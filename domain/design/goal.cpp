@@ -1,11 +1,10 @@
 #include "domain/design/goal.hpp"
 
 #include "domain/contact/refuse.hpp"
-#include "domain/text.hpp"
+#include "domain/response/target_table.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <vector>
 
@@ -18,56 +17,6 @@ constexpr Quantity quantities[] = {Quantity::stiffness, Quantity::area_at_pressu
 constexpr const char* expected_columns = "expected pressure_MPa with stiffness_MPa_per_mm, contact_fraction "
                                          "or conductance, or displacement_mm with "
                                          "contact_fraction or pressure_MPa; optionally lower and upper";
-
-/// What stands in a target file.
-struct Cells {
-    std::map<std::string, std::string> recorded; ///< by its "# key: value" lines
-    std::vector<std::string> header;
-    std::vector<std::vector<double>> rows; ///< as wide as the header
-
-    /// The column's place in the header, or -1.
-    int place_of(const std::string& name) const {
-        const auto found = std::find(header.begin(), header.end(), name);
-        return found == header.end() ? -1 : static_cast<int>(found - header.begin());
-    }
-    Eigen::VectorXd column(int place, double factor) const {
-        Eigen::VectorXd values(static_cast<Index>(rows.size()));
-        for (std::size_t k = 0; k < rows.size(); ++k)
-            values[static_cast<Index>(k)] = factor * rows[k][static_cast<std::size_t>(place)];
-        return values;
-    }
-};
-
-Cells read_cells(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    if (!in || std::filesystem::is_directory(file))
-        throw InputError(file.string() + ": cannot be read, expected a target (CSV)");
-    Cells table;
-    int number = 0;
-    for (std::string line; std::getline(in, line);) {
-        ++number;
-        line = trim(line);
-        const std::string where = file.string() + ":" + std::to_string(number);
-        if (line.empty())
-            continue;
-        if (line[0] == '#') {
-            const auto colon = line.find(':');
-            if (colon != std::string::npos)
-                table.recorded[std::string(trim(line.substr(1, colon - 1)))] = trim(line.substr(colon + 1));
-        } else if (table.header.empty()) {
-            table.header = listed(line);
-        } else {
-            const auto cells = listed(line);
-            if (cells.size() != table.header.size())
-                throw InputError(where + ": \"" + line + "\" given, expected " +
-                                 std::to_string(table.header.size()) + " numbers with commas between");
-            table.rows.emplace_back();
-            for (const std::string& cell : cells)
-                table.rows.back().push_back(number_from(cell, where));
-        }
-    }
-    return table;
-}
 
 } // namespace
 
@@ -109,7 +58,7 @@ void validate(const Goal& goal) {
 }
 
 Goal read_goal(const std::filesystem::path& file, double conductance_to_stiffness) {
-    const Cells cells = read_cells(file);
+    const TargetTable cells = read_target_table(file);
     Goal goal;
     goal.name = file.string();
     goal.recorded = cells.recorded;
@@ -134,12 +83,10 @@ Goal read_goal(const std::filesystem::path& file, double conductance_to_stiffnes
     const int lower = cells.place_of("lower"), upper = cells.place_of("upper");
     const std::size_t known = (x >= 0) + (y >= 0) + (lower >= 0) + (upper >= 0);
     if (x < 0 || y < 0 || known != cells.header.size() || (lower >= 0) != (upper >= 0)) {
-        std::string given;
-        for (const auto& name : cells.header)
-            given += (given.empty() ? "" : ",") + name;
-        throw InputError(file.string() + ": columns \"" + given + "\" given, " + expected_columns);
+        throw InputError(file.string() + ": columns \"" + cells.header_text() + "\" given, " +
+                         expected_columns);
     }
-    goal.x = cells.column(x, 1);
+    goal.x = cells.column(x);
     goal.y = cells.column(y, factor);
     if (lower >= 0) {
         goal.lower = cells.column(lower, factor);

@@ -1,11 +1,9 @@
 #include "domain/response/target.hpp"
 
 #include "domain/contact/refuse.hpp"
-#include "domain/text.hpp"
+#include "domain/response/target_table.hpp"
 
 #include <cmath>
-#include <fstream>
-#include <vector>
 
 namespace rough {
 
@@ -34,29 +32,13 @@ void validate(const Target& target) {
 }
 
 Target read_target(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    if (!in || std::filesystem::is_directory(file))
-        throw InputError(file.string() + ": cannot be read, expected a target (CSV with " + header + ")");
-    std::string line;
-    std::getline(in, line);
-    line = trim(line);
-    if (line != header)
-        throw InputError(file.string() + ":1: \"" + line + "\" given, expected the header " + header);
-    std::vector<double> pressure, stiffness;
-    for (int number = 2; std::getline(in, line); ++number) {
-        line = trim(line);
-        if (line.empty())
-            continue;
-        const std::string where = file.string() + ":" + std::to_string(number);
-        const auto cells = listed(line);
-        if (cells.size() != 2)
-            throw InputError(where + ": \"" + line + "\" given, expected two numbers with a comma between");
-        pressure.push_back(number_from(cells[0], where));
-        stiffness.push_back(number_from(cells[1], where));
-    }
-    Target target{file.string(),
-                  Eigen::Map<Eigen::VectorXd>(pressure.data(), static_cast<Eigen::Index>(pressure.size())),
-                  Eigen::Map<Eigen::VectorXd>(stiffness.data(), static_cast<Eigen::Index>(stiffness.size()))};
+    const TargetTable table = read_target_table(file);
+    if (table.header_text() != header || !table.recorded.empty())
+        throw InputError(
+            file.string() + ":" + std::to_string(table.header_line) + ": \"" +
+            (table.recorded.empty() ? table.header_text() : "# " + table.recorded.begin()->first + ": ...") +
+            "\" given, expected the header " + header);
+    Target target{file.string(), table.column(0), table.column(1)};
     validate(target);
     return target;
 }

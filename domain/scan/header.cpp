@@ -204,6 +204,7 @@ Header read_header(const std::vector<TextLine>& lines, const Dialect& dialect, s
                    const std::string& file) {
     Header header;
     header.units.resize(columns);
+    header.unknown_units.resize(columns);
     for (const TextLine& line : lines)
         if (const auto read = entry(line.text))
             take(header, *read, at(file, line.number));
@@ -214,9 +215,13 @@ Header read_header(const std::vector<TextLine>& lines, const Dialect& dialect, s
         if (holds_number(line->text) || (read && unit_key(read->key) != UnitOf::nothing))
             break;
         const auto units = column_units(*line, dialect, columns, at(file, line->number));
-        for (std::size_t c = 0; c < columns; ++c)
+        const auto names = column_names(line->text, dialect, columns);
+        for (std::size_t c = 0; c < columns; ++c) {
             if (!header.units[c])
                 header.units[c] = units[c];
+            if (!names.empty() && header.unknown_units[c].empty())
+                header.unknown_units[c] = unknown_unit_in(names[c]);
+        }
         header.validity_column |= names_validity(*line, dialect, columns);
     }
     return header;

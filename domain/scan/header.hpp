@@ -18,6 +18,7 @@ struct HeaderLength {
 /// What a file's header says about its table.
 struct Header {
     std::vector<std::optional<LengthUnit>> units; ///< one a column, where named above it
+    std::vector<std::string> unknown_units;       ///< one a column: what stands where a unit does; "" nothing
     std::optional<LengthUnit> x_unit;             ///< by key: "x-unit: um"
     std::optional<LengthUnit> height_unit;        ///< by key: "Value units: nm", "z-unit = nm", "Units: um"
     std::optional<HeaderLength> spacing;          ///< by key: "pixel size = 0.5 um", "dx: 0.5"

@@ -110,6 +110,14 @@ Units units_of(const Header& header, const Layout& layout, const ScanOptions& op
         agree(has_x ? *x : *height, *given, "x", file);
         agree(*height, *given, "heights", file);
     }
+    const auto expect_known = [&](std::size_t column, bool is_known) {
+        if (!given && !is_known && column < header.unknown_units.size() &&
+            !header.unknown_units[column].empty())
+            throw InputError(file + ": a column in '" + header.unknown_units[column] +
+                             "', expected a known length unit there, or one given (--unit)");
+    };
+    expect_known(layout.x, x.has_value());
+    expect_known(layout.height, height.has_value());
     const LengthUnit rest = given.value_or(LengthUnit{"mm", 1});
     const std::string source = given ? " (given)" : " (assumed)";
     const Units units{x.value_or(rest), height.value_or(rest)};

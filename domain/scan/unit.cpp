@@ -163,4 +163,20 @@ std::vector<LengthUnit> length_units_in(std::string_view header, const std::stri
     return found;
 }
 
+std::string unknown_unit_in(std::string_view name) {
+    const auto words = words_of(name);
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::string_view inside = bracketed(words[i].text);
+        // Round brackets hold remarks as well: "z (raw)".
+        const std::size_t longest = words[i].text.front() == '[' ? 6 : 2;
+        const bool as_a_unit = inside.size() >= 2 && inside.size() <= longest &&
+                               std::all_of(inside.begin(), inside.end(), [](char c) {
+                                   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.';
+                               });
+        if (as_a_unit && !length_unit(inside))
+            return std::string(inside);
+    }
+    return "";
+}
+
 } // namespace rough

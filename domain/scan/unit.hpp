@@ -24,4 +24,8 @@ LengthUnit length_unit_named(std::string_view word, const std::string& where);
 /// elsewhere. A bracketed unit of another kind ("[V]", "[s]", "[px]") throws InputError naming `where`.
 std::vector<LengthUnit> length_units_in(std::string_view header, const std::string& where);
 
+/// What stands in brackets behind a column's name as a unit does ("ft" of "x [ft]", "z (yd)"), where no
+/// length unit is named; "" where nothing does.
+std::string unknown_unit_in(std::string_view name);
+
 } // namespace rough

@@ -74,6 +74,19 @@ TEST_CASE("a unit that contradicts the header is refused, one that agrees with i
     CHECK_THAT(refusal("x [mm];z [V]\n0;1\n1;2\n2;1\n"), Catch::Contains("line 1") && Catch::Contains("'V'"));
 }
 
+TEST_CASE("a unit that nobody knows is refused by its name, unless one is given") {
+    for (const std::string header : {"x [ft] z [ft]", "x [ft]\tz [ft]", "x (ft);z (ft)", "x [yd],z [a.u.]"}) {
+        INFO(header);
+        CHECK_THAT(refusal(header + "\n0 1\n1 2\n2 1\n"),
+                   Catch::Contains("a column in '" + std::string(header[3] == 'y' ? "yd" : "ft") + "'") &&
+                       Catch::Contains("--unit"));
+        CHECK_NOTHROW(read(header + "\n0 1\n1 2\n2 1\n", {.unit = "in"}));
+    }
+    CHECK_THAT(refusal("x [mm];z [a.u.]\n0;1\n1;2\n2;1\n"), Catch::Contains("'a.u.'"));
+    for (const std::string header : {"x (raw);z (filtered)", "[X];[Z]", "x [0];z [1]"})
+        CHECK_NOTHROW(read(header + "\n0;1\n1;2\n2;1\n"));
+}
+
 TEST_CASE("a missing value is refused with its line and filled linearly when asked") {
     for (const std::string missing : {"NaN", "nan", "BAD", "--", "n/a", ""}) {
         INFO(missing);
