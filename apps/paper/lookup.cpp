@@ -11,6 +11,13 @@ bool is_refinement(const StageRecord& stage) {
     return stage.path.compare(last == std::string::npos ? 0 : last + 1, 6, "refine") == 0;
 }
 
+/// One of the paper's algorithms, in either form.
+bool is_papers(const std::string& name) {
+    return std::any_of(algorithms.begin(), algorithms.end(), [&](const Algorithm& algorithm) {
+        return name == algorithm.name || name == std::string(algorithm.name) + "-minimax";
+    });
+}
+
 double similarity_of(const StageRecord& stage, std::uint64_t id) {
     for (const Candidate& candidate : stage.candidates)
         if (candidate.id == id)
@@ -27,7 +34,26 @@ const VariantRun* find_variant(const TargetRun& target, const std::string& name)
     return nullptr;
 }
 
+std::vector<ShownAnswer> shown_answers(const TargetRun& target) {
+    std::vector<ShownAnswer> answers;
+    for (const Algorithm& algorithm : algorithms)
+        if (const VariantRun* variant = find_variant(target, algorithm.name))
+            answers.push_back({variant, algorithm.title, algorithm.colour, algorithm.dash});
+    constexpr std::array others{Colour::orange, Colour::purple, Colour::sky};
+    constexpr std::array dashes{Dash::solid, Dash::dashed, Dash::dotted};
+    std::size_t own = 0;
+    for (const VariantRun& variant : target.variants)
+        if (!is_papers(variant.name)) {
+            answers.push_back({&variant, variant.name, others[own % others.size()],
+                               dashes[own / others.size() % dashes.size()]});
+            ++own;
+        }
+    return answers;
+}
+
 std::string shown_name(const std::string& name) {
+    if (!is_papers(name))
+        return name;
     std::string result;
     for (char c : name.substr(0, name.find('-')))
         result += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);

@@ -23,7 +23,18 @@ inline constexpr std::array<Algorithm, 3> algorithms{{{"sog", "SOG", Colour::blu
 /// The variant of that name, or null.
 const VariantRun* find_variant(const TargetRun& target, const std::string& name);
 
-/// "sog-minimax" as "SOG, minimax"
+/// An answer as figures show it.
+struct ShownAnswer {
+    const VariantRun* variant;
+    std::string title;
+    Colour colour;
+    Dash dash;
+};
+
+/// The answers of the paper's algorithms, then those of the experiment's own variants.
+std::vector<ShownAnswer> shown_answers(const TargetRun& target);
+
+/// "sog-minimax" as "SOG, minimax"; an experiment's own variant by its own name.
 std::string shown_name(const std::string& name);
 
 /// "Drawn target"

@@ -61,7 +61,7 @@ Table runs_table(const TargetRun& target) {
                 {false, true, true, true, true, true, true, true}};
     for (const VariantRun& variant : target.variants) {
         const auto candidates = refinements(variant);
-        table.rows.push_back({shown_name(variant.name), readable(variant.similarity, 4),
+        table.rows.push_back({escaped(shown_name(variant.name)), readable(variant.similarity, 4),
                               readable(variant.similarity_refined, 4),
                               candidates.empty() ? "–" : readable(candidates.front().similarity[0], 4),
                               descent_of(variant), std::to_string(variant.curves),

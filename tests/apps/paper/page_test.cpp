@@ -73,3 +73,19 @@ TEST_CASE("a report with one target and no sweep still has every figure") {
     CHECK(found(html, "<figure (id=\"figure-\\d+\")").size() == 11);
     CHECK(html.find("held-out target:") == std::string::npos);
 }
+
+TEST_CASE("an experiment's own variants stand in the report by their own names, with the paper's answers") {
+    const Folder folder;
+    const std::string html =
+        page_of(folder, "--set database.pairs=2 --set paper.sweep-points=0 --set heldout.file= "
+                        "--set 'variants.myOwn=score | best 1'");
+    for (int figure = 9; figure <= 11; ++figure) {
+        const auto from = html.find("<figure id=\"figure-" + std::to_string(figure) + "\"");
+        const std::string drawn = html.substr(from, html.find("</figure>", from) - from);
+        for (const char* name : {"SOG", "GCO", "CCO", "myOwn"})
+            CHECK(drawn.find(name) != std::string::npos);
+    }
+    CHECK(html.find("MYOWN") == std::string::npos);
+    CHECK(html.find(">myOwn</td>") != std::string::npos);
+    CHECK(html.find(">SOG, minimax</td>") != std::string::npos);
+}
