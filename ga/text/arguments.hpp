@@ -156,7 +156,12 @@ class Arguments {
         if (!fits)
             throw TextError(where_, argument.column,
                             "stage '" + stage + "': " + parameter.name + " is '" + argument.value +
-                                "'; expected " + parameter.expected());
+                                "'; expected " + parameter.expected() +
+                                (parameter.kind == Parameter::Kind::whole &&
+                                         parameter.upper == Parameter::most && value &&
+                                         *value > parameter.upper
+                                     ? " to 1000000000"
+                                     : ""));
     }
 
     std::string where_;

@@ -168,6 +168,8 @@ TEST_CASE("an unknown word is refused with the nearest known one") {
 TEST_CASE("a value out of range is refused with the range") {
     refused("best", "pipeline, column 1: stage 'best' lacks 'n'; expected a whole number from 1");
     refused("best 0", "pipeline, column 6: stage 'best': n is '0'; expected a whole number from 1");
+    refused("best 1000000000000", "pipeline, column 6: stage 'best': n is '1000000000000'; expected a whole "
+                                  "number from 1 to 1000000000");
     refused("best 1.5", "pipeline, column 6: stage 'best': n is '1.5'; expected a whole number from 1");
     refused("best 1 2", "pipeline, column 8: stage 'best' has no place for '2'");
     refused("best 1 n=2", "pipeline, column 8: 'n' is given twice");
