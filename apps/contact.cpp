@@ -1,6 +1,7 @@
 #include "apps/account.hpp"
 #include "apps/commands.hpp"
 #include "apps/csv.hpp"
+#include "apps/goals.hpp"
 #include "apps/model_settings.hpp"
 #include "apps/output.hpp"
 #include "apps/scan_settings.hpp"
@@ -109,6 +110,8 @@ int contact(const Words& words) {
     rough::write_atomically(settings.text("out"), csv(response));
     if (has_account)
         write_json(account, account_json(result.account));
+    for (const auto& note : without_effect(settings))
+        say(note);
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
          name_of(response.solver) + ", height range " + readable(response.range) +
          " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));

@@ -15,10 +15,23 @@
 #include "ga/stopwatch.hpp"
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace app {
 
 namespace {
+
+/// A number in as many digits, 4 at least, as show that it is below another.
+std::string below(double value, double other) {
+    int digits = 4;
+    for (char text[40]; digits < 17; ++digits) {
+        std::snprintf(text, sizeof text, "%.*g", digits, value);
+        if (std::strtod(text, nullptr) < other)
+            break;
+    }
+    return readable(value, digits);
+}
 
 /// What is said of the search in one line: found, out of reach of every profile, or not found within the
 /// budget.
@@ -31,8 +44,8 @@ std::string verdict_of(const DesignRun& run) {
     else if (judged >= run.wanted)
         line = "found: similarity " + readable(judged, 5) + " on both grids";
     else
-        line = "not found within the budget: the nearest curve has similarity " + readable(judged, 4) +
-               ", wanted is " + readable(run.wanted, 4);
+        line = "not found within the budget: the nearest curve has similarity " + below(judged, run.wanted) +
+               ", wanted is " + brief(run.wanted, 15);
     if (!run.found.best.within_limits)
         line += "; no answer holds every limit";
     return line;

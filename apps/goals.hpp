@@ -19,4 +19,9 @@ rough::Goal even_goal(rough::Quantity quantity, const std::string& name, rough::
 /// What a target file records of its model: what its curve depends on besides the surface.
 std::map<std::string, std::string> recorded_model(const rough::Model& model);
 
+/// A line for each flag that was given and decides nothing: of another kernel, or of targets that these are
+/// not (`targets`, their files).
+std::vector<std::string> without_effect(const Settings& settings,
+                                        const std::vector<std::string>& targets = {});
+
 } // namespace app

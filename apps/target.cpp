@@ -116,7 +116,10 @@ int target(const Words& words) {
         throw rough::InputError("target: expected one of --formula, --genome, --like and --check");
     if (settings.has("check")) {
         const rough::Model model = model_from(settings);
-        return report(goal_from(settings, settings.text("check"), model), model);
+        const rough::Goal goal = goal_from(settings, settings.text("check"), model);
+        for (const auto& note : without_effect(settings, {settings.text("check")}))
+            say(note);
+        return report(goal, model);
     }
     if (!settings.has("out"))
         throw rough::InputError("target: --out is missing, expected the target file to write");
@@ -130,6 +133,8 @@ int target(const Words& words) {
     made.goal.recorded = recorded_model(made.model);
     validate(made.goal);
     rough::write_atomically(settings.text("out"), to_csv(made.goal));
+    for (const auto& note : without_effect(settings))
+        say(note);
     return report(made.goal, made.model);
 }
 

@@ -159,6 +159,13 @@ DesignRun design_from(const Settings& settings) {
         setup.model = model_from(settings);
         setup.goals = goals_from(settings, setup.model);
     }
+    for (const rough::Goal& goal : setup.goals)
+        if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
+            throw rough::InputError("--max-pressure: " + settings.text("max-pressure") +
+                                    " MPa given, expected at least the last pressure of " + goal.name + ", " +
+                                    readable(goal.last(), 6) + " MPa");
+    for (const auto& note : without_effect(settings, rough::listed(settings.text("target"))))
+        run.accounts.push_back(note);
     if (setup.model.grid.nodes < 16)
         throw rough::InputError("--nodes: " + std::to_string(setup.model.grid.nodes) +
                                 " given, expected 16 at least for a design");

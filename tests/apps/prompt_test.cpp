@@ -26,6 +26,10 @@ struct Desk : Folder {
         write("scan.txt", "x [um];z [um]\n0;1\n1;3\n2;0.5\n3;2\n4;1\n");
         write("one.txt", "1\n3\n0.5\n2\n1\n");
         write("huge.txt", "0;-1e308\n1;1e308\n2;0.5\n3;2\n4;1\n");
+        write("recorded.csv", "# kernel: strip\n# length_mm: 0.004\n# strip_width_mm: "
+                              "1e-5\npressure_MPa,stiffness_MPa_per_mm\n1e-6,0.1\n");
+        write("datum.csv", "# kernel: free\n# length_mm: 0.004\n# datum_mm: "
+                           "0.004\npressure_MPa,stiffness_MPa_per_mm\n1e-6,90\n");
         write("t.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-6,0.1\n5e-6,0.12\n1e-5,0.14\n");
         write("word.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-5,0.5\n5e-5,x\n");
         write("columns.csv", "a,b\n1,2\n");
@@ -127,6 +131,14 @@ const std::vector<Wrong> wrong_uses{
     {"design --target t.csv --lambda-from 1e7", {"--lambda-from: 1e7 given", "--lambda-to: 3.39768"}},
     {"design --target t.csv --shortest-wave 1e-308", {"--shortest-wave: 1e-308", "two nodes, 0.00166"}},
     {"design --target t.csv --max-pressure 1e308", {"--max-pressure: 1e308", "1e+100"}},
+    {"design --target t.csv --max-pressure 5e-6", {"--max-pressure: 5e-6", "t.csv, 1.00000 × 10⁻⁵ MPa"}},
+    {"design --target recorded.csv",
+     {"recorded.csv", "kernel strip (here free), length_mm 0.004 (here 0.84942", "strip_width_mm 1e-5",
+      ": --kernel strip --length 0.004 --strip-width 1e-5\n"}},
+    {"target --check datum.csv",
+     {"length_mm 0.004", "datum_mm 0.004 (here", "depends on it: --length 0.004\n"}},
+    {"target --check datum.csv --length 0.004 --datum 1",
+     {"datum.csv: recorded with datum_mm 0.004 (here 1)"}},
     {"design --target t.csv --weights 1,2", {"--weights", "expected 1"}},
     {"design --target t.csv --out .", {"--out", "holds result.json", "--force"}},
     {"design --target t.csv --database g.json", {"g.json", "no genome database"}},
@@ -247,6 +259,27 @@ TEST_CASE("every help page has a usage and examples, and the program takes the f
     CHECK(rugosa("help design").out == rugosa("design --help").out);
     CHECK_THAT(rugosa("--help").out, Catch::Contains("Exit codes"));
     CHECK_THAT(rugosa("--version").out, Catch::StartsWith("rugosa "));
+}
+
+TEST_CASE("a flag that decides nothing is taken, and a note says so") {
+    const Desk desk;
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {"contact --genome g.json --strip-width 0.1 --out a.csv",
+         "--strip-width is without effect: the kernel is free"},
+        {"contact --genome g.json --datum 1 --kernel strip --out b.csv",
+         "--datum is without effect: the kernel is strip"},
+        {"contact --genome g.json --datum 1 --kernel periodic --out d.csv",
+         "--datum is without effect: the kernel is periodic"},
+        {"target --check whole.csv --resistivity 3",
+         "--resistivity is without effect: no target is a conductance"}};
+    desk.write("whole.csv", "pressure_MPa,contact_fraction\n1e-3,0.5\n");
+    for (const auto& [words, note] : cases) {
+        const Ended ended = rugosa(words, desk.path());
+        INFO(words << "\n" << ended.err << ended.out);
+        CHECK(ended.err.empty());
+        CHECK_THAT(ended.out, Catch::Contains("note: " + note + "\n"));
+        CHECK(rugosa(words + " --quiet --force", desk.path()).out.empty());
+    }
 }
 
 TEST_CASE("contact, design and run share their common flags") {
