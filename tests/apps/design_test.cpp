@@ -216,3 +216,14 @@ TEST_CASE("a design begins from a database's nearest curves and is better than t
     }
     CHECK_FALSE(std::filesystem::exists(folder / "other"));
 }
+
+TEST_CASE("a verdict has the digits that tell what was found from what was wanted") {
+    const Folder folder;
+    const Ended ended =
+        rugosa("design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 128 --pictures off "
+               "--reach-similarity 0.99999 --pipeline 'sample 4 | score | best 1' --out r",
+               folder.path());
+    INFO(ended.err);
+    CHECK(ended.code == 3);
+    CHECK_THAT(ended.out, Catch::Contains(", wanted is 0.99999 ("));
+}
