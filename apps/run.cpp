@@ -175,9 +175,9 @@ int run(const Words& given) {
         say(folder.string() + ": interrupted; what was found is in result.json; --resume goes on");
         return exit_interrupted;
     }
-    std::filesystem::remove_all(folder / "checkpoints");
     if (flags.one_of("pictures", {"on", "off"}) == 0)
         rough::write_atomically(folder / "report.html", paper_page(paper));
+    std::filesystem::remove_all(folder / "checkpoints");
     say(folder.string() + ": " + readable(paper.seconds) + " s");
     return 0;
 }
