@@ -62,7 +62,7 @@ struct Ini {
     std::map<std::string, int> lines;
 };
 
-/// [section], key = value, # comments; bytes are kept as they are, as they may name files.
+/// Read by Boost line by line, each below its section's, so that a message can name it.
 Ini parsed_ini(const std::filesystem::path& file) {
     std::ifstream in(file);
     if (!in || std::filesystem::is_directory(file))
@@ -72,20 +72,21 @@ Ini parsed_ini(const std::filesystem::path& file) {
     for (int number = 1; std::getline(in, line); ++number) {
         if (number == 1 && line.starts_with("\xEF\xBB\xBF"))
             line.erase(0, 3);
-        const std::string_view text = rough::trim(std::string_view(line).substr(0, line.find('#')));
+        const std::string_view text = rough::trim(line);
         const std::string place = file.string() + ":" + std::to_string(number) + ": ";
-        const auto equals = text.find('=');
-        if (text.size() > 2 && text.front() == '[' && text.back() == ']') {
-            section = std::string(rough::trim(text.substr(1, text.size() - 2))) + ".";
-        } else if (equals != text.npos && equals > 0) {
-            const std::string name = section + std::string(rough::trim(text.substr(0, equals)));
-            if (!ini.values.emplace(name, rough::trim(text.substr(equals + 1))).second)
-                throw InputError(place + name + ": given twice, expected once");
-            ini.lines[name] = number;
-        } else if (!text.empty()) {
+        std::istringstream one(section + "\n" + line);
+        try {
+            for (const auto& option : po::parse_config_file(one, po::options_description(), true).options) {
+                if (!ini.values.emplace(option.string_key, rough::trim(option.value.front())).second)
+                    throw InputError(place + option.string_key + ": given twice, expected once");
+                ini.lines[option.string_key] = number;
+            }
+        } catch (const po::error&) {
             throw InputError(place + "\"" + std::string(text.substr(0, 60)) +
                              "\" given as a line, expected [section] or key = value");
         }
+        if (text.starts_with('['))
+            section = line;
     }
     return ini;
 }
