@@ -5,7 +5,7 @@
 #include "domain/database/setup.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/target_table.hpp"
-#include "domain/text.hpp"
+#include "domain/text/words.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "apps/settings.hpp"
 #include "apps/voice.hpp"
 #include "domain/errors.hpp"
-#include "domain/scan/lines.hpp"
+#include "domain/text/lines.hpp"
 #include "ga/errors.hpp"
 #include "ga/text/nearest.hpp"
 

@@ -3,7 +3,7 @@
 #include "apps/voice.hpp"
 #include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
-#include "domain/json_text.hpp"
+#include "domain/text/json.hpp"
 
 #include <nlohmann/json.hpp>
 

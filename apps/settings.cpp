@@ -1,6 +1,6 @@
 #include "apps/settings.hpp"
 
-#include "domain/text.hpp"
+#include "domain/text/words.hpp"
 #include "ga/text/nearest.hpp"
 #include "ga/text/number.hpp"
 

@@ -1,7 +1,7 @@
 #include "apps/target_files.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/text.hpp"
+#include "domain/text/words.hpp"
 
 namespace app {
 

@@ -1,6 +1,6 @@
 #include "domain/solid.hpp"
 
-#include "domain/contact/refuse.hpp"
+#include "domain/refuse.hpp"
 
 #include <Eigen/Geometry>
 

@@ -6,7 +6,7 @@
 #include "apps/units.hpp"
 #include "domain/database/starts.hpp"
 #include "domain/errors.hpp"
-#include "domain/text.hpp"
+#include "domain/text/words.hpp"
 
 #include <algorithm>
 #include <limits>

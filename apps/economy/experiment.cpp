@@ -10,7 +10,7 @@
 #include "domain/economy/economy.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/database.hpp"
-#include "domain/text.hpp"
+#include "domain/text/words.hpp"
 #include "domain/variants/paper.hpp"
 #include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"

@@ -5,7 +5,7 @@
 #include "apps/result.hpp"
 #include "domain/errors.hpp"
 #include "domain/fitness/stored.hpp"
-#include "domain/json_text.hpp"
+#include "domain/text/json.hpp"
 #include "domain/variants/paper.hpp"
 #include "ga/checkpoint.hpp"
 #include "ga/observers/log.hpp"

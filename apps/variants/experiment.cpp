@@ -8,7 +8,7 @@
 #include "apps/statistics.hpp"
 #include "apps/target_files.hpp"
 #include "domain/atomic_file.hpp"
-#include "domain/text.hpp"
+#include "domain/text/words.hpp"
 #include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
 

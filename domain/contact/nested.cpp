@@ -2,7 +2,7 @@
 
 #include "domain/contact/advance.hpp"
 #include "domain/contact/certificate.hpp"
-#include "domain/contact/refuse.hpp"
+#include "domain/refuse.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "domain/contact/problem.hpp"
 
 #include "domain/contact/kernel.hpp"
-#include "domain/contact/refuse.hpp"
+#include "domain/refuse.hpp"
 
 #include <cmath>
 #include <limits>

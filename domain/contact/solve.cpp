@@ -6,8 +6,8 @@
 #include "domain/contact/nnls.hpp"
 #include "domain/contact/polonsky_keer.hpp"
 #include "domain/contact/problem.hpp"
-#include "domain/contact/refuse.hpp"
 #include "domain/contact/set_solver.hpp"
+#include "domain/refuse.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "domain/database/screen.hpp"
 
-#include "domain/contact/refuse.hpp"
+#include "domain/refuse.hpp"
 #include "ga/parallel.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "domain/design/goal.hpp"
 
-#include "domain/contact/refuse.hpp"
+#include "domain/refuse.hpp"
 #include "domain/response/target_table.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #include "domain/design/problem.hpp"
 
-#include "domain/contact/refuse.hpp"
 #include "domain/design/loadings.hpp"
 #include "domain/design/rows.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/mwm/cross.hpp"
+#include "domain/refuse.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include "domain/design/stored.hpp"
 #include "domain/design/within_limits.hpp"
 #include "domain/errors.hpp"
-#include "domain/json_text.hpp"
 #include "domain/mwm/database.hpp"
+#include "domain/text/json.hpp"
 #include "ga/checkpoint.hpp"
 
 #include <algorithm>

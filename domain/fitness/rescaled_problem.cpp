@@ -1,10 +1,10 @@
 #include "domain/fitness/rescaled_problem.hpp"
 
-#include "domain/contact/refuse.hpp"
 #include "domain/contact/stepped.hpp"
 #include "domain/fitness/foretold.hpp"
 #include "domain/fitness/similarity_bound.hpp"
 #include "domain/fitness/stiffness_limits.hpp"
+#include "domain/refuse.hpp"
 #include "domain/response/sensitivity.hpp"
 
 #include <algorithm>

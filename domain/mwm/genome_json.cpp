@@ -1,7 +1,7 @@
 #include "domain/mwm/genome_json.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/json_text.hpp"
+#include "domain/text/json.hpp"
 
 #include <nlohmann/json.hpp>
 

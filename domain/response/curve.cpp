@@ -1,6 +1,6 @@
 #include "domain/response/curve.hpp"
 
-#include "domain/contact/refuse.hpp"
+#include "domain/refuse.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "domain/scan/exports.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/scan/cells.hpp"
-#include "domain/scan/lines.hpp"
+#include "domain/text/cells.hpp"
+#include "domain/text/lines.hpp"
 
 #include <algorithm>
 #include <cmath>

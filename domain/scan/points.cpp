@@ -1,7 +1,7 @@
 #include "domain/scan/points.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/scan/lines.hpp"
+#include "domain/text/lines.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,10 +4,10 @@
 #include "domain/scan/even.hpp"
 #include "domain/scan/exports.hpp"
 #include "domain/scan/header.hpp"
-#include "domain/scan/lines.hpp"
 #include "domain/scan/points.hpp"
 #include "domain/scan/scan.hpp"
 #include "domain/scan/table.hpp"
+#include "domain/text/lines.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/scan/cells.hpp"
+#include "domain/text/cells.hpp"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/text.hpp"
+#include "domain/text/words.hpp"
 
 #include <optional>
 #include <string>

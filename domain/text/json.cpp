@@ -1,4 +1,4 @@
-#include "domain/json_text.hpp"
+#include "domain/text/json.hpp"
 
 #include <nlohmann/json.hpp>
 

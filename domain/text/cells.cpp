@@ -1,4 +1,4 @@
-#include "domain/scan/cells.hpp"
+#include "domain/text/cells.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "domain/text.hpp"
+#include "domain/text/words.hpp"
 
 #include "domain/errors.hpp"
 

@@ -1,4 +1,4 @@
-#include "domain/scan/lines.hpp"
+#include "domain/text/lines.hpp"
 
 #include "domain/errors.hpp"
 
