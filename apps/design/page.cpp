@@ -43,7 +43,8 @@ Plot goal_plot(const DesignRun& run, std::size_t g) {
     for (const auto& [refine, label, dash] :
          {std::tuple(1, "answer", Dash::solid), std::tuple(4, "on a grid four times finer", Dash::dashed)}) {
         const auto response = respond(run.setup, run.found.best.genome, refined(run.setup.model, refine));
-        const rough::Curve curve = curve_of(goal.quantity, response.responses[response.of_goal[g]]);
+        const rough::Curve curve =
+            to_its_end(curve_of(goal.quantity, response.responses[response.of_goal[g]]));
         plot.series.push_back({label, shown.unit.factor * curve.x, curve.y,
                                refine == 1 ? Colour::blue : Colour::orange, Style::line, 2, dash});
     }

@@ -79,12 +79,13 @@ Eigen::VectorXd octave_powers(const rough::Spectrum& spectrum) {
 }
 
 /// How far two answers' powers are apart in the mean of the upper or the lower half of the octaves, as a
-/// factor.
+/// factor; NaN on a grid too coarse for octaves there.
 double power_apart(const Trio& trio, std::size_t a, std::size_t b, bool high) {
     const Eigen::VectorXd apart =
         (octave_powers(trio.spectra[a]) - octave_powers(trio.spectra[b])).cwiseAbs();
     const Eigen::Index half = apart.size() / 2;
-    return std::pow(10, (high ? apart.tail(half) : apart.head(apart.size() - half)).mean());
+    const Eigen::VectorXd part = high ? apart.tail(half) : apart.head(apart.size() - half);
+    return part.size() == 0 ? std::numeric_limits<double>::quiet_NaN() : std::pow(10, part.mean());
 }
 
 /// Exponent of the power law of wave number that fits the upper half of the octaves' densities best.
@@ -98,8 +99,13 @@ double high_exponent(const rough::Spectrum& spectrum) {
 
 std::size_t chromosomes(const VariantRun& variant) { return waves(variant.answer.genome).size(); }
 
+/// Nobody knows whether an unknown number is as claimed.
+std::optional<bool> if_known(double number, bool as_claimed) {
+    return std::isnan(number) ? std::nullopt : std::optional(as_claimed);
+}
+
 Claim over_trios(const std::vector<Trio>& trios, Claim claim,
-                 const std::function<std::pair<std::string, bool>(const Trio&)>& find) {
+                 const std::function<std::pair<std::string, std::optional<bool>>(const Trio&)>& find) {
     std::vector<std::optional<bool>> holds;
     for (const Trio& trio : trios) {
         const auto [words, held] = find(trio);
@@ -160,7 +166,7 @@ std::vector<Claim> answer_claims(const PaperRun& run) {
                     "Their heights' correlation is above 0.9" + both},
                    [](const Trio& trio) {
                        const double r = alike(trio, 1, 2);
-                       return std::pair("correlation " + readable(r), r > 0.9);
+                       return std::pair("correlation " + readable(r), if_known(r, r > 0.9));
                    }),
         over_trios(
             trios,
@@ -168,14 +174,14 @@ std::vector<Claim> answer_claims(const PaperRun& run) {
              "In the upper half of the octaves their powers differ by a factor under 2 in the mean" + both},
             [](const Trio& trio) {
                 const double factor = power_apart(trio, 0, 1, true);
-                return std::pair("factor " + readable(factor), factor < 2);
+                return std::pair("factor " + readable(factor), if_known(factor, factor < 2));
             }),
         over_trios(trios,
                    {"Figure 11", "They do not match at low frequencies.", "",
                     "In the lower half they differ by a factor of 2 or more" + both},
                    [](const Trio& trio) {
                        const double factor = power_apart(trio, 0, 1, false);
-                       return std::pair("factor " + readable(factor), factor >= 2);
+                       return std::pair("factor " + readable(factor), if_known(factor, factor >= 2));
                    }),
         over_trios(trios,
                    {"Figure 11", "CCO's spectrum is flat at high frequencies.", "",
@@ -187,7 +193,7 @@ std::vector<Claim> answer_claims(const PaperRun& run) {
                        return std::pair("exponent " + readable(exponent, 2) + " (SOG " +
                                             readable(high_exponent(trio.spectra[0]), 2) + ", GCO " +
                                             readable(high_exponent(trio.spectra[1]), 2) + ")",
-                                        std::abs(exponent) < 1);
+                                        if_known(exponent, std::abs(exponent) < 1));
                    }),
     };
 }

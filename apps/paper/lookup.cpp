@@ -108,8 +108,9 @@ std::optional<Part> best_in_part(const TargetRun& target, bool low) {
 }
 
 Series shown(const rough::Curve& curve, double x_factor, Series look) {
-    look.x = curve.x * x_factor;
-    look.y = curve.y;
+    const rough::Curve whole = to_its_end(curve);
+    look.x = whole.x * x_factor;
+    look.y = whole.y;
     return look;
 }
 

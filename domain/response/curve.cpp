@@ -62,6 +62,18 @@ Curve load_against_displacement(const Response& response) {
     return from_origin(response.displacement, response.pressure);
 }
 
+Curve to_its_end(Curve curve) {
+    const Index last = curve.x.size();
+    if (curve.x[last - 1] < curve.to) {
+        const double y = curve.at(curve.to);
+        curve.x.conservativeResize(last + 1);
+        curve.y.conservativeResize(last + 1);
+        curve.x[last] = curve.to;
+        curve.y[last] = y;
+    }
+    return curve;
+}
+
 Curve stretched(Curve curve, double factor) {
     curve.x *= factor;
     curve.from *= factor;

@@ -41,6 +41,9 @@ Curve area_against_displacement(const Response& response);
 /// Mean pressure (MPa) against displacement (mm), from (0, 0).
 Curve load_against_displacement(const Response& response);
 
+/// The same curve with a point at the end of what may be read, for drawing.
+Curve to_its_end(Curve curve);
+
 /// The curve with its x multiplied by `factor`: Eq. 11 takes p_max / P_nt.
 Curve stretched(Curve curve, double factor);
 

@@ -155,7 +155,8 @@ TEST_CASE("however short the time, and when interrupted, the best so far is a va
     CHECK_THAT(rough::read_whole(folder / "pictured/report.html"), Catch::Contains("<svg"));
     folder.write("stop.sh", "'" RUGOSA_PROGRAM "' " + drawn +
                                 " --variant esch --out stopped >log 2>&1 &\n"
-                                "child=$!; sleep 1; kill -TERM $child; wait $child\n");
+                                "child=$!; until [ -d stopped ]; do sleep 0.02; done\n"
+                                "sleep 0.5; kill -TERM $child; wait $child\n");
     const int status = std::system(("cd '" + folder.path().string() + "' && bash stop.sh").c_str());
     CHECK(WEXITSTATUS(status) == 130);
     CHECK(result_in(folder / "stopped")["interrupted"] == true);

@@ -147,6 +147,17 @@ TEST_CASE(
     CHECK_THROWS_AS(curve.at(-0.1), InputError);
 }
 
+TEST_CASE("a curve taken to its end reads the same everywhere") {
+    std::mt19937_64 random(5);
+    const Response response = respond(random_genome(random, 1, 1, 0.84942, 0.02), paper_model());
+    for (const Curve& curve : {secant_stiffness(response), area_against_pressure(response)}) {
+        const Curve whole = to_its_end(curve);
+        CHECK(whole.x.tail(1)[0] == curve.to);
+        for (int k = 0; k <= 50; ++k)
+            CHECK(whole.at(curve.to * k / 50) == Approx(curve.at(curve.to * k / 50)).epsilon(1e-12));
+    }
+}
+
 TEST_CASE("a profile without a height range and load steps without sense are refused") {
     const Profile flat{Eigen::VectorXd::Constant(16, 0.3), 0.1};
     CHECK_THROWS_WITH(respond(flat, {}, {}), Catch::Contains("all heights are equal"));
