@@ -94,7 +94,7 @@ int design(const Words& words) {
                                settings.is_on("force"),
                                resume});
     const auto& folder = output.path();
-    if (resume && is_finished(folder, "checkpoint.cbor"))
+    if (resume && says_finished(folder, "checkpoint.cbor"))
         return 0;
     const bool pictures = settings.one_of("pictures", {"on", "off"}) == 0;
     for (const auto& account : run.accounts)
@@ -126,6 +126,7 @@ int design(const Words& words) {
     };
     run.found = rough::search(run.searched, run.options, {recorder(run.stages), report_progress});
     run.interrupted = interrupt.asked();
+    run.response = respond(run.setup, run.found.best.genome, run.setup.model).responses.front();
     run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
     run.verdict = verdict_of(run);
     run.seconds = schedule.spent();

@@ -83,7 +83,7 @@ OutputFolder::~OutputFolder() {
         fs::remove(folder, not_empty);
 }
 
-bool is_finished(const fs::path& folder, const std::string& checkpoint) {
+bool says_finished(const fs::path& folder, const std::string& checkpoint) {
     if (!fs::exists(folder / "result.json") || fs::exists(folder / checkpoint))
         return false;
     say(folder.string() + ": was finished, nothing is left to go on with; another set-up takes --force");

@@ -35,7 +35,7 @@ class OutputFolder {
 };
 
 /// Whether a folder holds a result without the checkpoint to go on from; says so, as there is nothing to do.
-bool is_finished(const std::filesystem::path& folder, const std::string& checkpoint);
+bool says_finished(const std::filesystem::path& folder, const std::string& checkpoint);
 
 /// Writes a JSON file whole or not at all. A number that is not known (NaN) is null in it.
 void write_json(const std::filesystem::path& file, const nlohmann::json& content);

@@ -156,7 +156,7 @@ int run(const Words& given) {
                                flags.is_on("force"),
                                resume});
     const auto& folder = output.path();
-    if (resume && is_finished(folder, "checkpoints"))
+    if (resume && says_finished(folder, "checkpoints"))
         return 0;
     const Interrupt interrupt;
     Progress progress;

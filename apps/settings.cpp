@@ -175,26 +175,26 @@ std::uint64_t Settings::seed(const std::string& name) const {
 
 int Settings::threads(const std::string& name) const { return static_cast<int>(whole(name, 0, 1024)); }
 
-std::filesystem::path Settings::path(const std::string& name) const {
-    if (source_.empty() || !lines_.count(name))
-        return text(name);
-    return std::filesystem::path(source_).parent_path() / text(name);
+std::filesystem::path Settings::beside(const std::string& name, const std::string& word) const {
+    return lines_.count(name) ? std::filesystem::path(source_).parent_path() / word
+                              : std::filesystem::path(word);
+}
+
+std::vector<std::filesystem::path> Settings::paths(const std::string& name) const {
+    std::vector<std::filesystem::path> all;
+    for (const std::string& word : rough::listed(text(name)))
+        all.push_back(beside(name, word));
+    return all;
 }
 
 std::vector<std::filesystem::path> Settings::files() const {
     std::vector<std::filesystem::path> all;
     std::error_code error;
-    for (const auto& [name, value] : given_) {
-        if (name == "out")
-            continue;
-        for (const std::string& word : rough::listed(value)) {
-            const auto file = source_.empty() || !lines_.count(name)
-                                  ? std::filesystem::path(word)
-                                  : std::filesystem::path(source_).parent_path() / word;
-            if (std::filesystem::is_regular_file(file, error))
-                all.push_back(file);
-        }
-    }
+    for (const auto& [name, value] : given_)
+        if (name != "out")
+            for (const auto& path : paths(name))
+                if (std::filesystem::is_regular_file(path, error))
+                    all.push_back(path);
     return all;
 }
 

@@ -40,7 +40,9 @@ class Settings {
     std::uint64_t seed(const std::string& name) const; ///< up to 2^53, which JSON holds exactly
     int threads(const std::string& name) const;        ///< 0 for all
     /// A file: as given on the command line, or beside the .ini that names it.
-    std::filesystem::path path(const std::string& name) const;
+    std::filesystem::path path(const std::string& name) const { return beside(name, text(name)); }
+    /// The same of several, with commas between.
+    std::vector<std::filesystem::path> paths(const std::string& name) const;
     std::size_t one_of(const std::string& name, const std::vector<std::string>& words) const;
 
     /// Every file that is there and that a value names, but --out: those that are read.
@@ -53,6 +55,8 @@ class Settings {
     std::vector<std::string> names_under(const std::string& prefix) const;
 
   private:
+    std::filesystem::path beside(const std::string& name, const std::string& word) const;
+
     std::string source_; ///< the file, "" for a command line
     std::map<std::string, Setting> known_;
     std::map<std::string, std::string> given_;

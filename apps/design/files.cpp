@@ -82,7 +82,7 @@ json design_json(const DesignRun& run) {
             {{"reason", reason.reason}, {"at", reason.at}, {"highest_similarity", reason.bound}});
 
     VariantRun variant = variant_run(run.options.variant, run.found, run.stages, run.seconds);
-    variant.answer.response = respond(run.setup, run.found.best.genome, run.setup.model).responses.front();
+    variant.answer.response = run.response;
     json answer = variant_json(variant, loaded_models(run.searched));
     answer["pipeline"] = run.found.pipeline;
     answer["stopped"] = run.found.stopped;
@@ -112,8 +112,7 @@ void write_design_result(const DesignRun& run, const std::filesystem::path& fold
 }
 
 void write_design_tables(const DesignRun& run, const std::filesystem::path& folder) {
-    const auto coarse = respond(run.setup, run.found.best.genome, run.setup.model);
-    rough::write_atomically(folder / "answer.csv", csv(coarse.responses.front()));
+    rough::write_atomically(folder / "answer.csv", csv(run.response));
     rough::write_atomically(folder / "genome.json",
                             rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
 }

@@ -199,9 +199,9 @@ void add_alternatives(Page& page, const DesignRun& run) {
                     "Figure " + std::to_string(run.setup.goals.size() + 1) + ". The surfaces.",
                     "Heights under the highest point of each.",
                     {profile_plot(run)}};
-    if (run.like) {
+    if (run.trust_options.like) {
         surfaces.caption = "The surface that was measured, and those that answer a load as it does.";
-        surfaces.panels.insert(surfaces.panels.begin(), scan_plot(*run.like));
+        surfaces.panels.insert(surfaces.panels.begin(), scan_plot(*run.trust_options.like));
     }
     page.figure(surfaces);
     Table table{"",

@@ -17,14 +17,14 @@ struct DesignRun {
     rough::DesignSetup searched; ///< the same with the accuracy that the search was allowed
     rough::SearchOptions options;
     rough::TrustOptions trust_options;
-    std::vector<std::string> accounts;  ///< of scans read
-    std::optional<rough::Profile> like; ///< the scan whose response is the target
+    std::vector<std::string> accounts; ///< of scans read
 
     std::vector<rough::OutOfReach> out_of_reach;
     double bound = 1;  ///< no profile is more similar than this, by exact tests
     double wanted = 0; ///< --reach-similarity, or what an answer should have to be called found
 
     rough::SearchResult found;
+    rough::Response response; ///< of the answer, as the first target is loaded
     std::vector<StageRecord> stages;
     std::vector<rough::Margin> margins;
     std::optional<rough::Trust> trust; ///< none where there was no time for it

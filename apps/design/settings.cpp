@@ -148,7 +148,7 @@ DesignRun design_from(const Settings& settings) {
         own.grid.nodes = scan.profile.nodes();
         rough::Profile profile = scan.profile;
         profile.spacing = own.grid.spacing();
-        run.like = run.trust_options.like = profile;
+        run.trust_options.like = profile;
         setup.model = own;
         setup.model.grid.nodes = nodes_from(settings, 512);
         setup.goals = {goal_like(profile, own, settings.text("like"), settings.whole("points", 2, 100000),

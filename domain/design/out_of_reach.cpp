@@ -45,7 +45,6 @@ void find_fall(const Goal& goal, std::vector<OutOfReach>& found) {
                              " to ", allowed.upper(second), " at ", goal.x[second], unit_of(goal),
                              ": contact only grows under load, so it never falls"),
                      {goal.x[first], goal.x[second]},
-                     false,
                      1 - worst});
 }
 
@@ -69,17 +68,17 @@ void find_beyond(const Goal& goal, const StiffnessLimits& limits, std::vector<Ou
     if (high >= 0)
         found.push_back({line_of("stiffness ", allowed.lower(high), " MPa/mm at ", goal.x[high],
                                  " MPa is above that of full contact, ", limits.most, " MPa/mm"),
-                         all_high, false, 1 - above});
+                         all_high, 1 - above});
     if (low >= 0)
         found.push_back({line_of("stiffness ", allowed.upper(low), " MPa/mm at ", goal.x[low],
                                  " MPa is below that of a single node in contact, ", limits.least, " MPa/mm"),
-                         all_low, true, 1 - below});
+                         all_low, 1 - below, true});
 }
 
 /// Three points, the first of which may be (0, 0), of which the middle one lies above the chord.
 void find_concave(const Goal& goal, const StiffnessLimits& limits, std::vector<OutOfReach>& found) {
     const Allowed allowed{goal};
-    OutOfReach worst{"", {}, false};
+    OutOfReach worst;
     for (Index i = -1; i < goal.points(); ++i)
         for (Index j = i + 1; j < goal.points(); ++j) {
             const double x_i = i < 0 ? 0 : goal.x[i], y_i = i < 0 ? 0 : goal.y[i];
@@ -96,7 +95,6 @@ void find_concave(const Goal& goal, const StiffnessLimits& limits, std::vector<O
                                      goal.y[k], " MPa at ", goal.x[k],
                                      " mm: stiffness never falls, so the load curve is convex"),
                              {goal.x[j]},
-                             false,
                              1 - misfit};
             }
             const double most = high_i + limits.most * (goal.x[j] - x_i);
@@ -105,7 +103,6 @@ void find_concave(const Goal& goal, const StiffnessLimits& limits, std::vector<O
                 worst = {line_of("pressure rises to ", goal.y[j], " MPa at ", goal.x[j],
                                  " mm faster than with full ", "contact, ", limits.most, " MPa/mm"),
                          {goal.x[j]},
-                         false,
                          1 - misfit};
         }
     if (worst.bound < 1)

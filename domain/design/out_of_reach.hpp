@@ -9,10 +9,10 @@ namespace rough {
 struct OutOfReach {
     std::string reason;     ///< one line, with numbers
     std::vector<double> at; ///< the goal's x (MPa or mm) at fault
-    bool on_this_grid;      ///< on a finer one a profile could come nearer
     /// No profile's own curve is more similar to the goal. The scored one may pass it by a little at the ends
     /// of its load, to where it is continued by its last segments' slopes.
     double bound = 1;
+    bool on_this_grid = false; ///< on a finer one a profile could come nearer
 
     /// In words: of what it is out of reach, and why.
     std::string verdict() const;

@@ -185,8 +185,8 @@ Response scaled(Response response, double factor) {
     response.displacement *= factor;
     response.pressure *= factor;
     if (!response.displacement.allFinite() || !response.pressure.allFinite())
-        throw InputError("amplitude: a profile and its response multiplied by " + std::to_string(factor) +
-                         ", expected a factor whose pressures and displacements fit double precision");
+        refuse("amplitude: a profile and its response multiplied by ", factor,
+               ", expected a factor whose pressures and displacements fit double precision");
     return response;
 }
 

@@ -33,6 +33,7 @@ void validate(const Target& target) {
 
 Target read_target(const std::filesystem::path& file) {
     const TargetTable table = read_target_table(file);
+    // What a file records of its model is held against none here, so such a file is refused.
     if (table.header_text() != header || !table.recorded.empty())
         throw InputError(
             file.string() + ":" + std::to_string(table.header_line) + ": \"" +

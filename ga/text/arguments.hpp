@@ -30,16 +30,19 @@ struct Parameter {
     double upper = std::numeric_limits<double>::infinity();  ///< greatest number, included
     std::string meaning = {};                                ///< one line for the listing
 
-    /// What may be given, in words.
-    std::string expected() const {
+    /// What may be given, in words; `in_full` with the greatest whole number, which hardly anybody needs.
+    std::string expected(bool in_full = false) const {
         if (kind == Kind::word || kind == Kind::words)
             return kind == Kind::word ? "a name" : "names";
         const std::string what = kind == Kind::whole ? "a whole number" : "a number";
         const std::string from = lower == above_zero ? " above 0"
                                  : lower > -no_limit ? " from " + ga::number(lower)
                                                      : "";
-        return what + from +
-               (upper < (kind == Kind::whole ? most : no_limit) ? " to " + ga::number(upper) : "");
+        const bool limited = upper < (kind == Kind::whole && !in_full ? most : no_limit);
+        if (!limited)
+            return what + from;
+        return what + from + " to " +
+               (kind == Kind::whole ? std::to_string(static_cast<long>(upper)) : ga::number(upper));
     }
 };
 
@@ -156,12 +159,7 @@ class Arguments {
         if (!fits)
             throw TextError(where_, argument.column,
                             "stage '" + stage + "': " + parameter.name + " is '" + argument.value +
-                                "'; expected " + parameter.expected() +
-                                (parameter.kind == Parameter::Kind::whole &&
-                                         parameter.upper == Parameter::most && value &&
-                                         *value > parameter.upper
-                                     ? " to 1000000000"
-                                     : ""));
+                                "'; expected " + parameter.expected(value && *value > parameter.upper));
     }
 
     std::string where_;

@@ -14,6 +14,7 @@ using app::testing::Ended;
 using app::testing::Folder;
 using app::testing::rugosa;
 using app::testing::rugosa_killed;
+using app::testing::rugosa_stopped;
 
 namespace {
 
@@ -92,13 +93,7 @@ TEST_CASE("two programs building one database at once make the same file as one"
 TEST_CASE("an interrupted build says how far it came, exits with 130 and goes on later") {
     const Folder folder;
     const std::string flags = " --genomes 1000000 --batch 10 --nodes 256 --threads 1";
-    // Not before it has begun, however slow the machine.
-    folder.write("interrupt.sh", "'" RUGOSA_PROGRAM "' database build g.db" + flags +
-                                     " >log 2>&1 & child=$!\n"
-                                     "until [ -s g.db ]; do sleep 0.02; done\n"
-                                     "sleep 0.2; kill -TERM $child; wait $child\n");
-    const int status = std::system(("cd '" + folder.path().string() + "' && bash interrupt.sh").c_str());
-    CHECK(WEXITSTATUS(status) == 130);
+    CHECK(rugosa_stopped(0.2, "g.db", "database build g.db" + flags, folder.path()) == 130);
     CHECK_THAT(rough::read_whole(folder / "log"), Catch::Contains("genomes stored"));
     CHECK(pressures(folder / "g.db").size() % 10 == 0);
     CHECK(rugosa("database info g.db", folder.path()).code == 0);

@@ -9,6 +9,7 @@ using app::testing::Ended;
 using app::testing::Folder;
 using app::testing::result_in;
 using app::testing::rugosa;
+using app::testing::rugosa_stopped;
 using app::testing::timeless;
 using nlohmann::json;
 
@@ -153,12 +154,7 @@ TEST_CASE("however short the time, and when interrupted, the best so far is a va
         rugosa(drawn + " --nodes 128 --seconds 6 --reach-similarity 0.9 --out pictured", folder.path());
     CHECK(drawn_too.code == 0);
     CHECK_THAT(rough::read_whole(folder / "pictured/report.html"), Catch::Contains("<svg"));
-    folder.write("stop.sh", "'" RUGOSA_PROGRAM "' " + drawn +
-                                " --variant esch --out stopped >log 2>&1 &\n"
-                                "child=$!; until [ -d stopped ]; do sleep 0.02; done\n"
-                                "sleep 0.5; kill -TERM $child; wait $child\n");
-    const int status = std::system(("cd '" + folder.path().string() + "' && bash stop.sh").c_str());
-    CHECK(WEXITSTATUS(status) == 130);
+    CHECK(rugosa_stopped(0.5, "stopped", drawn + " --variant esch --out stopped", folder.path()) == 130);
     CHECK(result_in(folder / "stopped")["interrupted"] == true);
     CHECK(result_in(folder / "stopped")["variants"]["esch"]["genome"]["series"].size() >= 1);
 }

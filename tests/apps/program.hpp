@@ -43,4 +43,17 @@ inline Ended rugosa_killed(double seconds, const std::string& words, const std::
     return rugosa(words, where, "timeout -s KILL " + std::to_string(seconds));
 }
 
+/// Runs it and asks it to stop so many seconds after a folder, or a file with something in it, has appeared:
+/// not before it has begun, however slow the machine. Gives its exit code; what it said is in the file log.
+inline int rugosa_stopped(double seconds, const std::string& sign, const std::string& words,
+                          const std::filesystem::path& where) {
+    const Folder folder;
+    const std::filesystem::path script =
+        folder.write("stop.sh", "cd '" + where.string() + "'\n'" RUGOSA_PROGRAM "' " + words +
+                                    " >log 2>&1 & child=$!\nuntil [ -d " + sign + " ] || [ -s " + sign +
+                                    " ]; do sleep 0.02; done\nsleep " + std::to_string(seconds) +
+                                    "; kill -TERM $child; wait $child\n");
+    return WEXITSTATUS(std::system(("bash '" + script.string() + "'").c_str()));
+}
+
 } // namespace app::testing

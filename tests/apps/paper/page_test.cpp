@@ -1,11 +1,12 @@
+#include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <regex>
 #include <set>
 
 using app::testing::Folder;
+using app::testing::found;
 using app::testing::rugosa;
 
 namespace {
@@ -19,14 +20,6 @@ std::string page_of(const Folder& folder, const std::string& more) {
     INFO(ended.err);
     REQUIRE(ended.code == 0);
     return rough::read_whole(folder / "r/report.html");
-}
-
-std::vector<std::string> found(const std::string& text, const std::string& pattern) {
-    const std::regex expression(pattern);
-    std::vector<std::string> all;
-    for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i)
-        all.push_back((*i)[1]);
-    return all;
 }
 
 } // namespace

@@ -1,15 +1,16 @@
 #include "apps/report/plot.hpp"
 #include "apps/units.hpp"
 #include "domain/errors.hpp"
+#include "tests/apps/found.hpp"
 
 #include <boost/property_tree/xml_parser.hpp>
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
-#include <regex>
 #include <set>
 
 using namespace app;
+using app::testing::found;
 
 namespace {
 
@@ -21,14 +22,6 @@ Plot plot_of(const Eigen::VectorXd& y, Style style = Style::line_points) {
     plot.series = {{"a_b {c}", Eigen::VectorXd::LinSpaced(y.size(), 1, static_cast<double>(y.size())), y,
                     Colour::red, style}};
     return plot;
-}
-
-std::vector<std::string> found(const std::string& text, const std::string& pattern) {
-    const std::regex expression(pattern);
-    std::vector<std::string> all;
-    for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i)
-        all.push_back((*i)[1]);
-    return all;
 }
 
 void require_well_formed(const std::string& xml) {
