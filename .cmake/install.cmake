@@ -15,7 +15,7 @@ configure_package_config_file(.cmake/rugosaConfig.cmake.in rugosaConfig.cmake IN
 write_basic_package_version_file(rugosaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/rugosaConfig.cmake ${PROJECT_BINARY_DIR}/rugosaConfigVersion.cmake
               .cmake/dependencies.cmake DESTINATION ${RUGOSA_PACKAGE})
-install(FILES apps/completion.bash RENAME rugosa DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES apps/prompt/completion.bash RENAME rugosa DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 
 # Pages of the libraries' comments, where Doxygen is there.
 find_program(DOXYGEN doxygen)

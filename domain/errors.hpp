@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sstream>
 #include <stdexcept>
 
 namespace rough {
@@ -13,5 +14,14 @@ struct InputError : std::invalid_argument {
 struct NotConverged : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+/// Throws InputError with its parts put together; numbers to nine digits.
+template <typename... Parts>
+[[noreturn]] void refuse(const Parts&... parts) {
+    std::ostringstream line;
+    line.precision(9);
+    (line << ... << parts);
+    throw InputError(line.str());
+}
 
 } // namespace rough

@@ -1,7 +1,7 @@
 #include "domain/contact/datum.hpp"
 
 #include "domain/contact/kernel.hpp"
-#include "domain/contact/problem.hpp"
+#include "domain/contact/solvers/problem.hpp"
 #include "domain/errors.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "domain/contact/kernel.hpp"
 
-#include "domain/contact/fourier.hpp"
+#include "domain/numerics/fourier.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,13 +1,13 @@
 #include "domain/contact/solve.hpp"
 
-#include "domain/contact/active_set.hpp"
-#include "domain/contact/choice.hpp"
-#include "domain/contact/nested.hpp"
-#include "domain/contact/nnls.hpp"
-#include "domain/contact/polonsky_keer.hpp"
-#include "domain/contact/problem.hpp"
-#include "domain/contact/set_solver.hpp"
-#include "domain/refuse.hpp"
+#include "domain/contact/solvers/active_set.hpp"
+#include "domain/contact/solvers/choice.hpp"
+#include "domain/contact/solvers/nested.hpp"
+#include "domain/contact/solvers/nnls.hpp"
+#include "domain/contact/solvers/polonsky_keer.hpp"
+#include "domain/contact/solvers/problem.hpp"
+#include "domain/contact/solvers/set_solver.hpp"
+#include "domain/errors.hpp"
 
 #include <algorithm>
 #include <cmath>

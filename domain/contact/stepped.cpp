@@ -1,6 +1,6 @@
 #include "domain/contact/stepped.hpp"
 
-#include "domain/contact/choice.hpp"
+#include "domain/contact/solvers/choice.hpp"
 
 namespace rough {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/contact/nested.hpp"
+#include "domain/contact/solvers/nested.hpp"
 
 namespace rough {
 

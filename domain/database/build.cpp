@@ -1,5 +1,6 @@
 #include "domain/database/build.hpp"
 
+#include "domain/accuracy/respond.hpp"
 #include "domain/errors.hpp"
 #include "ga/parallel.hpp"
 

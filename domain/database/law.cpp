@@ -1,7 +1,7 @@
 #include "domain/database/law.hpp"
 
+#include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
-#include "domain/refuse.hpp"
 #include "ga/random.hpp"
 
 #include <cmath>

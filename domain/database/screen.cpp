@@ -1,6 +1,6 @@
 #include "domain/database/screen.hpp"
 
-#include "domain/refuse.hpp"
+#include "domain/errors.hpp"
 #include "ga/parallel.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/database/store.hpp"
-#include "domain/design/goal.hpp"
+#include "domain/target/goal.hpp"
 
 namespace rough {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/database/law.hpp"
-#include "domain/fitness/model.hpp"
+#include "domain/response/model.hpp"
 
 #include <string>
 #include <utility>

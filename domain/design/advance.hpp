@@ -1,7 +1,7 @@
 #pragma once
 
-#include "domain/design/goal.hpp"
 #include "domain/design/inverse.hpp"
+#include "domain/target/goal.hpp"
 
 namespace rough {
 

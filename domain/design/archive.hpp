@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/design/problem.hpp"
-#include "domain/fitness/stored.hpp"
+#include "domain/mwm/stored.hpp"
 #include "ga/individual.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/contact/body.hpp"
-#include "domain/profile.hpp"
+#include "domain/profile/profile.hpp"
 
 #include <functional>
 #include <vector>

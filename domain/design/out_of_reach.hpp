@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/design/problem.hpp"
-#include "domain/fitness/stiffness_limits.hpp"
+#include "domain/target/stiffness_limits.hpp"
 
 namespace rough {
 

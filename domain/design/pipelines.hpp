@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/design/starts.hpp"
-#include "domain/variants/vocabulary.hpp"
+#include "domain/paper/vocabulary.hpp"
 
 namespace rough {
 

@@ -3,8 +3,8 @@
 #include "domain/design/loadings.hpp"
 #include "domain/design/rows.hpp"
 #include "domain/design/starts.hpp"
+#include "domain/errors.hpp"
 #include "domain/mwm/cross.hpp"
-#include "domain/refuse.hpp"
 
 #include <algorithm>
 #include <cmath>

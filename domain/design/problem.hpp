@@ -1,8 +1,9 @@
 #pragma once
 
-#include "domain/design/goal.hpp"
+#include "domain/accuracy/respond.hpp"
 #include "domain/design/limits.hpp"
-#include "domain/fitness/model.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/target/goal.hpp"
 #include "ga/problem.hpp"
 #include "ga/random.hpp"
 

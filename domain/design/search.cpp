@@ -5,7 +5,7 @@
 #include "domain/design/stored.hpp"
 #include "domain/design/within_limits.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/database.hpp"
+#include "domain/mwm/sobol.hpp"
 #include "domain/text/json.hpp"
 #include "ga/checkpoint.hpp"
 

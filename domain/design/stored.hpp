@@ -1,7 +1,8 @@
 #pragma once
 
 #include "domain/design/problem.hpp"
-#include "domain/fitness/stored.hpp"
+#include "domain/mwm/stored.hpp"
+#include "domain/numerics/stored.hpp"
 
 /// What checkpoints hold of a design: outcomes without loss, and the set-up that a run belongs to.
 namespace rough {

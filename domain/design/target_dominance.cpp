@@ -1,8 +1,8 @@
 #include "domain/design/target_dominance.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/fitness/length_scales.hpp"
-#include "domain/pearson.hpp"
+#include "domain/mwm/length_scales.hpp"
+#include "domain/numerics/statistics.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/design/problem.hpp"
-#include "domain/fitness/phases.hpp"
+#include "domain/paper/phases.hpp"
 
 namespace rough {
 

@@ -2,7 +2,7 @@
 
 #include "domain/design/pipelines.hpp"
 #include "domain/design/search.hpp"
-#include "domain/fitness/length_scales.hpp"
+#include "domain/mwm/length_scales.hpp"
 
 #include <algorithm>
 

@@ -38,12 +38,6 @@ void along_wave(double step, double phase, Index nodes, Use use) {
 
 } // namespace
 
-Grid refined(const Grid& grid, Index refine) {
-    Grid finer = grid;
-    finer.nodes = grid.wraps ? grid.nodes * refine : (grid.nodes - 1) * refine + 1;
-    return finer;
-}
-
 Profile sample(const Genome& genome, const Grid& grid) {
     Profile profile{Eigen::VectorXd::Zero(grid.nodes), grid.spacing()};
     for (const Wave& wave : waves(genome)) // Eq. 9
@@ -54,6 +48,13 @@ Profile sample(const Genome& genome, const Grid& grid) {
                            (wave.amplitude * s) * fine.sines.head(count);
                    });
     return profile;
+}
+
+bool is_flat(const Profile& sampled, const Genome& genome) {
+    double amplitudes = 0;
+    for (const Wave& wave : waves(genome))
+        amplitudes += std::abs(wave.amplitude);
+    return !(sampled.heights.maxCoeff() - sampled.heights.minCoeff() > 1e-12 * amplitudes);
 }
 
 Eigen::MatrixXd wave_basis(const Genome& genome, const Grid& grid) {

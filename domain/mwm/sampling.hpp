@@ -1,25 +1,15 @@
 #pragma once
 
 #include "domain/mwm/waves.hpp"
-#include "domain/profile.hpp"
+#include "domain/profile/profile.hpp"
 
 namespace rough {
 
-/// Where a profile is sampled: x_i = from + i * spacing, i = 0..nodes-1.
-struct Grid {
-    Index nodes = 512;       ///< N >= 2
-    double length = 0.84942; ///< L, mm
-    bool wraps = false;      ///< periodic: spacing L/N in place of L/(N-1)
-    double from = 0;         ///< x of the first node, mm
-
-    double spacing() const { return length / static_cast<double>(wraps ? nodes : nodes - 1); } ///< delta, mm
-};
-
-/// The grid of `refine` elements for each of this one.
-Grid refined(const Grid& grid, Index refine);
-
 /// Z(x_i) of Eq. 1: the sum of all chromosomes, each one cosine.
 Profile sample(const Genome& genome, const Grid& grid);
+
+/// Whether the sampled profile's height range is rounding alone: under 1e-12 of its amplitudes' sum.
+bool is_flat(const Profile& sampled, const Genome& genome);
 
 /// cos(k x_i) and sin(k x_i) of each chromosome's wave, N x 2 (number of waves): columns 2c and 2c+1.
 Eigen::MatrixXd wave_basis(const Genome& genome, const Grid& grid);

@@ -1,6 +1,6 @@
 #include "domain/response/curve.hpp"
 
-#include "domain/refuse.hpp"
+#include "domain/errors.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "domain/response/response.hpp"
 
-#include "domain/refuse.hpp"
+#include "domain/errors.hpp"
 #include "domain/response/smooth_area.hpp"
 
 #include <algorithm>

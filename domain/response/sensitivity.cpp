@@ -33,20 +33,4 @@ CurveJacobian rescaled_jacobian(const Response& response, const ResponseJacobian
     return result;
 }
 
-Eigen::MatrixXd misfit_jacobian(const Target& target, const Curve& curve, const CurveJacobian& jacobian,
-                                const std::vector<Index>& points) {
-    Eigen::MatrixXd result(static_cast<Index>(points.size()), jacobian.x.cols());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const double xi = target.pressure[points[i]];
-        const auto [left, weight] = segment_at(curve, xi);
-        const double slope = (curve.y[left + 1] - curve.y[left]) / (curve.x[left + 1] - curve.x[left]);
-        // y(xi) = y_l + slope (xi - x_l): moving the points' abscissas moves the line under xi.
-        result.row(static_cast<Index>(i)) =
-            ((1 - weight) * (jacobian.y.row(left) - slope * jacobian.x.row(left)) +
-             weight * (jacobian.y.row(left + 1) - slope * jacobian.x.row(left + 1))) /
-            target.stiffness[points[i]];
-    }
-    return result;
-}
-
 } // namespace rough

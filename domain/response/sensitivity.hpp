@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/response/similarity.hpp"
+#include "domain/response/curve.hpp"
 
 namespace rough {
 
@@ -36,9 +36,5 @@ CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& 
 /// The same for secant_stiffness stretched by p_max/P_nt (Eq. 11): the factor moves with the genes, too.
 CurveJacobian rescaled_jacobian(const Response& response, const ResponseJacobian& jacobian,
                                 double max_pressure);
-
-/// d relative_misfit/dgene at the given points of the target, points x genes.
-Eigen::MatrixXd misfit_jacobian(const Target& target, const Curve& curve, const CurveJacobian& jacobian,
-                                const std::vector<Index>& points);
 
 } // namespace rough

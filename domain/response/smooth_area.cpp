@@ -1,6 +1,6 @@
 #include "domain/response/smooth_area.hpp"
 
-#include "domain/contact/set_solver.hpp"
+#include "domain/contact/solvers/set_solver.hpp"
 
 #include <algorithm>
 

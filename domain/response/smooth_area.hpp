@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/contact/solve.hpp"
-#include "domain/profile.hpp"
+#include "domain/profile/profile.hpp"
 
 namespace rough {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/profile.hpp"
+#include "domain/profile/profile.hpp"
 
 #include <vector>
 

@@ -1,12 +1,12 @@
-#include "domain/atomic_file.hpp"
 #include "domain/errors.hpp"
-#include "domain/scan/detrend.hpp"
+#include "domain/profile/detrend.hpp"
 #include "domain/scan/even.hpp"
 #include "domain/scan/exports.hpp"
 #include "domain/scan/header.hpp"
 #include "domain/scan/points.hpp"
 #include "domain/scan/scan.hpp"
 #include "domain/scan/table.hpp"
+#include "domain/text/atomic_file.hpp"
 #include "domain/text/lines.hpp"
 
 #include <algorithm>

@@ -1,18 +1,11 @@
 #pragma once
 
-#include "domain/profile.hpp"
+#include "domain/profile/detrend.hpp"
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 namespace rough {
-
-/// What is taken off a measured profile's heights, by least squares over its even nodes.
-enum class Detrend { none, mean, line, parabola };
-
-/// "none", "mean", "line" or "parabola"; anything else throws InputError naming `where`.
-Detrend detrend_named(std::string_view name, const std::string& where);
 
 /// How a file is to be read.
 struct ScanOptions {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/atomic_file.hpp"
+#include "domain/text/atomic_file.hpp"
 #include "tests/folder.hpp"
 
 #include <algorithm>

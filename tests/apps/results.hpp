@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/atomic_file.hpp"
+#include "domain/text/atomic_file.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // Fits the cost model of domain/contact/choice.cpp, and judges the choices made by it. The first argument
 // seeds the profiles.
 
-#include "domain/contact/problem.hpp"
+#include "domain/contact/solvers/problem.hpp"
 #include "tests/benchmarks/measure.hpp"
 #include "tests/domain/contact/scenes.hpp"
 

@@ -1,4 +1,4 @@
-#include "domain/contact/problem.hpp"
+#include "domain/contact/solvers/problem.hpp"
 #include "tests/benchmarks/measure.hpp"
 #include "tests/domain/contact/scenes.hpp"
 

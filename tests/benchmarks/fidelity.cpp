@@ -3,8 +3,8 @@
 //   benchmark_fidelity [nodes [proven | foretold [seed]]]
 // `foretold` gives up by a coarse grid's estimate; with a seed (not 60) the targets are 20 that nothing was
 // tuned on.
-#include "domain/mwm/database.hpp"
-#include "domain/variants/paper.hpp"
+#include "domain/mwm/sobol.hpp"
+#include "domain/paper/variants.hpp"
 #include "tests/benchmarks/measure.hpp"
 #include "tests/domain/twenty_targets.hpp"
 

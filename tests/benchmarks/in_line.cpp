@@ -7,9 +7,9 @@
 #include "domain/database/build.hpp"
 #include "domain/database/starts.hpp"
 #include "domain/design/problem.hpp"
-#include "domain/fractal.hpp"
-#include "domain/mwm/database.hpp"
-#include "domain/variants/paper.hpp"
+#include "domain/mwm/sobol.hpp"
+#include "domain/paper/variants.hpp"
+#include "domain/profile/fractal.hpp"
 #include "ga/stopwatch.hpp"
 #include "tests/benchmarks/measure.hpp"
 

@@ -2,8 +2,8 @@
 // 20-step curve with tangents, the same with its full Jacobian in every gene, and warm-started NNLS in the
 // same run.
 
-#include "domain/fitness/rescaled_problem.hpp"
-#include "domain/mwm/database.hpp"
+#include "domain/mwm/sobol.hpp"
+#include "domain/paper/rescaled_problem.hpp"
 #include "ga/stopwatch.hpp"
 #include "tests/benchmarks/measure.hpp"
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "domain/fitness/model.hpp"
-#include "domain/response/similarity.hpp"
+#include "domain/accuracy/respond.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/target/similarity.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <filesystem>

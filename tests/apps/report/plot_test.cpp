@@ -1,5 +1,5 @@
 #include "apps/report/plot.hpp"
-#include "apps/units.hpp"
+#include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "tests/apps/found.hpp"
 

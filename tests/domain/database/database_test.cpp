@@ -1,4 +1,3 @@
-#include "domain/atomic_file.hpp"
 #include "domain/database/build.hpp"
 #include "domain/database/codec.hpp"
 #include "domain/database/screen.hpp"
@@ -6,6 +5,7 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/response/curve.hpp"
+#include "domain/text/atomic_file.hpp"
 #include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>

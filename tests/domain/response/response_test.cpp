@@ -1,5 +1,6 @@
+#include "domain/accuracy/respond.hpp"
 #include "domain/errors.hpp"
-#include "domain/fitness/model.hpp"
+#include "domain/mwm/sampling.hpp"
 #include "domain/response/sensitivity.hpp"
 #include "tests/domain/random_genome.hpp"
 

@@ -1,8 +1,9 @@
 // Presses the profile of a genome file and prints its last pressure and tangent stiffness, then its
 // roughness.
-#include "domain/fitness/model.hpp"
+#include "domain/accuracy/respond.hpp"
 #include "domain/mwm/genome_json.hpp"
-#include "domain/roughness.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/profile/roughness.hpp"
 
 #include <cstdio>
 

@@ -1,0 +1,122 @@
+#include "apps/commands/commands.hpp"
+#include "apps/prompt/goals.hpp"
+#include "apps/prompt/model_settings.hpp"
+#include "apps/prompt/scan_settings.hpp"
+#include "apps/prompt/voice.hpp"
+#include "apps/report/account.hpp"
+#include "apps/report/csv.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/units.hpp"
+#include "domain/accuracy/respond_within.hpp"
+#include "domain/errors.hpp"
+#include "domain/mwm/genome_json.hpp"
+#include "domain/text/atomic_file.hpp"
+
+#include <filesystem>
+
+namespace app {
+
+namespace {
+
+std::vector<Setting> contact_settings() {
+    const std::vector<Setting> settings{
+        {"genome", "", "genome file (JSON) of the profile"},
+        {"profile", "", "measured profile in place of a genome: a text file of one or two columns"},
+        {"out", "", "curve file to write (CSV)"},
+        {"force", "", "write over an existing curve file", true},
+        {"threads", "0", "taken as design and run take it; a curve needs one thread"},
+        {"seed", "1", "taken as design and run take it; nothing here is random"},
+        accuracy_setting("", "the resolved model: --nodes if given, else 64 nodes to the shortest wave"),
+    };
+    return joined({settings, scan_settings(), model_settings()});
+}
+
+/// CURVE.json beside CURVE.csv.
+std::filesystem::path account_beside(const std::filesystem::path& curve) {
+    auto account = curve;
+    return curve.extension() == ".json" ? account += ".json" : account.replace_extension(".json");
+}
+
+/// Within an accuracy, the solver's tolerance follows from it unless one is given.
+rough::Model within_accuracy(rough::Model model, const Settings& settings) {
+    if (!settings.given("tolerance"))
+        model.contact.tolerance = 1;
+    return model;
+}
+
+/// Flags that decide nothing are still held to their range.
+void expect_common(const Settings& settings) {
+    settings.threads("threads");
+    settings.seed("seed");
+}
+
+rough::AccountedResponse measured_response(const Settings& settings) {
+    const rough::Scan scan = scan_from(settings.text("profile"), settings, nodes_from(settings, 0));
+    const rough::Model model = model_from(settings, scan.profile);
+    rough::Profile profile = scan.profile;
+    profile.spacing = model.grid.spacing();
+    const double accuracy = accuracy_from(settings);
+    rough::AccountedResponse result =
+        accuracy > 0 ? respond_within(profile, within_accuracy(model, settings), accuracy)
+                     : respond_exactly(profile, model);
+    say(scan.account);
+    return result;
+}
+
+rough::AccountedResponse computed_response(const Settings& settings) {
+    expect_none(settings, scan_settings(), "given with --genome, expected with --profile only");
+    const auto [genome, length] = rough::read_genome_file(settings.text("genome"));
+    rough::Model model = model_from(settings, length);
+    const double accuracy = accuracy_from(settings);
+    if (accuracy == 0)
+        return respond_exactly(genome, model);
+    if (!settings.has("nodes"))
+        model.grid = rough::resolved_grid(genome, model.grid.length, model.grid.wraps);
+    return respond_within(genome, within_accuracy(model, settings), accuracy);
+}
+
+} // namespace
+
+int contact(const Words& words) {
+    if (shows_help(
+            words, "contact (--genome G.json | --profile SCAN.txt [--unit U]) --out CURVE.csv [flags]",
+            "Presses a rough profile on an elastic body, load step by load step, and writes displacement, "
+            "mean pressure, contact fraction and tangent stiffness, each step with its KKT residual; and "
+            "beside the curve, CURVE.json: what was modelled, and how wrong it may be.",
+            contact_settings(),
+            {"contact --genome surface.json --out curve.csv",
+             "contact --genome surface.json --kernel periodic --steps 50 --out curve.csv",
+             "contact --genome surface.json --accuracy 1e-3 --out curve.csv",
+             "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv"}))
+        return 0;
+    const Settings settings = read_command_line(words, contact_settings());
+    if (settings.has("genome") == settings.has("profile"))
+        throw rough::InputError("contact: expected either --genome or --profile");
+    if (!settings.has("out"))
+        throw rough::InputError("contact: --out is missing, expected the curve file to write");
+    expect_common(settings);
+    expect_writable(settings.text("out"), settings);
+
+    // A device or a pipe has nothing beside it.
+    const bool has_account = !std::filesystem::exists(settings.text("out")) ||
+                             std::filesystem::is_regular_file(settings.text("out"));
+    const std::filesystem::path account = account_beside(settings.text("out"));
+    if (has_account)
+        expect_writable(account, settings);
+
+    const rough::AccountedResponse result =
+        settings.has("genome") ? computed_response(settings) : measured_response(settings);
+    const rough::Response& response = result.response;
+    rough::write_atomically(settings.text("out"), csv(response));
+    if (has_account)
+        write_json(account, account_json(result.account));
+    for (const auto& note : without_effect(settings))
+        say(note);
+    tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
+         name_of(response.solver) + ", height range " + readable(response.range) +
+         " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));
+    tell(in_words(result.account));
+    return 0;
+}
+
+} // namespace app

@@ -1,0 +1,159 @@
+#include "apps/commands/commands.hpp"
+#include "apps/commands/design/files.hpp"
+#include "apps/commands/design/page.hpp"
+#include "apps/commands/design/schedule.hpp"
+#include "apps/commands/design/settings.hpp"
+#include "apps/prompt/interrupt.hpp"
+#include "apps/prompt/progress.hpp"
+#include "apps/prompt/voice.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/recorder.hpp"
+#include "apps/report/units.hpp"
+#include "domain/errors.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "ga/checkpoint.hpp"
+#include "ga/stopwatch.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace app {
+
+namespace {
+
+/// A number in as many digits, 4 at least, as show that it is below another.
+std::string below(double value, double other) {
+    int digits = 4;
+    for (char text[40]; digits < 17; ++digits) {
+        std::snprintf(text, sizeof text, "%.*g", digits, value);
+        if (std::strtod(text, nullptr) < other)
+            break;
+    }
+    return readable(value, digits);
+}
+
+/// What is said of the search in one line: found, out of reach of every profile, or not found within the
+/// budget.
+std::string verdict_of(const DesignRun& run) {
+    const double judged = run.found.best.judged();
+    std::string line;
+    if (!run.out_of_reach.empty())
+        line = run.out_of_reach.front().verdict() + "; no similarity is above " + readable(run.bound, 4) +
+               ", the nearest found has " + readable(judged, 4);
+    else if (judged >= run.wanted)
+        line = "found: similarity " + readable(judged, 5) + " on both grids";
+    else
+        line = "not found within the budget: the nearest curve has similarity " + below(judged, run.wanted) +
+               ", wanted is " + brief(run.wanted, 15);
+    if (!run.found.best.within_limits)
+        line += "; no answer holds every limit";
+    return line;
+}
+
+int exit_code(const DesignRun& run) {
+    if (run.interrupted)
+        return exit_interrupted;
+    const bool missed = run.options.reach && run.found.best.judged() < *run.options.reach;
+    return missed || !run.out_of_reach.empty() || !run.found.best.within_limits ? 3 : 0;
+}
+
+} // namespace
+
+int design(const Words& words) {
+    const ga::Stopwatch clock;
+    if (shows_help(
+            words, "design (--target T.csv | --like SCAN.txt [--unit U]) [flags]",
+            "Finds a rough profile that answers as the target asks, and says what to believe of it. Writes "
+            "result.json, genome.json, answer.csv and report.html to a folder. A target is a CSV file with "
+            "the columns pressure_MPa and stiffness_MPa_per_mm, contact_fraction or conductance, or "
+            "displacement_mm and contact_fraction or pressure_MPa; columns lower and upper give a tolerance "
+            "band. Exit codes: 0 done; 2 wrong use; 3 similarity or limits missed, or the target is out of "
+            "reach; 130 interrupted. The best so far is written in every case but wrong use.",
+            design_settings(),
+            {"design --target target.csv", "design --target target.csv --max-pressure 1.6e-4 --seconds 5",
+             "design --like scan.txt --unit um --reach-similarity 0.99",
+             "design --target target.csv --database genomes.db --seconds 1",
+             "design --target stiffness.csv,area.csv --weights 1,0.3",
+             "design --target stiffness.csv,area.csv --variant nsga2",
+             "design --target target.csv --largest-slope 0.05 --smallest-radius 0.01",
+             "design --target target.csv --pipeline \"sample 200 | score | best 20 | refine lm 40 | best "
+             "1\""}))
+        return 0;
+    const Settings settings = read_command_line(words, design_settings());
+    DesignRun run = design_from(settings);
+    run.version = RUGOSA_VERSION;
+    run.command = command_line("design", words);
+    const bool resume = settings.is_on("resume");
+    if (resume && !settings.has("out"))
+        throw rough::InputError(
+            "--resume: given without --out, expected the folder of the design to go on with");
+    const OutputFolder output(settings.text("out"), "design",
+                              {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor"},
+                               settings.files(),
+                               settings.is_on("force"),
+                               resume});
+    const auto& folder = output.path();
+    if (resume && says_finished(folder, "checkpoint.cbor"))
+        return 0;
+    const bool pictures = settings.one_of("pictures", {"on", "off"}) == 0;
+    for (const auto& account : run.accounts)
+        say(account);
+
+    const Interrupt interrupt;
+    Progress progress;
+    const Schedule schedule(clock, run.options.seconds, run.setup, run.options.threads, pictures);
+    if (schedule.least() > run.options.seconds)
+        say("note: an answer on this grid and the finer one takes about " + readable(schedule.least(), 2) +
+            " s, more than --seconds gives; expected more of it, or fewer --nodes");
+    run.options.seconds = schedule.for_search();
+    run.options.compared = schedule.compared();
+    if (run.options.compared == 1)
+        run.options.alternatives = 1; // there is hardly time for one
+    run.options.stop = &interrupt.flag();
+    const auto checkpoint = folder / "checkpoint.cbor";
+    run.options.keeping =
+        rough::Keeping{checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); }};
+    if (!run.out_of_reach.empty())
+        run.options.evaluations = 3000; // the nearest curve is enough
+    double best = -HUGE_VAL;
+    const auto report_progress = [&](const ga::Event<rough::Genome>& event) {
+        for (const auto& individual : event.population)
+            if (individual.fitness.known() && !individual.fitness.has_failed())
+                best = std::max(best, individual.value());
+        progress.show(event.path + ": " + std::to_string(event.counters.asked) + " curves, best " +
+                      readable(best, 5));
+    };
+    run.found = rough::search(run.searched, run.options, {recorder(run.stages), report_progress});
+    run.interrupted = interrupt.asked();
+    run.response = respond(run.setup, run.found.best.genome, run.setup.model).responses.front();
+    run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
+    run.verdict = verdict_of(run);
+    run.seconds = schedule.spent();
+    write_design_result(run, folder);
+    write_design_tables(run, folder);
+    if (!run.interrupted) {
+        progress.show("verifying");
+        run.trust_options.seconds = schedule.for_trust();
+        if (run.trust_options.seconds > 0)
+            run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options);
+        else
+            run.found.notes.push_back("no time was left to verify the answer");
+        run.seconds = schedule.spent();
+        write_design_result(run, folder);
+        if (pictures && schedule.has_time_for_page())
+            rough::write_atomically(folder / "report.html", design_page(run));
+        else if (pictures)
+            say("note: no time was left for report.html; expected more --seconds for it");
+    }
+    if (run.found.stopped.empty() || (run.options.reach && run.found.best.judged() >= *run.options.reach))
+        std::filesystem::remove(checkpoint);
+    if (run.trust)
+        for (const auto& flag : run.trust->flags)
+            say("note: " + flag);
+    say(folder.string() + ": " + run.verdict + " (" + readable(schedule.spent()) + " s)" +
+        (std::filesystem::exists(checkpoint) ? "; --resume goes on with the search" : ""));
+    return exit_code(run);
+}
+
+} // namespace app

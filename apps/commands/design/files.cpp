@@ -1,0 +1,120 @@
+#include "apps/commands/design/files.hpp"
+
+#include "apps/report/csv.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/result.hpp"
+#include "domain/mwm/genome_json.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "ga/parallel.hpp"
+
+namespace app {
+
+namespace {
+
+using nlohmann::json;
+
+json goal_json(const rough::Goal& goal) {
+    const rough::Columns columns = columns_of(goal.quantity);
+    json points = json::array();
+    for (rough::Index k = 0; k < goal.points(); ++k) {
+        json point = {{columns.x, goal.x[k]}, {columns.y, goal.y[k]}};
+        if (goal.has_band())
+            point["lower"] = goal.lower[k], point["upper"] = goal.upper[k];
+        points.push_back(std::move(point));
+    }
+    return {{"name", goal.name}, {"weight", goal.weight}, {"points", std::move(points)}};
+}
+
+json answer_json(const rough::Answer& answer) {
+    return {{"similarity", answer.similarity},
+            {"similarity_refined", answer.similarity_refined},
+            {"difference", answer.difference},
+            {"genome", rough::genome_to_json(answer.genome)}};
+}
+
+json checks_json(const std::vector<rough::Check>& checks) {
+    json all = json::array();
+    for (const auto& check : checks)
+        all.push_back({{"name", check.name}, {"similarity", check.similarity}});
+    return all;
+}
+
+json trust_json(const rough::Trust& trust) {
+    return {{"checks", checks_json(trust.checks)},
+            {"median", trust.median},
+            {"tenth_percentile", trust.tenth},
+            {"other_kernels", checks_json(trust.kernels)},
+            {"phases_redrawn",
+             {{"draws", trust.redrawn},
+              {"best", trust.redrawn_best},
+              {"median", trust.redrawn_median},
+              {"tenth_percentile", trust.redrawn_tenth}}},
+            {"rms_slope", trust.rms_slope},
+            {"peak_pressure_MPa", trust.peak_pressure},
+            {"shortest_wave_nodes", trust.shortest_wave_nodes},
+            {"contact_at_ends", trust.contact_at_ends},
+            {"flags", trust.flags},
+            {"left_out_for_time", trust.left_out}};
+}
+
+/// Similarities in the order of `targets`.
+json front_json(const std::vector<rough::Compromise>& front) {
+    json all = json::array();
+    for (const auto& one : front)
+        all.push_back({{"similarity", one.similarity},
+                       {"similarity_refined", one.similarity_refined},
+                       {"genome", rough::genome_to_json(one.genome)}});
+    return all;
+}
+
+json design_json(const DesignRun& run) {
+    json result = head_json(run.searched.model, {run.version, run.command, run.options.seed,
+                                                 ga::thread_count(run.options.threads)});
+    result["max_pressure_MPa"] = run.setup.max_pressure ? json(*run.setup.max_pressure) : json();
+    result["target"] = goal_json(run.setup.goals.front());
+    for (const rough::Goal& goal : run.setup.goals)
+        result["targets"].push_back(goal_json(goal));
+    result["verdict"] = run.verdict;
+    result["interrupted"] = run.interrupted;
+    result["out_of_reach"] = json::array();
+    for (const auto& reason : run.out_of_reach)
+        result["out_of_reach"].push_back(
+            {{"reason", reason.reason}, {"at", reason.at}, {"highest_similarity", reason.bound}});
+
+    VariantRun variant = variant_run(run.options.variant, run.found, run.stages, run.seconds);
+    variant.answer.response = run.response;
+    json answer = variant_json(variant, loaded_models(run.searched));
+    answer["pipeline"] = run.found.pipeline;
+    answer["stopped"] = run.found.stopped;
+    answer["alternatives"] = json::array();
+    for (const auto& alternative : run.found.alternatives)
+        answer["alternatives"].push_back(answer_json(alternative));
+    if (!run.found.front.empty())
+        answer["front"] = front_json(run.found.front);
+    answer["margins"] = json::array();
+    for (const auto& margin : run.margins)
+        answer["margins"].push_back({{"name", margin.name},
+                                     {"limit", margin.limit > 0 ? json(margin.limit) : json()},
+                                     {"value", margin.value},
+                                     {"margin", margin.limit > 0 ? json(margin.margin()) : json()},
+                                     {"holds", margin.holds()}});
+    answer["within_limits"] = run.found.best.within_limits;
+    if (run.trust)
+        answer["trust"] = trust_json(*run.trust);
+    result["variants"][run.options.variant] = std::move(answer);
+    return result;
+}
+
+} // namespace
+
+void write_design_result(const DesignRun& run, const std::filesystem::path& folder) {
+    write_json(folder / "result.json", design_json(run));
+}
+
+void write_design_tables(const DesignRun& run, const std::filesystem::path& folder) {
+    rough::write_atomically(folder / "answer.csv", csv(run.response));
+    rough::write_atomically(folder / "genome.json",
+                            rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
+}
+
+} // namespace app

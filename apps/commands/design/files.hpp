@@ -1,0 +1,15 @@
+#pragma once
+
+#include "apps/commands/design/run.hpp"
+
+#include <filesystem>
+
+namespace app {
+
+/// Writes result.json.
+void write_design_result(const DesignRun& run, const std::filesystem::path& folder);
+
+/// Writes answer.csv, the answer's own curve, and genome.json.
+void write_design_tables(const DesignRun& run, const std::filesystem::path& folder);
+
+} // namespace app

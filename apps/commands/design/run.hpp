@@ -1,0 +1,38 @@
+#pragma once
+
+#include "apps/report/variant_run.hpp"
+#include "domain/design/out_of_reach.hpp"
+#include "domain/design/search.hpp"
+#include "domain/design/trust.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What `rugosa design` was asked for and what it found, as its result file and page read it.
+namespace app {
+
+struct DesignRun {
+    rough::DesignSetup setup;    ///< solved throughout: all that is said of the answer
+    rough::DesignSetup searched; ///< the same with the accuracy that the search was allowed
+    rough::SearchOptions options;
+    rough::TrustOptions trust_options;
+    std::vector<std::string> accounts; ///< of scans read
+
+    std::vector<rough::OutOfReach> out_of_reach;
+    double bound = 1;  ///< no profile is more similar than this, by exact tests
+    double wanted = 0; ///< --reach-similarity, or what an answer should have to be called found
+
+    rough::SearchResult found;
+    rough::Response response; ///< of the answer, as the first target is loaded
+    std::vector<StageRecord> stages;
+    std::vector<rough::Margin> margins;
+    std::optional<rough::Trust> trust; ///< none where there was no time for it
+
+    std::string verdict; ///< one line
+    bool interrupted = false;
+    double seconds = 0;
+    std::string version, command;
+};
+
+} // namespace app

@@ -1,0 +1,221 @@
+#include "apps/commands/design/settings.hpp"
+
+#include "apps/prompt/goals.hpp"
+#include "apps/prompt/model_settings.hpp"
+#include "apps/prompt/scan_settings.hpp"
+#include "apps/report/units.hpp"
+#include "domain/database/starts.hpp"
+#include "domain/errors.hpp"
+#include "domain/text/words.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace app {
+
+namespace {
+
+/// What an answer should have to be called found, where --reach-similarity is not given.
+constexpr double worth_the_name = 0.99;
+/// A target whose exact bound is below this is called out of reach, where --reach-similarity is not given.
+constexpr double exact_enough = 0.999;
+
+std::vector<rough::Goal> goals_from(const Settings& settings, const rough::Model& model) {
+    std::vector<rough::Goal> goals;
+    for (const std::string& file : rough::listed(settings.text("target")))
+        goals.push_back(goal_from(settings, file, model));
+    if (settings.has("weights")) {
+        const auto weights = rough::listed(settings.text("weights"));
+        if (weights.size() != goals.size())
+            throw rough::InputError("--weights: " + std::to_string(weights.size()) + " given, expected " +
+                                    std::to_string(goals.size()) + ", one a target");
+        double largest = 0;
+        for (std::size_t i = 0; i < goals.size(); ++i) {
+            goals[i].weight = rough::number_from(weights[i], "--weights");
+            if (!(goals[i].weight > 0))
+                throw rough::InputError("--weights: " + weights[i] +
+                                        " given, expected numbers greater than 0");
+            largest = std::max(largest, goals[i].weight);
+        }
+        for (rough::Goal& goal : goals)
+            goal.weight /= largest;
+    }
+    return goals;
+}
+
+/// K up to the last pressure of a measured profile's own response, or up to `highest` (MPa; 0: no limit).
+rough::Goal goal_like(const rough::Profile& profile, const rough::Model& model, const std::string& name,
+                      rough::Index points, double highest) {
+    const rough::Curve curve = secant_stiffness(respond(profile, model.body, model.loading, model.contact));
+    const double last = highest > 0 ? std::min(highest, curve.to) : curve.to;
+    rough::Goal goal = even_goal(rough::Quantity::stiffness, name, points, last,
+                                 [&](double pressure) { return curve.at(pressure); });
+    goal.recorded = recorded_model(model);
+    return goal;
+}
+
+/// --NAME-from and --NAME-to, each between `least` and `greatest`.
+void take_range(const Settings& settings, const std::string& name, double& from, double& to, double least,
+                double greatest) {
+    const auto shown = [&](const std::string& flag, double value) {
+        return "--" + flag + ": " +
+               (settings.has(flag) ? settings.text(flag) + " given" : readable(value, 6) + " by itself");
+    };
+    for (const auto& [flag, value] : {std::pair(name + "-from", &from), std::pair(name + "-to", &to)})
+        if (settings.has(flag))
+            *value = settings.number(flag, least, greatest);
+    if (from > to)
+        throw rough::InputError(shown(name + "-from", from) + ", " + shown(name + "-to", to) +
+                                ", expected from no greater than to");
+}
+
+void take_bounds(const Settings& settings, rough::DesignSetup& setup) {
+    rough::GeneBounds& bounds = setup.bounds;
+    const double L = setup.model.grid.length;
+    take_range(settings, "H", bounds.H_from, bounds.H_to, std::numeric_limits<double>::min(), 10);
+    take_range(settings, "gamma", bounds.gamma_from, bounds.gamma_to, 1.001, 100);
+    bounds.lambda_from = 0.25 * L;
+    bounds.lambda_to = 4 * L;
+    take_range(settings, "lambda", bounds.lambda_from, bounds.lambda_to, 1e-12, 1e12);
+    rough::MakingLimits& limits = setup.limits;
+    limits.shortest_wave = shortest_wave_from(settings, "shortest-wave", setup.model.grid);
+    if (limits.shortest_wave > bounds.lambda_to)
+        throw rough::InputError("--shortest-wave: " + settings.text("shortest-wave") +
+                                " mm given, expected at most the longest wave, " +
+                                readable(bounds.lambda_to, 6) + " mm");
+    for (const auto& [name, limit] : {std::pair("largest-slope", &limits.largest_slope),
+                                      std::pair("largest-height", &limits.largest_height),
+                                      std::pair("smallest-radius", &limits.smallest_radius)})
+        if (settings.has(name))
+            *limit = settings.positive(name);
+}
+
+} // namespace
+
+std::vector<Setting> design_settings() {
+    const std::vector<Setting> settings{
+        {"target", "", "target file (CSV); several with commas between"},
+        {"weights", "", "how much each target counts, with commas between [1 each]"},
+        {"like", "", "measured profile whose own response is the target"},
+        {"points", "20", "points of the target that --like gives"},
+        {"resistivity", "", "rho1 + rho2 of a conductance target, C = 2 K/(E* (rho1 + rho2))"},
+        {"max-pressure", "",
+         "rescale every genome to this mean pressure at full approach (Eq. 11), MPa [amplitude is a gene]"},
+        {"database", "", "genome database whose stored curves nearest to the target the search begins from"},
+        {"variant", "",
+         "how to search: a named pipeline (rugosa operators) [default; with --database: in-line]"},
+        {"pipeline", "", "how to search: a pipeline as text, in place of a variant"},
+        {"seconds", "", "wall time of the whole program [until the pipeline ends]"},
+        {"reach-similarity", "",
+         "end as soon as an answer has this similarity on both grids, begin anew up to 8 times for it; exit "
+         "3 if none has"},
+        {"alternatives", "3", "different answers to return"},
+        {"out", "", "folder for the results [out/design, or out/design-2 and on]"},
+        {"force", "", "write over an existing result", true},
+        {"resume", "",
+         "go on with the design in the folder given by --out that was interrupted, killed or out of time",
+         true},
+        {"pictures", "on", "off leaves out the report"},
+        {"seed", "1", "seed of everything random"},
+        {"threads", "0", "threads; 0 takes all"},
+        {"shortest-wave", "", "shortest wave that can be made, mm [8 node distances]"},
+        {"largest-slope", "", "largest slope that can be made"},
+        {"largest-height", "", "largest height range, mm"},
+        {"smallest-radius", "", "smallest radius of curvature, mm"},
+        {"H-from", "", "least H [0.05]"},
+        {"H-to", "", "largest H [2.5]"},
+        {"gamma-from", "", "least gamma [1.05]"},
+        {"gamma-to", "", "largest gamma [4]"},
+        {"lambda-from", "", "least longest wave of a series, mm [L/4]"},
+        {"lambda-to", "", "largest longest wave of a series, mm [4 L]"},
+        {"noise", "", "deviation of random height errors to verify the answer under, mm [none]"},
+        {"hardness", "", "hardness to hold the highest node pressure against, MPa [none]"},
+    };
+    return joined({settings, scan_settings(), model_settings(), {accuracy_setting()}});
+}
+
+DesignRun design_from(const Settings& settings) {
+    if (settings.has("target") == settings.has("like"))
+        throw rough::InputError("design: expected either --target or --like");
+    DesignRun run;
+    rough::DesignSetup& setup = run.setup;
+    if (settings.has("max-pressure"))
+        setup.max_pressure = settings.pressure("max-pressure");
+    if (settings.has("like")) {
+        const rough::Scan scan = scan_from(settings.text("like"), settings, 0);
+        run.accounts.push_back(scan.account);
+        rough::Model own = model_from(settings, scan.profile);
+        own.grid.nodes = scan.profile.nodes();
+        rough::Profile profile = scan.profile;
+        profile.spacing = own.grid.spacing();
+        run.trust_options.like = profile;
+        setup.model = own;
+        setup.model.grid.nodes = nodes_from(settings, 512);
+        setup.goals = {goal_like(profile, own, settings.text("like"), settings.whole("points", 2, 100000),
+                                 setup.max_pressure.value_or(0))};
+    } else {
+        expect_none(settings, joined({scan_settings(), {{"points", "", ""}}}),
+                    "given with --target, expected with --like only");
+        setup.model = model_from(settings);
+        setup.goals = goals_from(settings, setup.model);
+    }
+    for (const rough::Goal& goal : setup.goals)
+        if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
+            throw rough::InputError("--max-pressure: " + settings.text("max-pressure") +
+                                    " MPa given, expected at least the last pressure of " + goal.name + ", " +
+                                    readable(goal.last(), 6) + " MPa");
+    for (const auto& note : without_effect(settings, rough::listed(settings.text("target"))))
+        run.accounts.push_back(note);
+    if (setup.model.grid.nodes < 16)
+        throw rough::InputError("--nodes: " + std::to_string(setup.model.grid.nodes) +
+                                " given, expected 16 at least for a design");
+    take_bounds(settings, setup);
+    run.searched = setup;
+    run.searched.model.accuracy = accuracy_from(settings);
+
+    if (settings.given("variant") && settings.given("pipeline"))
+        throw rough::InputError("design: expected either --variant or --pipeline");
+    rough::SearchOptions& options = run.options;
+    options.variant = settings.has("variant")    ? settings.text("variant")
+                      : settings.has("database") ? "in-line"
+                                                 : "default";
+    options.pipeline = settings.text("pipeline");
+    if (!options.pipeline.empty())
+        options.variant = "pipeline";
+    options.seed = settings.seed("seed");
+    options.threads = settings.threads("threads");
+    options.alternatives = static_cast<std::size_t>(settings.whole("alternatives", 1, 100));
+    if (settings.has("seconds"))
+        options.seconds = settings.positive("seconds");
+    if (settings.has("reach-similarity"))
+        options.reach = settings.number("reach-similarity", -1, 1);
+    run.wanted = options.reach.value_or(worth_the_name);
+
+    if (settings.has("noise"))
+        run.trust_options.noise = settings.positive("noise");
+    if (settings.has("hardness"))
+        run.trust_options.hardness = settings.positive("hardness");
+    run.trust_options.seed = options.seed;
+    run.trust_options.threads = options.threads;
+
+    if (settings.has("database")) {
+        const auto store = rough::GenomeStore::open(settings.text("database"));
+        const std::size_t count = options.variant == "in-line" ? 8 : 100;
+        options.starts = rough::stored_starts(store, setup, count, options.threads);
+        if (options.starts.empty())
+            throw rough::InputError(settings.text("database") +
+                                    ": no stored curve reaches as far as the target");
+        run.accounts.push_back(settings.text("database") + ": " + std::to_string(store.stored()) +
+                               " stored curves screened, the search begins from the nearest " +
+                               std::to_string(options.starts.size()));
+    }
+
+    run.out_of_reach = rough::out_of_reach(setup);
+    for (const auto& reason : run.out_of_reach)
+        run.bound = std::min(run.bound, reason.bound);
+    if (run.bound >= options.reach.value_or(exact_enough))
+        run.out_of_reach.clear(); // a bound that leaves room is no verdict
+    return run;
+}
+
+} // namespace app

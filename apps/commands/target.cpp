@@ -1,0 +1,141 @@
+#include "apps/commands/commands.hpp"
+#include "apps/prompt/formula.hpp"
+#include "apps/prompt/goals.hpp"
+#include "apps/prompt/model_settings.hpp"
+#include "apps/prompt/scan_settings.hpp"
+#include "apps/prompt/voice.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/units.hpp"
+#include "domain/design/out_of_reach.hpp"
+#include "domain/errors.hpp"
+#include "domain/mwm/genome_json.hpp"
+#include "domain/text/atomic_file.hpp"
+
+namespace app {
+
+namespace {
+
+const std::vector<std::string> quantity_names{"stiffness", "area", "area-displacement", "load"};
+
+std::vector<Setting> target_settings() {
+    const std::vector<Setting> settings{
+        {"formula", "",
+         "the target as a formula of p (MPa), or of d (mm), e.g. \"0.3 + 2 * sqrt(p / 1e-4)\""},
+        {"genome", "", "genome file (JSON) whose own response is the target"},
+        {"like", "", "measured profile whose own response is the target"},
+        {"check", "", "target file to check in place of making one"},
+        {"quantity", "stiffness",
+         "of what: stiffness or area (against pressure), area-displacement or load (against displacement)"},
+        {"to", "", "last pressure (MPa) or displacement (mm) [the response's own; needed with --formula]"},
+        {"points", "20", "points of the target, evenly spaced"},
+        {"band", "", "tolerance band, a fraction of each value on both sides [none]"},
+        {"resistivity", "", "rho1 + rho2 of a conductance target to check"},
+        {"out", "", "target file to write (CSV)"},
+        {"force", "", "write over an existing file", true},
+    };
+    return joined({settings, scan_settings(), model_settings()});
+}
+
+struct Made {
+    rough::Goal goal;
+    rough::Model model;
+};
+
+Made made_target(const Settings& settings) {
+    const auto quantity = static_cast<rough::Quantity>(settings.one_of("quantity", quantity_names));
+    const rough::Index points = settings.whole("points", 1, 1000000);
+    if (settings.has("formula")) {
+        if (!settings.has("to"))
+            throw rough::InputError(
+                "--to: missing, expected the last pressure (MPa) or displacement (mm) of the formula");
+        const auto y = formula(settings.text("formula"), against_pressure(quantity) ? "p" : "d", "--formula");
+        return {even_goal(quantity, "--formula", points, settings.positive("to"), y), model_from(settings)};
+    }
+    Made made;
+    rough::Profile profile;
+    std::string name;
+    if (settings.has("genome")) {
+        name = settings.text("genome");
+        const auto [genome, length] = rough::read_genome_file(name);
+        made.model = model_from(settings, length);
+        profile = sample(genome, made.model.grid);
+    } else {
+        name = settings.text("like");
+        const rough::Scan scan = scan_from(name, settings, nodes_from(settings, 0));
+        say(scan.account);
+        made.model = model_from(settings, scan.profile);
+        profile = scan.profile;
+        profile.spacing = made.model.grid.spacing();
+    }
+    rough::Model loaded = made.model;
+    if (settings.has("to"))
+        (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) =
+            settings.positive("to");
+    const rough::Curve curve =
+        curve_of(quantity, respond(profile, loaded.body, loaded.loading, loaded.contact));
+    const double last = settings.has("to") ? settings.positive("to") : curve.to;
+    made.goal = even_goal(quantity, name, points, last, [&](double x) { return curve.at(x); });
+    return made;
+}
+
+/// Says what the target is; gives the exit code, 3 where it is out of reach.
+int report(const rough::Goal& goal, const rough::Model& model) {
+    const rough::Columns columns = columns_of(goal.quantity);
+    say(goal.name + ": " + std::to_string(goal.points()) + " points of " + columns.y + " from " +
+        readable(goal.y.minCoeff(), 4) + " to " + readable(goal.y.maxCoeff(), 4) + " against " + columns.x +
+        " up to " + readable(goal.last(), 4) + (goal.has_band() ? ", with a band" : ""));
+    rough::DesignSetup setup;
+    setup.model = model;
+    setup.goals = {goal};
+    const auto reasons = rough::out_of_reach(setup);
+    for (const auto& reason : reasons)
+        say(reason.verdict() + "; no similarity is above " + readable(reason.bound, 4));
+    return reasons.empty() ? 0 : 3;
+}
+
+} // namespace
+
+int target(const Words& words) {
+    if (shows_help(
+            words,
+            "target (--formula F --to X | --genome G.json | --like SCAN.txt | --check T.csv) [--out T.csv] "
+            "[flags]",
+            "Makes target files for rugosa design, or checks one: reads it, and tests exactly whether any "
+            "profile could answer so. A file made here records the body, length and datum it is meant for. "
+            "Exit code 3 says that the target is out of reach.",
+            target_settings(),
+            {"target --formula \"0.3 + 0.8 * sqrt(p / 1.6e-4)\" --to 1.6e-4 --out target.csv",
+             "target --genome surface.json --quantity area --out area.csv",
+             "target --like scan.txt --unit um --band 0.02 --out target.csv", "target --check target.csv"}))
+        return 0;
+    const Settings settings = read_command_line(words, target_settings());
+    int given = 0;
+    for (const char* source : {"formula", "genome", "like", "check"})
+        given += settings.has(source);
+    if (given != 1)
+        throw rough::InputError("target: expected one of --formula, --genome, --like and --check");
+    if (settings.has("check")) {
+        const rough::Model model = model_from(settings);
+        const rough::Goal goal = goal_from(settings, settings.text("check"), model);
+        for (const auto& note : without_effect(settings, {settings.text("check")}))
+            say(note);
+        return report(goal, model);
+    }
+    if (!settings.has("out"))
+        throw rough::InputError("target: --out is missing, expected the target file to write");
+    expect_writable(settings.text("out"), settings);
+    Made made = made_target(settings);
+    if (settings.has("band")) {
+        const double part = settings.number("band", 0, 1);
+        made.goal.lower = (1 - part) * made.goal.y;
+        made.goal.upper = (1 + part) * made.goal.y;
+    }
+    made.goal.recorded = recorded_model(made.model);
+    validate(made.goal);
+    rough::write_atomically(settings.text("out"), to_csv(made.goal));
+    for (const auto& note : without_effect(settings))
+        say(note);
+    return report(made.goal, made.model);
+}
+
+} // namespace app

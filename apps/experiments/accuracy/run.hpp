@@ -1,0 +1,57 @@
+#pragma once
+
+#include "apps/report/variant_run.hpp"
+#include "domain/design/problem.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// What the accuracy experiment found, as its page and files read it. Seconds are of one core.
+namespace app {
+
+/// One scene under one accuracy.
+struct SavingRow {
+    std::string surface; ///< smooth or rough
+    std::string kernel;
+    std::string load; ///< light or full
+    int sample = 0;   ///< which of the random surfaces
+    double accuracy = 0;
+    double seconds = 0, resolved_seconds = 0;
+    double estimated_error = 0, true_error = 0; ///< relative, worst row
+    rough::Index nodes = 0, resolved_nodes = 0;
+    std::size_t dropped = 0; ///< chromosomes left out
+
+    bool covered() const { return true_error <= estimated_error; }
+};
+
+/// One search up to its survivors, every genome evaluated to the end or not.
+struct SearchRow {
+    std::string target;
+    std::string question; ///< database or pairing
+    rough::Index nodes = 0;
+    double seconds = 0, screened_seconds = 0;
+    long genomes = 0, given_up = 0;
+    bool same = false; ///< the survivors and their fitness
+};
+
+/// One source of error of a designed surface.
+struct BudgetRow {
+    std::string kind;   ///< model, numerical or target
+    std::string source; ///< in words
+    double size = 0;    ///< largest relative change of K at the target's points; the mismatch
+};
+
+struct AccuracyRun {
+    std::vector<SavingRow> savings;
+    std::vector<SearchRow> searches;
+    rough::DesignSetup setup; ///< of the designed surface
+    VariantRun design;
+    std::vector<BudgetRow> budget;
+    std::uint64_t seed = 1;
+    int threads = 1;
+    double seconds = 0;
+    std::string version, command;
+};
+
+} // namespace app

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "apps/experiments/chart/plots.hpp"
+#include "apps/report/page.hpp"
+
+namespace app {
+
+/// The fastest method for a curve of 20 steps by scene and grid, and how much longer the next takes.
+Table fastest_by_grid(const ChartData& data);
+
+/// The fastest setting of each scene that keeps an error below levels.
+Table fastest_by_error(const ChartData& data, const ErrorKind& kind);
+
+} // namespace app

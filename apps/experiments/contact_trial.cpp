@@ -1,0 +1,62 @@
+#include "apps/experiments/contact_trial.hpp"
+
+#include "domain/errors.hpp"
+#include "ga/stopwatch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+
+namespace app {
+
+double processor_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+const std::string& name_of(Outcome outcome) {
+    static const std::array<std::string, 4> names{"solved", "refused", "not-converged", "wrong"};
+    return names[static_cast<std::size_t>(outcome)];
+}
+
+double ContactTrial::kkt_residual() const {
+    double worst = 0;
+    for (const rough::LoadStep& step : curve.steps)
+        worst = std::max(worst, step.kkt_residual);
+    return worst;
+}
+
+ContactTrial try_contact(const ContactScene& scene, const rough::ContactOptions& options) {
+    const double spent = processor_seconds();
+    ContactTrial trial;
+    try {
+        trial.curve = solve_contact(scene.profile, scene.body, scene.displacements, options);
+    } catch (const rough::InputError& error) {
+        trial.outcome = Outcome::refused;
+        trial.message = error.what();
+    } catch (const rough::NotConverged& error) {
+        trial.outcome = Outcome::not_converged;
+        trial.message = error.what();
+    }
+    trial.seconds = processor_seconds() - spent;
+    return trial;
+}
+
+ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit) {
+    const ga::Stopwatch clock;
+    bool late = false;
+    options.stop = [&] { return late = clock.seconds() > limit; };
+    ContactTrial trial = try_contact(scene, options);
+    if (late && trial.outcome == Outcome::not_converged)
+        trial.message = "stopped after " + std::to_string(std::lround(limit)) + " s";
+    return trial;
+}
+
+double promised_tolerance(const rough::ContactCurve& curve, const rough::ContactOptions& options) {
+    const bool direct = curve.solver == rough::Solver::nested || curve.solver == rough::Solver::nnls;
+    return direct ? 1e-9 : 10 * options.tolerance;
+}
+
+} // namespace app

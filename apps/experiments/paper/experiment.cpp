@@ -1,0 +1,267 @@
+#include "apps/experiments/paper/experiment.hpp"
+
+#include "apps/experiments/paper/settings.hpp"
+#include "apps/report/recorder.hpp"
+#include "apps/report/result.hpp"
+#include "domain/errors.hpp"
+#include "domain/paper/stored.hpp"
+#include "domain/paper/variants.hpp"
+#include "domain/text/json.hpp"
+#include "ga/checkpoint.hpp"
+#include "ga/observers/log.hpp"
+#include "ga/parallel.hpp"
+#include "ga/stopwatch.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace app {
+
+namespace {
+
+using rough::DominanceRule;
+using rough::RescaledProblem;
+
+struct Variant {
+    std::string name;
+    rough::PaperPipeline pipeline;
+};
+
+/// How far refinement moves a phase.
+rough::PhaseReach reach_from(const Settings& settings) {
+    return {settings.number("paper.phase-relative", 0, 10), settings.number("paper.phase-absolute", 0, 10)};
+}
+
+rough::DominanceReading other(rough::DominanceReading reading) {
+    using enum rough::DominanceReading;
+    return reading == same_pressure ? same_step : same_pressure;
+}
+
+std::vector<Variant> paper_three(const rough::Vocabulary& words) {
+    return {{"sog", sog(words)}, {"gco", gco(words)}, {"cco", cco(words)}};
+}
+
+/// The paper's three in both forms, from code, then what the experiment writes in [variants].
+std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabulary& words) {
+    using rough::Form;
+    std::vector<Variant> variants = paper_three(words);
+    variants.push_back({"sog-minimax", sog(words, Form::minimax)});
+    variants.push_back({"gco-minimax", gco(words, Form::minimax)});
+    variants.push_back({"cco-minimax", cco(words, Form::minimax)});
+    ga::Variants texts = paper_variants(words);
+    const auto own = settings.names_under("variants.");
+    for (const auto& name : own) {
+        if (texts.count(name))
+            throw rough::InputError(settings.place("variants." + name) +
+                                    ": the name of one of the paper's variants, expected another");
+        texts[name] = settings.text("variants." + name);
+    }
+    for (const auto& name : own)
+        variants.push_back(
+            {name, read_at(settings, "variants." + name, [&] {
+                 return ga::Parser<RescaledProblem>(paper_registry(words), texts).variant(name);
+             })});
+    return variants;
+}
+
+/// The paper's genomes and targets with what all variants share.
+class Paper {
+  public:
+    Paper(const Settings& settings, PaperRun& run, Progress& progress, const std::atomic<bool>& stop,
+          const Keeping& keeping)
+        : settings_(settings), run_(run), progress_(progress), stop_(stop), keeping_(keeping),
+          genomes_(sobol_database(run.layout)), variants_(variants_from(settings, words_by(run.dominance))),
+          other_reading_(paper_three(words_by(other(run.dominance)))) {}
+
+    void answer_database() {
+        run_.database.resize(genomes_.size());
+        ga::parallel_for(genomes_.size(), run_.threads, [&](std::size_t i) {
+            rough::Genome genome = genomes_[i];
+            rough::Response response = respond(genome, run_.model);
+            genome.scale = run_.max_pressure / response.pressure[response.steps() - 1]; // Eq. 11
+            run_.database[i] = {genome, scaled(std::move(response), genome.scale)};
+        });
+    }
+
+    void design(TargetRun& target) {
+        const RescaledProblem problem(
+            run_.searched, target.target, run_.max_pressure, target.p_bar, nullptr, {},
+            fidelity_ == estimated ? rough::Outlook::foretold : rough::Outlook::proven);
+        for (const Answered& one : run_.database) {
+            const rough::Curve curve = secant_stiffness(one.response);
+            const auto points = [&](double from, double to) {
+                return points_within(target.target, {from, to});
+            };
+            target.database.push_back(
+                {similarity(target.target, curve), similarity(target.target, curve, points(0, target.p_bar)),
+                 similarity(target.target, curve, points(target.p_bar, run_.max_pressure))});
+        }
+        for (const Variant& variant : variants_) {
+            if (stop_)
+                return;
+            progress_.show(target.title + ": " + variant.name);
+            if (auto run = read_at(settings_, "variants." + variant.name,
+                                   [&] { return run_kept(variant, problem, target.title); })) {
+                run->similarity_refined = similarity(problem, run->answer.genome, 4);
+                target.variants.push_back(std::move(*run));
+            }
+        }
+        for (const Variant& variant : other_reading_)
+            if (auto run = run_variant(variant, problem))
+                target.other_reading.push_back(std::move(*run));
+    }
+
+    void sweep(TargetRun& target) {
+        const double from = settings_.number("paper.sweep-from", 0.01, 1),
+                     to = settings_.number("paper.sweep-to", from, 1);
+        const long count = settings_.whole("paper.sweep-points", 0, 1000);
+        for (long i = 0; i < count; ++i) {
+            const double fraction =
+                count > 1 ? from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1)
+                          : from;
+            const RescaledProblem problem(run_.searched, target.target, run_.max_pressure,
+                                          fraction * run_.max_pressure, memory_);
+            for (const std::size_t cross_over : {1, 2}) {
+                if (stop_)
+                    return;
+                progress_.show(target.title + ": threshold " + std::to_string(i + 1) + " of " +
+                               std::to_string(count));
+                const auto row = run_variant(variants_[cross_over], problem);
+                if (row)
+                    target.thresholds.push_back(threshold_row(*row, fraction * run_.max_pressure));
+            }
+        }
+    }
+
+  private:
+    rough::Vocabulary words_by(rough::DominanceReading reading) const {
+        return {std::make_shared<DominanceRule>(run_.searched, reading), reach_from(settings_)};
+    }
+
+    using Run = ga::Result<rough::Genome>;
+
+    Run run_pipeline(const Variant& variant, const RescaledProblem& problem,
+                     const std::vector<ga::Observer<rough::Genome>>& observers,
+                     ga::Keeper<RescaledProblem>* keeper = nullptr, bool screening = false) const {
+        ga::RunOptions options;
+        options.variant = variant.name;
+        options.seed = run_.seed;
+        options.threads = run_.threads;
+        options.budget.stop = &stop_;
+        options.screening = screening;
+        return ga::run(variant.pipeline, problem, ga::population(genomes_), options, observers, keeper);
+    }
+
+    /// Nothing when it was stopped before a genome was scored.
+    std::optional<VariantRun> run_variant(const Variant& variant, const RescaledProblem& problem) const {
+        std::vector<StageRecord> stages;
+        const Run result = run_pipeline(variant, problem, {recorder(stages)});
+        return told(variant, problem, result, std::move(stages));
+    }
+
+    /// The same with a checkpoint and a log of every stage in the run's folder.
+    std::optional<VariantRun> run_kept(const Variant& variant, const RescaledProblem& problem,
+                                       const std::string& title) const {
+        const std::string name = title + "-" + variant.name;
+        for (const char* folder : {"checkpoints", "log"})
+            std::filesystem::create_directories(keeping_.folder / folder);
+        std::vector<StageRecord> stages;
+        ga::Log log(keeping_.folder / "log" / (name + ".csv"));
+        ga::Checkpoints<RescaledProblem> checkpoints(keeping_.folder / "checkpoints" / (name + ".cbor"),
+                                                     description(problem), keeping_.resume);
+        checkpoints.keep("stages", stages);
+        checkpoints.keep("log", log.position);
+        const Run result = run_pipeline(variant, problem, {recorder(stages), log.observer(problem)},
+                                        &checkpoints, fidelity_ != off);
+        log.close();
+        std::optional<VariantRun> run = told(variant, problem, result, std::move(stages));
+        if (run && fidelity_ == estimated)
+            run->notes.push_back(
+                "fidelity: genomes were given up by an estimate from a coarse grid, not by a "
+                "bound");
+        return run;
+    }
+
+    /// What decides a variant's result beside its pipeline, seed and start.
+    static std::string description(const RescaledProblem& problem) {
+        nlohmann::json settings = model_json(problem.model());
+        settings["target"] = target_json(problem.target());
+        settings["max_pressure_MPa"] = problem.max_pressure();
+        return rough::json_text(settings, true);
+    }
+
+    std::optional<VariantRun> told(const Variant& variant, const RescaledProblem& problem, const Run& result,
+                                   std::vector<StageRecord> stages) const {
+        if (result.population.empty())
+            return std::nullopt;
+        VariantRun run;
+        run.name = variant.name;
+        run.stages = std::move(stages);
+        run.seconds = result.seconds;
+        run.notes = result.notes;
+        run.answer.genome = in_final_form(problem, result.population.front().genome);
+        run.answer.response = respond(run.answer.genome, run_.model);
+        run.similarity = similarity(problem, run.answer.genome);
+        run.curves = result.counters.evaluations;
+        run.gradients = result.counters.gradients;
+        return run;
+    }
+
+    static ThresholdRow threshold_row(const VariantRun& run, double p_bar) {
+        const auto size = [&](const std::string& path) {
+            const StageRecord* stage = stage_at(run.stages, run.name + "/" + path);
+            return stage ? stage->candidates.size() : 0;
+        };
+        ThresholdRow row;
+        row.p_bar = p_bar;
+        row.variant = run.name;
+        row.u1 = size("pair.1/left/above.1");
+        row.u2 = size("pair.1/right/above.1");
+        row.at_least_used = !run.notes.empty();
+        row.children = size("score.1");
+        row.best_child = -INFINITY;
+        double above = 0;
+        for (const Candidate& child : stage_at(run.stages, run.name + "/score.1")->candidates) {
+            above += child.similarity > 0.95;
+            row.best_child = std::max(row.best_child, child.similarity);
+        }
+        row.share_above = above / static_cast<double>(row.children);
+        row.parents = run.stages.back().candidates.front().parents;
+        row.similarity = run.similarity;
+        return row;
+    }
+
+    enum Fidelity : std::size_t { off, on, estimated };
+
+    const Settings& settings_;
+    Fidelity fidelity_ =
+        static_cast<Fidelity>(settings_.one_of("paper.fidelity", {"off", "on", "estimated"}));
+    PaperRun& run_;
+    Progress& progress_;
+    const std::atomic<bool>& stop_;
+    const Keeping& keeping_;
+    std::shared_ptr<rough::ResponseMemory> memory_ =
+        std::make_shared<rough::ResponseMemory>(); ///< of the sweep
+    std::vector<rough::Genome> genomes_;
+    std::vector<Variant> variants_;
+    std::vector<Variant> other_reading_; ///< the paper's three under the other reading of Algorithm 1
+};
+
+} // namespace
+
+PaperRun run_paper(const Settings& settings, Progress& progress, const std::atomic<bool>& stop,
+                   const Keeping& keeping) {
+    const ga::Stopwatch clock;
+    PaperRun run = paper_from(settings);
+    Paper paper(settings, run, progress, stop, keeping);
+    progress.show("database");
+    paper.answer_database();
+    for (TargetRun& target : run.targets) {
+        paper.design(target);
+        paper.sweep(target);
+    }
+    run.seconds = clock.seconds();
+    return run;
+}
+
+} // namespace app

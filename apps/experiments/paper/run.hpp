@@ -1,0 +1,57 @@
+#pragma once
+
+#include "apps/report/variant_run.hpp"
+#include "domain/mwm/sobol.hpp"
+#include "domain/paper/dominance.hpp"
+#include "domain/target/target.hpp"
+
+/// What the paper's experiment found, as its figures and claims read it. The runner fills it; nothing here
+/// computes. Pressures in MPa, lengths in mm, stiffness in MPa/mm. An unknown number is NaN.
+namespace app {
+
+/// Similarity of one genome with a target (Eq. 12).
+struct Scores {
+    double all;  ///< over every point
+    double low;  ///< over [0, p_bar]
+    double high; ///< over [p_bar, p_max]
+};
+
+/// One cross-over algorithm at one threshold p_bar.
+struct ThresholdRow {
+    double p_bar = 0;
+    std::string variant;                ///< gco or cco
+    std::size_t u1 = 0, u2 = 0;         ///< sizes of U1 and U2 as bred from, "at least" included
+    bool at_least_used = false;         ///< U1 or U2 held fewer than "at least" genomes above 0.95
+    std::size_t children = 0;           ///< distinct children: |U4|, as |U3| = u1 u2 counts twins
+    double share_above = 0;             ///< of the distinct children, the share with s > 0.95, 0..1
+    double best_child = 0;              ///< best similarity among them, before any GCMMA
+    std::vector<std::uint64_t> parents; ///< of the answer
+    double similarity = 0;              ///< of the answer, after the last GCMMA
+};
+
+/// Everything that depends on one target.
+struct TargetRun {
+    std::string title; ///< "drawn" or "held-out"
+    rough::Target target;
+    double p_bar = 0;                           ///< threshold of the variants below
+    std::vector<Scores> database;               ///< of each database genome, same order
+    std::vector<VariantRun> variants;           ///< the paper's three, then their minimax forms
+    std::vector<ThresholdRow> thresholds;       ///< p_bar ascending, gco and cco at each
+    std::vector<VariantRun> other_reading = {}; ///< the paper's three under the other reading of Algorithm 1
+};
+
+struct PaperRun {
+    std::string version, command; ///< the command that repeats the run, as typed
+    std::uint64_t seed = 0;
+    int threads = 0;
+    double seconds = 0;      ///< wall time of the run without the page
+    rough::Model model;      ///< solved throughout: all that is said of an answer
+    rough::Model searched;   ///< the same with the accuracy that the searches were allowed
+    double max_pressure = 0; ///< p_max
+    rough::DominanceReading dominance = rough::DominanceReading::same_pressure; ///< reading of Algorithm 1
+    rough::DatabaseLayout layout;
+    std::vector<Answered> database; ///< pair by pair, each with every phase column
+    std::vector<TargetRun> targets; ///< drawn, then held-out
+};
+
+} // namespace app

@@ -1,0 +1,120 @@
+#include "apps/experiments/paper/settings.hpp"
+
+#include "apps/prompt/model_settings.hpp"
+#include "apps/prompt/scan_settings.hpp"
+#include "domain/errors.hpp"
+#include "domain/response/curve.hpp"
+#include "ga/parallel.hpp"
+
+#include <limits>
+
+namespace app {
+
+namespace {
+
+rough::DatabaseLayout layout_from(const Settings& settings, const rough::Model& model) {
+    rough::DatabaseLayout layout;
+    layout.pairs = static_cast<int>(settings.whole("database.pairs", 1, 100000));
+    layout.phase_columns = static_cast<int>(settings.whole("database.phase-columns", 1, 1000));
+    layout.H_from = settings.number("database.H-from", std::numeric_limits<double>::min(), 10);
+    layout.H_to = settings.number("database.H-to", layout.H_from, 10);
+    layout.gamma_from = settings.number("database.gamma-from", 1.01, 100);
+    layout.gamma_to = settings.number("database.gamma-to", layout.gamma_from, 100);
+    layout.A = settings.positive("database.A");
+    layout.lambda =
+        settings.has("database.lambda") ? settings.positive("database.lambda") : model.grid.length;
+    layout.shortest =
+        settings.has("database.shortest") ? settings.positive("database.shortest") : model.grid.spacing();
+    return layout;
+}
+
+/// The target that a measured profile's own response is: K at 20 even pressures up to its last.
+rough::Target target_of(const rough::Scan& scan, const rough::Model& model, const std::string& name) {
+    const rough::Response response = respond(scan.profile, model.body, model.loading, model.contact);
+    const rough::Curve curve = secant_stiffness(response);
+    rough::Target target{name, Eigen::VectorXd(20), Eigen::VectorXd(20)};
+    for (rough::Index k = 0; k < 20; ++k) {
+        target.pressure[k] = curve.to * static_cast<double>(k + 1) / 20;
+        target.stiffness[k] = curve.at(target.pressure[k]);
+    }
+    return target;
+}
+
+void take_measured_target(const Settings& settings, PaperRun& run) {
+    const rough::Scan scan = scan_from(settings.path("target.profile"), settings, 0, "target.");
+    run.searched = model_from(settings, scan.profile, "model.");
+    if (!settings.has("model.nodes"))
+        run.searched.grid.nodes = 512;
+    run.targets.push_back(
+        {"measured", target_of(scan, run.searched, settings.text("target.profile")), 0, {}, {}, {}});
+    run.max_pressure = run.targets[0].target.highest_pressure();
+}
+
+void take_target_files(const Settings& settings, PaperRun& run) {
+    if (!settings.has("target.file"))
+        throw rough::InputError(settings.place("target.file") +
+                                ": missing, expected a target (CSV), or target.profile, a measured profile");
+    run.searched = model_from(settings, "model.");
+    run.max_pressure = settings.pressure("paper.max-pressure");
+    run.targets.push_back({"drawn", rough::read_target(settings.path("target.file")), 0, {}, {}, {}});
+    if (settings.has("heldout.file"))
+        run.targets.push_back({"held-out", rough::read_target(settings.path("heldout.file")), 0, {}, {}, {}});
+}
+
+} // namespace
+
+std::vector<Setting> paper_settings() {
+    const std::vector<Setting> settings{
+        {"experiment.kind", "paper", "paper, variants or accuracy"},
+        {"experiment.seed", "1", "seed of everything random"},
+        {"experiment.threads", "0", "threads; 0 takes all"},
+        {"target.file", "", "target curve (CSV)"},
+        {"target.profile", "", "measured profile whose response is the target, in place of target.file"},
+        {"heldout.file", "", "second target curve (CSV)"},
+        {"variants.*", "", "NAME = pipeline: further variants, as text (rugosa operators)"},
+        {"paper.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"},
+        {"paper.threshold", "0.5", "p_bar over p_max"},
+        {"paper.sweep-from", "0.31", "first p_bar over p_max of the threshold sweep"},
+        {"paper.sweep-to", "0.69", "last one"},
+        {"paper.sweep-points", "20", "how many; 0: no sweep"},
+        {"paper.dominance", "pressure",
+         "Algorithm 1 compares curves at the same pressure, or at the same load step"},
+        {"paper.phase-relative", "0.1", "how far refinement moves a phase, over its own value"},
+        {"paper.phase-absolute", "0", "the same in rad, added"},
+        {"paper.fidelity", "off",
+         "on gives up evaluations on the way that can no longer be among those kept: same answers, fewer "
+         "seconds; stages then list only who had a chance; estimated gives up more of them, by a coarse "
+         "grid's curve: most likely the same answers; off evaluates everybody"},
+        {"database.pairs", "20", "Sobol pairs (H, gamma)"},
+        {"database.phase-columns", "5", "Sobol phase columns"},
+        {"database.H-from", "0.5", "lowest H"},
+        {"database.H-to", "1.5", "highest H"},
+        {"database.gamma-from", "1.4", "lowest gamma"},
+        {"database.gamma-to", "2", "highest gamma"},
+        {"database.A", "1", "amplitude A"},
+        {"database.lambda", "", "longest wave, mm [L]"},
+        {"database.shortest", "", "shortest wave, mm [the grid's spacing]"},
+    };
+    return joined(
+        {settings, scan_settings("target."), model_settings("model."), {accuracy_setting("model.")}});
+}
+
+PaperRun paper_from(const Settings& settings) {
+    PaperRun run;
+    if (settings.has("target.profile"))
+        take_measured_target(settings, run);
+    else
+        take_target_files(settings, run);
+    run.searched.accuracy = accuracy_from(settings, "model.");
+    run.model = exactly(run.searched);
+    for (TargetRun& target : run.targets)
+        target.p_bar = settings.number("paper.threshold", 0, 1) * run.max_pressure;
+    run.layout = layout_from(settings, run.model);
+    run.dominance =
+        static_cast<rough::DominanceReading>(settings.one_of("paper.dominance", {"pressure", "step"}));
+    run.seed = settings.seed("experiment.seed");
+    run.threads = ga::thread_count(settings.threads("experiment.threads"));
+    return run;
+}
+
+} // namespace app

@@ -1,0 +1,179 @@
+#include "apps/experiments/stability/scenes.hpp"
+
+#include "domain/contact/kernel.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+namespace app {
+
+namespace {
+
+using Eigen::VectorXd;
+using rough::Body;
+using rough::Index;
+using rough::Kernel;
+using rough::Profile;
+
+constexpr double length = 0.84942;
+constexpr Index usual_nodes = 128;
+
+/// A self-affine profile: waves n of amplitude 1.5^(-0.8 n), phases by the golden angle, down to four nodes.
+VectorXd rough_heights(Index nodes) {
+    VectorXd heights = VectorXd::Zero(nodes);
+    double wave = 1, amplitude = 0.05;
+    for (int n = 0; wave < static_cast<double>(nodes) / 4; ++n, wave *= 1.5, amplitude *= std::pow(1.5, -0.8))
+        for (Index i = 0; i < nodes; ++i)
+            heights[i] += amplitude * std::cos(2 * std::numbers::pi * std::floor(wave) *
+                                                   static_cast<double>(i) / static_cast<double>(nodes) +
+                                               2.399963 * n);
+    return heights;
+}
+
+VectorXd by_node(Index nodes, const std::function<double(Index)>& height) {
+    VectorXd heights(nodes);
+    for (Index i = 0; i < nodes; ++i)
+        heights[i] = height(i);
+    return heights;
+}
+
+double range_of(const VectorXd& heights) { return heights.maxCoeff() - heights.minCoeff(); }
+
+/// Delta_full on a periodic half-plane, the range elsewhere.
+double reach_of(const VectorXd& heights, Kernel kernel) {
+    return kernel == Kernel::periodic ? (heights.maxCoeff() - heights.array()).mean() : range_of(heights);
+}
+
+std::vector<double> steps_to(double last, int steps) {
+    std::vector<double> displacements;
+    for (int j = 1; j <= steps; ++j)
+        displacements.push_back(last * j / steps);
+    return displacements;
+}
+
+class SceneList {
+  public:
+    /// Five steps to 0.9 of the reach, unless displacements are given; changes are the caller's.
+    StabilityScene& add(const std::string& name, Kernel kernel, const VectorXd& heights,
+                        const std::vector<double>& displacements = {}) {
+        StabilityScene scene;
+        scene.name = name;
+        const Index nodes = heights.size();
+        scene.profile = {heights,
+                         length / static_cast<double>(kernel == Kernel::periodic ? nodes : nodes - 1)};
+        scene.body.kernel = kernel;
+        scene.body.datum = length;
+        scene.body.strip_width = length / 511;
+        scene.displacements =
+            displacements.empty() ? steps_to(0.9 * reach_of(heights, kernel), 5) : displacements;
+        scenes.push_back(scene);
+        return scenes.back();
+    }
+
+    std::vector<StabilityScene> scenes;
+};
+
+constexpr Kernel all_kernels[] = {Kernel::free, Kernel::periodic, Kernel::strip};
+
+/// Light and full loads, and how they are stepped.
+void add_loadings(SceneList& list, Kernel kernel) {
+    const VectorXd rough = rough_heights(usual_nodes);
+    const double reach = reach_of(rough, kernel);
+    list.add("first-touch", kernel, rough, {1e-12 * reach, 1e-9 * reach, 1e-6 * reach});
+    list.add("zero-approach", kernel, rough, {0});
+    list.add("single-step", kernel, rough, {0.9 * reach});
+    std::vector<double> fine;
+    for (int j = 0; j < 20; ++j)
+        fine.push_back(reach * (0.5 + 1e-6 * j));
+    list.add("step-1e-6", kernel, rough, fine);
+    if (kernel == Kernel::periodic) {
+        list.add("near-full-contact", kernel, rough, {0.9 * reach, 0.999 * reach, (1 - 1e-6) * reach});
+        list.add("full-contact", kernel, rough, {0.5 * reach, reach});
+    } else { // the pressure that flattens the profile is reached far beyond its range
+        list.add("near-full-contact", kernel, 0.02 * rough, {0.2 * reach, 0.25 * reach, 0.3 * reach});
+        list.add("full-contact", kernel, 1e-3 * rough, {reach, 2 * reach});
+    }
+}
+
+/// Shapes of the profile.
+void add_shapes(SceneList& list, Kernel kernel) {
+    const Index n = usual_nodes;
+    const auto square = [](double x) { return x * x; };
+    list.add("two-equal-summits", kernel, by_node(n, [&](Index i) {
+                 const double x = 8 * static_cast<double>(i) / n;
+                 return -0.05 * std::min(square(x - 2), square(x - 6));
+             }));
+    list.add("plateau", kernel, by_node(n, [](Index i) {
+                 return -0.002 * static_cast<double>(std::max<Index>(0, std::abs(i - 60) - 10));
+             }));
+    list.add("one-node-out", kernel, by_node(n, [](Index i) { return i == 50 ? -0.1 : 0.0; }));
+    list.add("nyquist-wave", kernel, by_node(n, [](Index i) { return i % 2 ? -0.01 : 0.01; }));
+    list.add("beyond-nyquist", kernel, by_node(n, [](Index i) {
+                 return 0.01 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / 1.3);
+             }));
+    VectorXd spike = rough_heights(n);
+    spike[70] = spike.maxCoeff() + 10 * range_of(spike);
+    list.add("spike", kernel, spike);
+    list.add("saw-tooth", kernel, by_node(n, [](Index i) { return 0.004 * static_cast<double>(i % 16); }));
+    const VectorXd flat = VectorXd::Constant(n, 0.3);
+    list.add("flat", kernel, flat, {0.001, 0.01}).has_solution = kernel != Kernel::periodic;
+    if (kernel == Kernel::periodic)
+        list.add("periodic-jump", kernel, by_node(n, [&](Index i) {
+                     return 0.05 * std::cos(10.7 * static_cast<double>(i) / n) -
+                            0.001 * static_cast<double>(i);
+                 }));
+    list.add("nodes-2", kernel, Eigen::Vector2d(0, -0.01));
+    list.add("nodes-3", kernel, Eigen::Vector3d(-0.02, 0, -0.01));
+}
+
+/// Sizes of the numbers, and numbers that are none.
+void add_numbers(SceneList& list, Kernel kernel) {
+    const VectorXd rough = rough_heights(usual_nodes);
+    list.add("heights-1e-12", kernel, 1e-12 / range_of(rough) * rough);
+    list.add("heights-1e12", kernel, 1e12 / range_of(rough) * rough);
+    list.add("offset-1e6", kernel, (rough.array() + 1e6).matrix());
+    list.add("denormal", kernel, 1e-310 * rough);
+    list.add("modulus-1e-6", kernel, rough).body.effective_modulus = 1e-6;
+    list.add("modulus-1e12", kernel, rough).body.effective_modulus = 1e12;
+    const auto steps = steps_to(0.01, 2);
+    VectorXd broken = rough;
+    broken[40] = std::numeric_limits<double>::quiet_NaN();
+    list.add("nan", kernel, broken, steps).has_solution = false;
+    broken[40] = std::numeric_limits<double>::infinity();
+    list.add("infinity", kernel, broken, steps).has_solution = false;
+}
+
+void add_bodies(SceneList& list) {
+    const VectorXd rough = rough_heights(usual_nodes);
+    auto with_datum = [&](const char* name, auto datum) -> StabilityScene& {
+        StabilityScene& scene = list.add(name, Kernel::free, rough);
+        scene.body.datum = datum(rough::datum_limit(scene.profile));
+        return scene;
+    };
+    with_datum("datum-above-limit", [](double limit) { return limit * (1 + 1e-6); });
+    with_datum("datum-below-limit", [](double limit) { return limit * (1 - 1e-6); }).has_solution = false;
+    with_datum("datum-below-L", [](double) { return 0.5 * length; });
+    StabilityScene& narrow = list.add("narrow-strip", Kernel::strip, rough);
+    narrow.body.strip_width = 1e-6 * narrow.profile.spacing;
+    const VectorXd many = rough_heights(65536);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic})
+        list.add("nodes-65536", kernel, many, steps_to(0.25 * reach_of(many, kernel), 2));
+    list.add("nodes-65536", Kernel::strip, many, steps_to(0.9 * reach_of(many, Kernel::strip), 2));
+}
+
+} // namespace
+
+std::vector<StabilityScene> stability_scenes() {
+    SceneList list;
+    for (const Kernel kernel : all_kernels) {
+        add_loadings(list, kernel);
+        add_shapes(list, kernel);
+        add_numbers(list, kernel);
+    }
+    add_bodies(list);
+    return list.scenes;
+}
+
+} // namespace app

@@ -1,0 +1,225 @@
+#include "apps/experiments/variants/experiment.hpp"
+
+#include "apps/experiments/statistics.hpp"
+#include "apps/prompt/model_settings.hpp"
+#include "apps/prompt/target_files.hpp"
+#include "apps/report/csv.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/recorder.hpp"
+#include "apps/report/result.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "domain/text/words.hpp"
+#include "ga/parallel.hpp"
+#include "ga/stopwatch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace app {
+
+namespace {
+
+using nlohmann::json;
+
+std::vector<RaceTarget> targets_from(const Settings& settings) {
+    std::vector<RaceTarget> targets;
+    for (const std::filesystem::path& path : target_files(settings, "targets.files")) {
+        RaceTarget target;
+        target.setup.model = model_from(settings, "model.");
+        target.setup.model.accuracy = accuracy_from(settings, "model.");
+        target.setup.goals = {rough::read_goal(path)};
+        target.setup.goals[0].name = path.stem().string();
+        if (settings.has("targets.max-pressure"))
+            target.setup.max_pressure = settings.pressure("targets.max-pressure");
+        target.setup.limits.shortest_wave =
+            shortest_wave_from(settings, "targets.shortest-wave", target.setup.model.grid);
+        targets.push_back(std::move(target));
+    }
+    return targets;
+}
+
+/// An individual's similarity, where it was found.
+std::optional<double> similarity_of(const ga::Individual<rough::Genome>& individual) {
+    static const ga::Name similarity("similarity");
+    const ga::Fitness& fitness = individual.fitness;
+    return fitness.known(similarity) && !fitness.has_failed() ? std::optional(fitness.value()) : std::nullopt;
+}
+
+/// Counts children of two parents whose similarity is known, and how many are better than both, as they come.
+class ParentsWatch {
+  public:
+    explicit ParentsWatch(RaceRun& run) : run_(run) {}
+
+    void operator()(const ga::Event<rough::Genome>& event) {
+        for (const auto& individual : event.population) {
+            const auto similarity = similarity_of(individual);
+            if (!similarity)
+                continue;
+            const bool fresh = similarity_.emplace(individual.identity, *similarity).second;
+            if (fresh && individual.parents.size() == 2) {
+                const auto first = similarity_.find(*individual.parents.begin()),
+                           second = similarity_.find(*(individual.parents.begin() + 1));
+                if (first != similarity_.end() && second != similarity_.end()) {
+                    ++run_.crossed;
+                    run_.better += *similarity > std::max(first->second, second->second);
+                }
+            }
+            similarity_[individual.identity] = *similarity;
+        }
+    }
+
+  private:
+    RaceRun& run_;
+    std::map<ga::Identity, double> similarity_;
+};
+
+RaceRun run_once(const RaceTarget& target, const rough::SearchOptions& options) {
+    RaceRun run{options.seed, {}, {}, {}};
+    double best = -HUGE_VAL;
+    ParentsWatch parents(run);
+    const auto watch = [&](const ga::Event<rough::Genome>& event) {
+        for (const auto& individual : event.population)
+            best = std::max(best, similarity_of(individual).value_or(-HUGE_VAL));
+        if (std::isfinite(best))
+            run.history.push_back({event.counters.asked, event.seconds, best});
+        parents(event);
+    };
+    const ga::Stopwatch clock;
+    run.found = rough::search(target.setup, options, {recorder(run.stages), watch});
+    run.seconds = clock.seconds();
+    run.history.push_back({run.found.counters.asked, run.seconds, std::max(best, run.found.best.similarity)});
+    return run;
+}
+
+template <class Reached>
+double median_when(const RaceVariant& variant, Reached reached) {
+    std::vector<double> values;
+    for (const RaceRun& run : variant.runs) {
+        double best = NAN;
+        for (const Spent& spent : run.history)
+            if (reached(spent))
+                best = spent.similarity;
+        values.push_back(std::isnan(best) ? -1 : best);
+    }
+    return median(values);
+}
+
+json race_json(const Race& race, const RaceTarget& target) {
+    json result = head_json(target.setup.model, {race.version, race.command, race.seed, race.threads});
+    result["budget"] = race.budget;
+    result["max_pressure_MPa"] = target.setup.max_pressure ? json(*target.setup.max_pressure) : json();
+    const rough::Goal& goal = target.setup.goals.front();
+    result["target"] = target_json({goal.name, goal.x, goal.y});
+    for (const RaceVariant& variant : target.variants) {
+        if (variant.runs.empty())
+            continue;
+        const RaceRun& middle = variant.median_run();
+        const VariantRun shown = variant_run(variant.name, middle.found, middle.stages, middle.seconds);
+        json one = variant_json(shown, loaded_models(target.setup));
+        one["pipeline"] = middle.found.pipeline;
+        one["median_judged"] = variant.median_judged();
+        for (const RaceRun& run : variant.runs)
+            one["runs"].push_back({{"seed", run.seed},
+                                   {"similarity", run.found.best.similarity},
+                                   {"similarity_refined", run.found.best.similarity_refined},
+                                   {"seconds", run.seconds},
+                                   {"curves", run.found.counters.evaluations},
+                                   {"gradients", run.found.counters.gradients},
+                                   {"crossed", run.crossed},
+                                   {"better_than_parents", run.better}});
+        result["variants"][variant.name] = std::move(one);
+    }
+    return result;
+}
+
+} // namespace
+
+double RaceVariant::median_judged() const {
+    std::vector<double> values;
+    for (const RaceRun& run : runs)
+        values.push_back(run.found.best.judged());
+    return median(values);
+}
+
+const RaceRun& RaceVariant::median_run() const {
+    std::vector<const RaceRun*> order;
+    for (const RaceRun& run : runs)
+        order.push_back(&run);
+    std::stable_sort(order.begin(), order.end(), [](const RaceRun* a, const RaceRun* b) {
+        return a->found.best.judged() < b->found.best.judged();
+    });
+    return *order[(order.size() - 1) / 2];
+}
+
+double RaceVariant::median_at(long asked) const {
+    return median_when(*this, [&](const Spent& spent) { return spent.asked <= asked; });
+}
+
+double RaceVariant::median_at_seconds(double seconds) const {
+    return median_when(*this, [&](const Spent& spent) { return spent.seconds <= seconds; });
+}
+
+std::vector<Setting> variants_settings() {
+    const std::vector<Setting> settings{
+        {"experiment.kind", "", "paper, variants or accuracy"},
+        {"experiment.seed", "1", "first seed"},
+        {"experiment.seeds", "3", "runs of each way"},
+        {"experiment.threads", "0", "threads; 0 takes all"},
+        {"experiment.budget", "3000", "curves and gradients each run may ask for"},
+        {"targets.files", "", "target curves (CSV), with commas between"},
+        {"targets.max-pressure", "", "p_max of Eq. 11, MPa [amplitude is a gene]"},
+        {"targets.shortest-wave", "", "shortest wave, mm [8 node distances]"},
+        {"variants.*", "", "a way to search: a named variant or a pipeline as text"},
+    };
+    return joined({settings, model_settings("model."), {accuracy_setting("model.")}});
+}
+
+Race run_race(const Settings& settings, Progress& progress, const std::atomic<bool>& stop) {
+    const ga::Stopwatch clock;
+    Race race;
+    race.targets = targets_from(settings);
+    race.seed = settings.seed("experiment.seed");
+    race.budget = settings.whole("experiment.budget", 1, 1000000000);
+    race.threads = ga::thread_count(settings.threads("experiment.threads"));
+    const long seeds = settings.whole("experiment.seeds", 1, 1000);
+    for (RaceTarget& target : race.targets)
+        for (const std::string& name : settings.names_under("variants.")) {
+            const std::string way(rough::trim(settings.text("variants." + name)));
+            const bool named = rough::design_variants().count(way) > 0;
+            RaceVariant variant{name, way, {}};
+            for (long i = 0; i < seeds && !stop.load(); ++i) {
+                progress.show(target.setup.goals[0].name + ": " + name + ", run " + std::to_string(i + 1) +
+                              " of " + std::to_string(seeds));
+                rough::SearchOptions options;
+                (named ? options.variant : options.pipeline) = way;
+                options.seed = race.seed + static_cast<std::uint64_t>(i);
+                options.threads = race.threads;
+                options.evaluations = race.budget;
+                options.stop = &stop;
+                variant.runs.push_back(
+                    read_at(settings, "variants." + name, [&] { return run_once(target, options); }));
+            }
+            target.variants.push_back(std::move(variant));
+        }
+    race.seconds = clock.seconds();
+    return race;
+}
+
+void write_race(const Race& race, const std::filesystem::path& folder) {
+    Csv table("target,variant,seed,curves_and_gradients,seconds,similarity");
+    for (const RaceTarget& target : race.targets) {
+        const bool first = &target == &race.targets.front();
+        const auto place = first ? folder : folder / target.setup.goals[0].name;
+        std::filesystem::create_directories(place);
+        write_json(place / "result.json", race_json(race, target));
+        for (const RaceVariant& variant : target.variants)
+            for (const RaceRun& run : variant.runs)
+                for (const Spent& spent : run.history)
+                    table.row(target.setup.goals[0].name, variant.name, run.seed, spent.asked, spent.seconds,
+                              spent.similarity);
+    }
+    rough::write_atomically(folder / "variants.csv", table.text());
+}
+
+} // namespace app

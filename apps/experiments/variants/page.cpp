@@ -1,0 +1,107 @@
+#include "apps/report/page.hpp"
+
+#include "apps/experiments/variants/experiment.hpp"
+#include "apps/report/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+struct Look {
+    Colour colour;
+    Dash dash;
+};
+
+Look look_of(std::size_t i) {
+    return {line_colours[i % line_colours.size()],
+            i / line_colours.size() % 2 == 0 ? Dash::solid : Dash::dashed};
+}
+
+/// How far the best is from the target in the median, against what was spent.
+template <class MedianAt>
+Plot shortfall_plot(const RaceTarget& target, const std::string& axis, double from, double to,
+                    MedianAt median_at) {
+    Plot plot;
+    plot.alt =
+        "1 less the best similarity so far of every way, in the median over the seeds, against " + axis;
+    plot.x = {axis, true, from, to};
+    plot.y = {"1 - similarity", true};
+    plot.height = 380;
+    constexpr int points = 60;
+    for (std::size_t i = 0; i < target.variants.size(); ++i) {
+        const RaceVariant& variant = target.variants[i];
+        if (variant.runs.empty())
+            continue;
+        Eigen::VectorXd x(points), y(points);
+        for (int k = 0; k < points; ++k) {
+            x[k] = from * std::pow(to / from, k / (points - 1.0));
+            const double similarity = median_at(variant, x[k]);
+            y[k] = similarity > -1 ? std::max(1e-5, 1 - similarity) : unset;
+        }
+        const Look look = look_of(i);
+        plot.series.push_back({variant.name, x, y, look.colour, Style::line, 2, look.dash});
+    }
+    return plot;
+}
+
+void add_target(Page& page, const Race& race, const RaceTarget& target, std::size_t number) {
+    page.section("Target " + target.setup.goals[0].name);
+    double longest = 0.1;
+    for (const auto& variant : target.variants)
+        for (const auto& run : variant.runs)
+            longest = std::max(longest, run.seconds);
+    page.figure(
+        {"race-" + std::to_string(number),
+         "Figure " + std::to_string(number) + ". Who is how near, when.",
+         "Best similarity so far on the search's grid, medians over the seeds; the lower the nearer.",
+         {shortfall_plot(target, "Curves and gradients", 10, static_cast<double>(race.budget),
+                         [](const RaceVariant& v, double x) { return v.median_at(static_cast<long>(x)); }),
+          shortfall_plot(target, "Seconds", 0.02, longest,
+                         [](const RaceVariant& v, double x) { return v.median_at_seconds(x); })}});
+    Table table{"Where they ended",
+                {"Way", "Similarity, worse of both grids (median)", "Seconds", "Curves", "Gradients",
+                 "Children of two", "Better than both parents"},
+                {},
+                {false, true, true, true, true, true, true}};
+    std::vector<const RaceVariant*> order;
+    for (const auto& variant : target.variants)
+        if (!variant.runs.empty())
+            order.push_back(&variant);
+    std::stable_sort(order.begin(), order.end(), [](const RaceVariant* a, const RaceVariant* b) {
+        return a->median_judged() > b->median_judged();
+    });
+    for (const RaceVariant* variant : order) {
+        const RaceRun& run = variant->median_run();
+        long crossed = 0, better = 0;
+        for (const auto& each : variant->runs)
+            crossed += each.crossed, better += each.better;
+        table.rows.push_back(
+            {variant->name, readable(variant->median_judged(), 4), readable(run.seconds),
+             std::to_string(run.found.counters.evaluations), std::to_string(run.found.counters.gradients),
+             std::to_string(crossed),
+             crossed > 0 ? percent(static_cast<double>(better) / static_cast<double>(crossed)) : "–"});
+    }
+    page.table(table);
+}
+
+} // namespace
+
+std::string race_page(const Race& race) {
+    Page page("What each idea is worth",
+              "Ways to search for a surface, on the same targets, with the same budget of " +
+                  std::to_string(race.budget) + " contact curves and gradients.");
+    std::size_t number = 0;
+    for (const RaceTarget& target : race.targets)
+        add_target(page, race, target, ++number);
+    page.section("The ways");
+    for (const RaceVariant& variant : race.targets.front().variants)
+        if (!variant.runs.empty())
+            page.code(variant.name + " = " + variant.runs.front().found.pipeline);
+    page.code(race.command);
+    return page.html();
+}
+
+} // namespace app

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "apps/report/variant_run.hpp"
+#include "domain/design/search.hpp"
+
+#include <string>
+#include <vector>
+
+/// What the comparison of ways to search found, as its page and files read it.
+namespace app {
+
+/// The best so far when so much was spent.
+struct Spent {
+    long asked;     ///< curves and gradients
+    double seconds; ///< since the search began
+    double similarity;
+};
+
+struct RaceRun {
+    std::uint64_t seed;
+    std::vector<Spent> history; ///< after each stage
+    rough::SearchResult found;
+    std::vector<StageRecord> stages;
+    double seconds = 0;
+    long crossed = 0, better = 0; ///< children of two scored parents, and those above the better parent
+};
+
+struct RaceVariant {
+    std::string name, pipeline;
+    std::vector<RaceRun> runs; ///< one a seed
+    double median_judged() const;
+    const RaceRun& median_run() const; ///< whose judged similarity is the median, or the next below
+    /// Median over the runs of the best similarity when so much was asked for.
+    double median_at(long asked) const;
+    double median_at_seconds(double seconds) const;
+};
+
+struct RaceTarget {
+    rough::DesignSetup setup;
+    std::vector<RaceVariant> variants;
+};
+
+struct Race {
+    std::vector<RaceTarget> targets;
+    std::uint64_t seed = 1;
+    int threads = 1;
+    long budget = 0;
+    double seconds = 0;
+    std::string version, command;
+};
+
+} // namespace app

@@ -1,0 +1,307 @@
+#include "apps/prompt/settings.hpp"
+
+#include "domain/text/words.hpp"
+#include "ga/text/nearest.hpp"
+#include "ga/text/number.hpp"
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <sstream>
+
+namespace app {
+
+namespace po = boost::program_options;
+using rough::InputError;
+
+namespace {
+
+constexpr const char* too_many = "words too many";
+
+std::vector<std::string> names_of(const std::vector<Setting>& known, const std::string& mark = "") {
+    std::vector<std::string> names;
+    for (const auto& setting : known)
+        names.push_back(mark + setting.name);
+    return names;
+}
+
+po::options_description options_of(const std::vector<Setting>& known, const std::string& heading = "") {
+    po::options_description options(heading);
+    for (const auto& setting : known) {
+        std::string meaning = setting.meaning;
+        if (!setting.is_switch && !setting.fallback.empty())
+            meaning += " [" + setting.fallback + "]";
+        if (setting.is_switch)
+            options.add_options()(setting.name.c_str(), meaning.c_str());
+        else
+            options.add_options()(setting.name.c_str(), po::value<std::string>()->value_name("X"),
+                                  meaning.c_str());
+    }
+    return options;
+}
+
+std::map<std::string, std::string> values_of(const po::parsed_options& parsed) {
+    std::map<std::string, std::string> values;
+    for (const auto& option : parsed.options) {
+        const std::string value = option.value.empty() ? "on" : option.value.front();
+        if (value.empty())
+            throw InputError("--" + option.string_key + ": \"\" given, expected a value");
+        if (!values.emplace(option.string_key, value).second)
+            throw InputError("--" + option.string_key + ": given twice, expected once");
+    }
+    return values;
+}
+
+struct Ini {
+    std::map<std::string, std::string> values; ///< by section.key
+    std::map<std::string, int> lines;
+};
+
+/// Read by Boost line by line, each below its section's, so that a message can name it.
+Ini parsed_ini(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    if (!in || std::filesystem::is_directory(file))
+        throw InputError(file.string() + ": cannot be read, expected an experiment (.ini)");
+    Ini ini;
+    std::string line, section;
+    for (int number = 1; std::getline(in, line); ++number) {
+        if (number == 1 && line.starts_with("\xEF\xBB\xBF"))
+            line.erase(0, 3);
+        const std::string_view text = rough::trim(line);
+        const std::string place = file.string() + ":" + std::to_string(number) + ": ";
+        std::istringstream one(section + "\n" + line);
+        try {
+            for (const auto& option : po::parse_config_file(one, po::options_description(), true).options) {
+                if (!ini.values.emplace(option.string_key, rough::trim(option.value.front())).second)
+                    throw InputError(place + option.string_key + ": given twice, expected once");
+                ini.lines[option.string_key] = number;
+            }
+        } catch (const po::error&) {
+            throw InputError(place + "\"" + std::string(text.substr(0, 60)) +
+                             "\" given as a line, expected [section] or key = value");
+        }
+        if (text.starts_with('['))
+            section = line;
+    }
+    return ini;
+}
+
+/// What a key may have meant: a name near to it, else those of its section, else the sections.
+std::string key_suggestion(const std::string& name, const std::vector<std::string>& names) {
+    const std::set<std::string> keys(names.begin(), names.end());
+    std::set<std::string> sections;
+    std::vector<std::string> beside;
+    for (const std::string& key : keys) {
+        const std::string section = key.substr(0, key.find('.') + 1);
+        sections.insert(section + "*");
+        if (name.starts_with(section))
+            beside.push_back(key);
+    }
+    const std::string near = ga::suggestion(name, {keys.begin(), keys.end()});
+    if (near.find("did you mean") != std::string::npos)
+        return near;
+    return ga::suggestion(beside.empty() ? "" : name,
+                          beside.empty() ? std::vector<std::string>(sections.begin(), sections.end())
+                                         : beside);
+}
+
+} // namespace
+
+Settings::Settings(std::string source, std::vector<Setting> known, std::map<std::string, std::string> given,
+                   std::map<std::string, int> lines)
+    : source_(std::move(source)), given_(std::move(given)), lines_(std::move(lines)) {
+    for (auto& setting : known)
+        known_.emplace(setting.name, setting);
+}
+
+std::string Settings::place(const std::string& name) const {
+    if (source_.empty())
+        return "--" + name;
+    const auto line = lines_.find(name);
+    return source_ + (line == lines_.end() ? "" : ":" + std::to_string(line->second)) + ": " + name;
+}
+
+const std::string& Settings::text(const std::string& name) const {
+    const auto found = given_.find(name);
+    return found != given_.end() ? found->second : known_.at(name).fallback;
+}
+
+bool Settings::is_on(const std::string& name) const {
+    const std::string& value = text(name);
+    if (value == "on" || value == "yes" || value == "true" || value == "1")
+        return true;
+    if (value.empty() || value == "off" || value == "no" || value == "false" || value == "0")
+        return false;
+    throw InputError(place(name) + ": \"" + value + "\" given, expected on or off");
+}
+
+double Settings::number(const std::string& name, double from, double to) const {
+    const double value = rough::number_from(text(name), place(name));
+    if (value < from || value > to)
+        throw InputError(place(name) + ": " + text(name) + " given, expected a number " +
+                         (from == std::numeric_limits<double>::min() ? "above 0 and up to "
+                                                                     : "from " + ga::number(from) + " to ") +
+                         ga::number(to));
+    return value;
+}
+
+double Settings::positive(const std::string& name) const {
+    const double value = rough::number_from(text(name), place(name));
+    if (value <= 0)
+        throw InputError(place(name) + ": " + text(name) + " given, expected a number greater than 0");
+    return value;
+}
+
+double Settings::pressure(const std::string& name) const {
+    return number(name, std::numeric_limits<double>::min(), 1e100);
+}
+
+long Settings::whole(const std::string& name, long from, long to) const {
+    const double value = rough::number_from(text(name), place(name));
+    if (value != std::floor(value) || value < static_cast<double>(from) || value > static_cast<double>(to))
+        throw InputError(place(name) + ": " + text(name) + " given, expected a whole number from " +
+                         std::to_string(from) + " to " + std::to_string(to));
+    return static_cast<long>(value);
+}
+
+std::uint64_t Settings::seed(const std::string& name) const {
+    return static_cast<std::uint64_t>(whole(name, 0, 1L << 53));
+}
+
+int Settings::threads(const std::string& name) const { return static_cast<int>(whole(name, 0, 1024)); }
+
+std::filesystem::path Settings::beside(const std::string& name, const std::string& word) const {
+    return lines_.count(name) ? std::filesystem::path(source_).parent_path() / word
+                              : std::filesystem::path(word);
+}
+
+std::vector<std::filesystem::path> Settings::paths(const std::string& name) const {
+    std::vector<std::filesystem::path> all;
+    for (const std::string& word : rough::listed(text(name)))
+        all.push_back(beside(name, word));
+    return all;
+}
+
+std::vector<std::filesystem::path> Settings::files() const {
+    std::vector<std::filesystem::path> all;
+    std::error_code error;
+    for (const auto& [name, value] : given_)
+        if (name != "out")
+            for (const auto& path : paths(name))
+                if (std::filesystem::is_regular_file(path, error))
+                    all.push_back(path);
+    return all;
+}
+
+std::size_t Settings::one_of(const std::string& name, const std::vector<std::string>& words) const {
+    const auto found = std::find(words.begin(), words.end(), text(name));
+    if (found != words.end())
+        return static_cast<std::size_t>(found - words.begin());
+    throw InputError(place(name) + ": \"" + text(name) + "\" given" + ga::suggestion(text(name), words));
+}
+
+std::vector<std::string> Settings::names_under(const std::string& prefix) const {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : given_)
+        if (name.starts_with(prefix))
+            names.push_back(name.substr(prefix.size()));
+    return names;
+}
+
+Settings read_command_line(const std::vector<std::string>& words, const std::vector<Setting>& known,
+                           const std::vector<std::string>& positional) {
+    po::options_description with_words = options_of(known);
+    with_words.add_options()(too_many, po::value<std::string>());
+    po::positional_options_description places;
+    for (const auto& name : positional)
+        places.add(name.c_str(), 1);
+    places.add(too_many, -1);
+    namespace style = po::command_line_style;
+    try {
+        const auto parsed =
+            po::command_line_parser(words)
+                .options(with_words)
+                .positional(places)
+                .style(style::allow_long | style::long_allow_adjacent | style::long_allow_next)
+                .run();
+        for (const auto& option : parsed.options)
+            if (option.string_key == too_many)
+                throw InputError(
+                    "'" + option.value.front() + "' given, expected " +
+                    (positional.empty() ? "flags only" : "one " + positional.front() + " beside the flags"));
+        return {"", known, values_of(parsed)};
+    } catch (const po::unknown_option& error) {
+        std::string name = error.get_option_name();
+        name.erase(0, name.find_first_not_of('-'));
+        std::vector<std::string> names = names_of(known, "--");
+        names.insert(names.end(), {"--help", "--quiet", "--verbose"});
+        throw InputError("--" + name + ": unknown flag" + ga::suggestion("--" + name, names));
+    } catch (const po::invalid_command_line_syntax& error) {
+        throw InputError(error.get_option_name() + (error.kind() == error.extra_parameter
+                                                        ? ": a value given, expected none"
+                                                        : ": no value given, expected one"));
+    } catch (const po::error& error) {
+        throw InputError(error.what());
+    }
+}
+
+Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>& known,
+                  const std::vector<std::string>& overrides) {
+    auto [values, lines] = parsed_ini(file);
+    for (const auto& override_text : overrides) {
+        const auto equals = override_text.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw InputError("--set: \"" + override_text + "\" given, expected section.key=value");
+        const std::string name = override_text.substr(0, equals);
+        values[name] = override_text.substr(equals + 1);
+        lines.erase(name);
+    }
+    const auto names = names_of(known);
+    const Settings settings(file.string(), known, values, lines);
+    for (const auto& [name, value] : values) {
+        const std::string any = name.substr(0, name.find('.')) + ".*";
+        if (std::find(names.begin(), names.end(), name) == names.end() &&
+            std::find(names.begin(), names.end(), any) == names.end()) {
+            const std::string place = settings.place(name);
+            throw InputError(place.substr(0, place.size() - name.size()) + "unknown key '" + name + "'" +
+                             key_suggestion(name, names));
+        }
+    }
+    return settings;
+}
+
+std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists) {
+    std::vector<Setting> all;
+    for (const auto& list : lists)
+        all.insert(all.end(), list.begin(), list.end());
+    return all;
+}
+
+void expect_none(const Settings& settings, const std::vector<Setting>& of, const std::string& where) {
+    for (const Setting& setting : of)
+        if (settings.given(setting.name))
+            throw InputError(settings.place(setting.name) + ": " + where);
+}
+
+std::string described(const std::vector<Setting>& known) {
+    std::vector<std::string> groups;
+    for (const Setting& setting : known)
+        if (std::find(groups.begin(), groups.end(), setting.group) == groups.end())
+            groups.push_back(setting.group);
+    std::ostringstream out;
+    for (const std::string& group : groups) {
+        std::vector<Setting> members;
+        std::copy_if(known.begin(), known.end(), std::back_inserter(members),
+                     [&](const Setting& setting) { return setting.group == group; });
+        const std::string heading = group.empty() ? "Flags" : group;
+        out << (group == groups.front() ? "" : "\n") << options_of(members, heading);
+    }
+    return out.str();
+}
+
+} // namespace app

@@ -1,0 +1,42 @@
+#include "apps/report/recorder.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace app {
+
+ga::Observer<rough::Genome> recorder(std::vector<StageRecord>& stages) {
+    return [&stages](const ga::Event<rough::Genome>& event) {
+        StageRecord record{event.path, {}, event.counters.evaluations + event.counters.gradients};
+        for (const auto& individual : event.population) {
+            const bool scored = individual.fitness.known() && individual.fitness.objective() == "similarity";
+            record.candidates.push_back(
+                {individual.identity,
+                 {individual.parents.begin(), individual.parents.end()},
+                 scored ? individual.value() : std::numeric_limits<double>::quiet_NaN()});
+        }
+        stages.push_back(std::move(record));
+    };
+}
+
+void to_json(nlohmann::json& j, const StageRecord& stage) {
+    auto candidates = nlohmann::json::array();
+    for (const Candidate& one : stage.candidates)
+        candidates.push_back({one.id, one.parents, one.similarity});
+    j = {stage.path, std::move(candidates), stage.spent};
+}
+
+void from_json(const nlohmann::json& j, StageRecord& stage) {
+    stage = {j.at(0).get<std::string>(), {}, j.at(2).get<long>()};
+    for (const auto& one : j.at(1))
+        stage.candidates.push_back({one.at(0).get<std::uint64_t>(),
+                                    one.at(1).get<std::vector<std::uint64_t>>(), one.at(2).get<double>()});
+}
+
+const StageRecord* stage_at(const std::vector<StageRecord>& stages, const std::string& path) {
+    const auto found = std::find_if(stages.begin(), stages.end(),
+                                    [&](const StageRecord& stage) { return stage.path == path; });
+    return found == stages.end() ? nullptr : &*found;
+}
+
+} // namespace app

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "apps/report/variant_run.hpp"
+#include "ga/context.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+/// An observer that keeps every stage's candidates: identity, parents and similarity (the problem's first
+/// objective; NaN where a stage left it unscored).
+ga::Observer<rough::Genome> recorder(std::vector<StageRecord>& stages);
+
+/// As a checkpoint keeps them.
+void to_json(nlohmann::json& j, const StageRecord& stage);
+void from_json(const nlohmann::json& j, StageRecord& stage);
+
+/// The first record at the path, or nothing.
+const StageRecord* stage_at(const std::vector<StageRecord>& stages, const std::string& path);
+
+} // namespace app

@@ -1,0 +1,88 @@
+#include "apps/report/result.hpp"
+
+#include "apps/prompt/model_settings.hpp"
+#include "apps/report/account.hpp"
+#include "domain/contact/datum.hpp"
+#include "domain/mwm/genome_json.hpp"
+
+namespace app {
+
+using nlohmann::json;
+
+VariantRun variant_run(const std::string& name, const rough::SearchResult& found,
+                       std::vector<StageRecord> stages, double seconds) {
+    VariantRun run;
+    run.name = name;
+    run.stages = std::move(stages);
+    run.notes = found.notes;
+    run.answer.genome = found.best.genome;
+    run.similarity = found.best.similarity;
+    run.similarity_refined = found.best.similarity_refined;
+    run.seconds = seconds;
+    run.curves = found.counters.evaluations;
+    run.gradients = found.counters.gradients;
+    return run;
+}
+
+json variant_json(const VariantRun& variant, const std::vector<rough::Model>& loaded) {
+    json stages = json::array();
+    for (const StageRecord& stage : variant.stages) {
+        json candidates = json::array();
+        for (const Candidate& one : stage.candidates)
+            candidates.push_back({{"id", one.id}, {"parents", one.parents}, {"similarity", one.similarity}});
+        stages.push_back({{"path", stage.path}, {"candidates", std::move(candidates)}});
+    }
+    json result = {{"similarity", variant.similarity},
+                   {"similarity_refined", variant.similarity_refined},
+                   {"genome", genome_to_json(variant.answer.genome)},
+                   {"stages", std::move(stages)},
+                   {"notes", variant.notes},
+                   {"seconds", variant.seconds},
+                   {"curves", variant.curves},
+                   {"gradients", variant.gradients}};
+    for (const rough::Model& model : loaded)
+        result["modelled"].push_back(modelled_json(variant.answer.genome, model));
+    if (const rough::Model& model = loaded.front(); model.body.kernel == rough::Kernel::free)
+        for (const double stiffness : variant.answer.response.tangent_stiffness)
+            result["tangent_stiffness_per_ln_datum_MPa_per_mm"].push_back(
+                rough::datum_sensitivity(stiffness, model.grid.length, model.body.effective_modulus));
+    return result;
+}
+
+json model_json(const rough::Model& model) {
+    json result = {{"nodes", model.grid.nodes},
+                   {"length_mm", model.grid.length},
+                   {"effective_modulus_MPa", model.body.effective_modulus},
+                   {"kernel", name_of(model.body.kernel)},
+                   {"datum_mm", nullptr},
+                   {"strip_width_mm", nullptr},
+                   {"steps", model.loading.steps},
+                   {"reach", model.loading.reach},
+                   {"accuracy", nullptr}};
+    if (model.accuracy > 0)
+        result["accuracy"] = model.accuracy;
+    if (model.body.kernel == rough::Kernel::free)
+        result["datum_mm"] = model.body.datum;
+    if (model.body.kernel == rough::Kernel::strip)
+        result["strip_width_mm"] = model.body.strip_width;
+    return result;
+}
+
+json head_json(const rough::Model& model, const Origin& origin) {
+    json result = model_json(model);
+    result["version"] = origin.version;
+    result["command"] = origin.command;
+    result["seed"] = origin.seed;
+    result["threads"] = origin.threads;
+    return result;
+}
+
+json target_json(const rough::Target& target) {
+    json points = json::array();
+    for (rough::Index k = 0; k < target.points(); ++k)
+        points.push_back(
+            {{"pressure_MPa", target.pressure[k]}, {"stiffness_MPa_per_mm", target.stiffness[k]}});
+    return {{"name", target.name}, {"points", std::move(points)}};
+}
+
+} // namespace app

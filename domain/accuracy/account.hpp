@@ -1,0 +1,33 @@
+#pragma once
+
+#include "domain/accuracy/chromosomes.hpp"
+#include "domain/response/response.hpp"
+
+namespace rough {
+
+/// What was modelled to answer a question, and how wrong the answer may be. Errors are relative, the worst
+/// over the rows in pressure and secant stiffness, against the resolved answer.
+struct Account {
+    double accuracy = 0;               ///< asked for; 0: the exact model as given
+    Index resolved_nodes = 0;          ///< nodes of the grid that counts as resolved
+    std::vector<Index> grids;          ///< nodes of every grid solved, in order
+    int read_grids = 1;                ///< the last of them that the answer is read off: several extrapolate
+    int rows = 0;                      ///< load steps asked for
+    int solved_rows = 0;               ///< those solved on the last grid
+    int resolved_rows = 0;             ///< the first ones, taken from the resolved grid
+    std::vector<ChromosomePlace> used; ///< chromosomes modelled; empty for a measured profile
+    std::vector<ChromosomePlace> dropped; ///< chromosomes left out; empty for a measured profile
+    Window window;                        ///< of the chromosomes dropped, mm
+    Solver solver = Solver::automatic;    ///< on the last grid
+    double tolerance = 0;                 ///< of an iterative solver
+    double estimated_error = 0;           ///< all sources together, the worst row
+    double grid_error = 0;                ///< estimated
+    double step_error = 0;                ///< bounded
+    double dropped_error = 0;             ///< bounded
+    double solver_error = 0;              ///< bounded
+    double seconds = 0;                   ///< wall time
+
+    bool extrapolated() const { return read_grids > 1; } ///< whether several grids give the answer together
+};
+
+} // namespace rough

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "domain/accuracy/account.hpp"
+#include "domain/response/model.hpp"
+
+namespace rough {
+
+/// A response, and what it took and how far to trust it.
+struct AccountedResponse {
+    Response response; ///< at every displacement asked for
+    Account account;   ///< its errors, grids and rows
+};
+
+/// The grid that counts as resolved for a genome: 64 elements to its shortest wave, at least 4096 and at most
+/// 2^20.
+Grid resolved_grid(const Genome& genome, double length, bool wraps);
+
+/// The response within `accuracy` (relative, more than 0 to 1) of the one that `resolved` gives on its grid,
+/// at the same displacements: those of the resolved profile. Chooses the chromosomes, the grids, the rows and
+/// the solver's tolerance (never above the one given); where nothing cheaper is good enough it solves the
+/// resolved model itself. Throws InputError on another accuracy, and what `respond` throws.
+AccountedResponse respond_within(const Genome& genome, const Model& resolved, double accuracy);
+/// The same for a measured profile.
+AccountedResponse respond_within(const Profile& scan, const Model& resolved, double accuracy);
+
+/// As the model asks: within its accuracy where it has one, else exactly.
+AccountedResponse respond_accounted(const Genome& genome, const Model& model);
+
+/// The response of the exact model as given, with its account.
+AccountedResponse respond_exactly(const Genome& genome, const Model& model);
+/// The same for a measured profile.
+AccountedResponse respond_exactly(const Profile& scan, const Model& model);
+
+} // namespace rough

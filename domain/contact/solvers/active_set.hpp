@@ -1,0 +1,14 @@
+#pragma once
+
+#include "domain/contact/solvers/problem.hpp"
+
+namespace rough {
+
+/// The iterative solver for grids where a dense factor does not fit: conjugate gradients by FFT on a contact
+/// set that is corrected as they go, each load step predicted from the one before by its tangent vector. Ends
+/// when every residual is within the tolerance and the contact set is beyond doubt at that residual, or
+/// rounding allows no better. Throws NotConverged. The certificate applies H by another splitting into
+/// transforms.
+Solution solve_active_set(const ContactProblem& problem, const ContactOptions& options);
+
+} // namespace rough

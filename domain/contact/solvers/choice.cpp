@@ -1,0 +1,86 @@
+#include "domain/contact/solvers/choice.hpp"
+
+#include "domain/contact/solvers/cascade.hpp"
+#include "domain/contact/solvers/growing_factor.hpp"
+#include "domain/contact/solvers/nested.hpp"
+#include "domain/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace rough {
+
+namespace {
+
+/// Up to this many nodes the factor always wins.
+constexpr Index small = 768;
+
+// Nanoseconds on the machine that they were fitted on, by benchmark_choice; only their ratios matter. Its
+// curves are of random profiles on every kernel, with 5 to 80 load steps, and those count whose two costs are
+// within a factor of seven: elsewhere the choice is plain.
+constexpr double per_elimination = 0.05; ///< a multiplication of the factor
+constexpr double per_transform = 0.6;    ///< a node of an FFT apply, times log2 of the padded length
+constexpr double applies_per_step = 36;  ///< of the active set at 1e-6, all its work counted in applies
+constexpr double checks_per_step = 3;    ///< of the nested factor
+constexpr double regrowth = 1.5;         ///< eliminations over those of the final factor
+
+double expected_contact(const ContactProblem& problem, ContactOptions options) {
+    // Every sixteenth node, and more of a small grid, so that fine waves keep most summits apart; but no more
+    // than costs a few milliseconds.
+    const Index sample =
+        std::clamp<Index>(problem.nodes() / 16, std::min<Index>(problem.nodes() / 4, 512), 2048);
+    const Index stride = (problem.nodes() + sample - 1) / sample;
+    ContactProblem coarse = coarsened(problem, stride);
+    coarse.approach = {problem.approach.back()};
+    options.states = false;
+    try {
+        const Solution solution = solve_nested(coarse, options);
+        return static_cast<double>(solution.steps.back().nodes.size()) / static_cast<double>(coarse.nodes());
+    } catch (const NotConverged&) { // near full contact the coarse grid may have no solution
+        check_stop(options);
+        return 1;
+    }
+}
+
+double apply_cost(double nodes) { return per_transform * nodes * std::log2(2 * nodes); }
+
+} // namespace
+
+double nested_cost(double nodes, double contact, double steps) {
+    return regrowth * per_elimination * contact * contact * contact / 6 +
+           steps * checks_per_step * (apply_cost(nodes) + per_elimination * contact * contact);
+}
+
+double active_set_cost(double nodes, double steps) { return steps * applies_per_step * apply_cost(nodes); }
+
+SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options) {
+    std::ostringstream reason;
+    if (problem.nodes() <= small || problem.approach.empty() || problem.approach.back() == 0) {
+        reason << "nested: up to " << small << " nodes the factor is always the fastest";
+        return {Solver::nested, reason.str()};
+    }
+    const double n = static_cast<double>(problem.nodes()),
+                 steps = static_cast<double>(problem.approach.size());
+    const double m = std::ceil(expected_contact(problem, options) * n);
+    const double nested = nested_cost(n, m, steps), active_set = active_set_cost(n, steps);
+    // Half as much again, as the estimate comes from a coarse grid.
+    const double memory = 1.5 * GrowingFactor::bytes(static_cast<Index>(m));
+    reason.precision(2);
+    reason << "about " << m << " of " << problem.nodes() << " nodes in contact: a factor of " << memory / 1e9
+           << " GB, cost " << nested / 1e9 << " against " << active_set / 1e9 << " by active set";
+    if (memory > options.memory_limit)
+        return {Solver::active_set, "active-set: " + reason.str() + "; the factor would not fit"};
+    if (nested > active_set)
+        return {Solver::active_set, "active-set: " + reason.str()};
+    return {Solver::nested, "nested: " + reason.str()};
+}
+
+void expect_factor_to_fit(const ContactProblem& problem, const ContactOptions& options) {
+    if (GrowingFactor::bytes(problem.nodes()) <= options.memory_limit || problem.approach.empty())
+        return; // even with every node in contact
+    const double nodes = std::ceil(expected_contact(problem, options) * static_cast<double>(problem.nodes()));
+    refuse_factor(static_cast<Index>(nodes), options);
+}
+
+} // namespace rough

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "domain/contact/solvers/problem.hpp"
+
+#include <string>
+
+namespace rough {
+
+/// What `automatic` takes, and why in words.
+struct SolverChoice {
+    Solver solver;      ///< the nested factor or the active set
+    std::string reason; ///< with the figures that decided
+};
+
+/// Between the nested factor and the active set, by predicted memory and cost. The model is fixed and knows
+/// no clock, so that the same problem is solved by the same method everywhere; the contact set's size is that
+/// of a grid of at most 2048 nodes, scaled.
+SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options);
+
+/// Refuses the nested solver before it begins where its factor is predicted not to fit. Throws InputError.
+void expect_factor_to_fit(const ContactProblem& problem, const ContactOptions& options);
+
+/// What a curve of so many steps costs by the nested factor, or by the active set, on `nodes` nodes of which
+/// `contact` touch at the last step; by the same model, to be compared with one another.
+double nested_cost(double nodes, double contact, double steps);
+/// As nested_cost, by the active set.
+double active_set_cost(double nodes, double steps);
+
+} // namespace rough

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "domain/numerics/aligned.hpp"
+
+#include <vector>
+
+namespace rough {
+
+/// Cholesky factor L of H_AA on a contact set A that is appended to and cut at its tail, never rebuilt, with
+/// z = L^-1 1 and v = L^-1 g0_A beside it: H_AA p = Delta - g0_A has p = L^-T (Delta z - v), and sum H_AA^-1
+/// 1 = z.z. L is kept as panels of eight rows, columns first, so that a panel's eight rows are eliminated
+/// together.
+class GrowingFactor {
+  public:
+    /// An empty contact set. `influence_column` is the first column of H, `gap` g0 at every node (N entries
+    /// each, in a ContactProblem's units); `gap` must outlive the factor.
+    GrowingFactor(const Eigen::VectorXd& influence_column, const Eigen::VectorXd& gap);
+
+    const std::vector<int>& nodes() const { return nodes_; }         ///< A in the order of its rows
+    Index size() const { return static_cast<Index>(nodes_.size()); } ///< rows of the factor
+
+    /// Appends nodes; stops before the first whose pivot is not positive. Returns how many were appended.
+    Index append(const std::vector<int>& nodes);
+    /// Removes the nodes at these positions (increasing). The rows below the first keep their columns left of
+    /// it.
+    void remove(const std::vector<Index>& positions);
+
+    /// p = L^-T (approach z - v), size() entries
+    void pressures(double approach, Eigen::VectorXd& p);
+    /// w = H_AA^-1 1, size() entries
+    void tangent(Eigen::VectorXd& w);
+    /// sum of w
+    double stiffness() const;
+    /// bytes of a factor of so many rows
+    static double bytes(Index size) {
+        return 4.0 * static_cast<double>(size + 8) * static_cast<double>(size + 8);
+    }
+
+  private:
+    void resize_vectors();
+    void cut(Index size);
+    void move_row_heads(Index panel, const std::vector<Index>& sources, Index columns);
+    Index build_panel(Index panel, Index first_block);
+    void fill_influence(Index panel, Index first_column);
+    void back_substitute(Eigen::VectorXd& x) const;
+
+    std::vector<double> influence_; ///< h[|i|], i = -(N-1)..N-1
+    const double* centre_;
+    const Eigen::VectorXd& gap_;
+    std::vector<int> nodes_;
+    std::vector<AlignedBuffer<double>> panels_;              ///< panel b: 8 (b + 1) columns of 8 rows
+    std::vector<double> inverse_diagonal_, one_, gap_image_; ///< 1/L_ii, z, v, padded to whole panels
+    Eigen::VectorXd padded_;                                 ///< for substitution
+};
+
+} // namespace rough

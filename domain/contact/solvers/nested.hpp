@@ -1,0 +1,48 @@
+#pragma once
+
+#include "domain/contact/solvers/direct.hpp"
+#include "domain/contact/solvers/growing_factor.hpp"
+#include "domain/contact/solvers/problem.hpp"
+
+#include <optional>
+
+namespace rough {
+
+/// The direct solver, one load step after the other on one factor: contact sets are nested (w > 0), so one
+/// bordered Cholesky factor grows through all load steps. The set of nodes that penetrate under the pressures
+/// of the step before contains the new contact set, and dropping the nodes under tension from it keeps it so;
+/// each step is therefore one sweep of additions and some of removals.
+class NestedContact {
+  public:
+    /// Both must outlive it.
+    NestedContact(const ContactProblem& problem, const ContactOptions& options);
+
+    /// The solution at an approach (in units of the problem, above the one before). Throws InputError where
+    /// the factor would take more than `memory_limit` bytes, NotConverged where it does not settle.
+    StepSolution press(double approach);
+    /// Sweeps of additions or removals so far.
+    long rounds() const { return rounds_; }
+
+  private:
+    const double* displacement();
+    void drop_tension(double approach);
+    bool add_penetrating(double approach, const double* u);
+
+    const ContactProblem& problem_;
+    const ContactOptions& options_;
+    GrowingFactor factor_;
+    DirectOperator direct_;                  ///< while contact is slight
+    std::optional<FourierOperator> fourier_; ///< beyond
+    std::vector<char> touching_;
+    Eigen::VectorXd pressure_;
+    Eigen::ArrayXd depth_;
+    long rounds_ = 0;
+};
+
+/// Every load step of the problem so. Throws what `press` throws.
+Solution solve_nested(const ContactProblem& problem, const ContactOptions& options);
+
+/// Throws InputError where a factor of so many nodes would take more than the options' memory.
+void refuse_factor(Index nodes, const ContactOptions& options);
+
+} // namespace rough

@@ -1,0 +1,136 @@
+#include "domain/contact/solvers/oracle.hpp"
+
+#include "domain/contact/kernel.hpp"
+#include "domain/errors.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+#include <numbers>
+
+namespace rough {
+
+namespace {
+
+using Real = long double;
+using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+constexpr Real pi = std::numbers::pi_v<Real>;
+
+Real flamant(Real r, Real a, Real d) {
+    auto F = [d](Real t) { return t == 0 ? 0 : t * std::log(std::abs(t / d)); };
+    return -2 / pi * (F(r + a) - F(r - a) - 2 * a);
+}
+
+Real love(Real r, Real a, Real b) {
+    auto R = [b](Real x) { return std::hypot(b, x); };
+    // ln((b + R)/(R - b)) and ln(x + R) with the differences R - b = x^2/(R + b) and R - |x| = b^2/(R + |x|)
+    auto side = [&](Real x) { return x == 0 ? 0 : x * 2 * std::log((b + R(x)) / std::abs(x)); };
+    auto along = [&](Real x) { return x >= 0 ? std::log(x + R(x)) : 2 * std::log(b) - std::log(R(x) - x); };
+    return (side(r + a) - side(r - a) + 2 * b * (along(r + a) - along(r - a))) / pi;
+}
+
+Real cosine_sum(Index j, Index n, Real length) {
+    Real sum = 0;
+    for (Index k = 1; k < n; ++k) {
+        const Real q = 2 * pi * static_cast<Real>(std::min(k, n - k)) / length;
+        sum += 2 / q * std::cos(2 * pi * static_cast<Real>((j * k) % n) / static_cast<Real>(n));
+    }
+    return sum / static_cast<Real>(n);
+}
+
+/// First column of H for E* = 1, mm/MPa.
+Vector influence(const Profile& profile, const Body& body) {
+    const Index n = profile.nodes();
+    const Real delta = profile.spacing;
+    Vector h(n);
+    for (Index j = 0; j < n; ++j) {
+        const Real r = static_cast<Real>(j) * delta;
+        h[j] = body.kernel == Kernel::free    ? flamant(r, delta / 2, body.datum)
+               : body.kernel == Kernel::strip ? love(r, delta / 2, static_cast<Real>(body.strip_width) / 2)
+                                              : cosine_sum(j, n, static_cast<Real>(n) * delta);
+    }
+    return h;
+}
+
+struct Pressed {
+    std::vector<Index> nodes;
+    Vector pressure;
+    Real stiffness = 0;
+};
+
+/// H_AA p = rhs and sum H_AA^-1 1
+Pressed solve_on(const std::vector<Index>& nodes, const Vector& h, const Vector& goal) {
+    const Index m = static_cast<Index>(nodes.size());
+    Matrix block(m, m);
+    Vector rhs(m);
+    for (Index i = 0; i < m; ++i) {
+        rhs[i] = goal[nodes[static_cast<std::size_t>(i)]];
+        for (Index j = 0; j < m; ++j)
+            block(i, j) =
+                h[std::abs(nodes[static_cast<std::size_t>(i)] - nodes[static_cast<std::size_t>(j)])];
+    }
+    const Eigen::LLT<Matrix> factor(block);
+    return {nodes, factor.solve(rhs), factor.solve(Vector::Ones(m)).sum()};
+}
+
+Pressed press(const Vector& h, const Vector& goal, Real displacement, bool periodic) {
+    const Index n = h.size();
+    std::vector<char> in(static_cast<std::size_t>(n), 1);
+    if (periodic) { // all nodes together are a singular matrix: the lowest cannot be needed
+        Index lowest;
+        goal.minCoeff(&lowest);
+        in[static_cast<std::size_t>(lowest)] = 0;
+    }
+    for (int round = 0; round < 500; ++round) {
+        std::vector<Index> nodes;
+        for (Index i = 0; i < n; ++i)
+            if (in[static_cast<std::size_t>(i)])
+                nodes.push_back(i);
+        Pressed pressed = solve_on(nodes, h, goal);
+        bool settled = true;
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+            if (!(pressed.pressure[static_cast<Index>(k)] > 0)) {
+                in[static_cast<std::size_t>(nodes[k])] = 0;
+                settled = false;
+            }
+        if (!settled)
+            continue;
+        for (Index i = 0; i < n; ++i) {
+            if (in[static_cast<std::size_t>(i)])
+                continue;
+            Real u = 0;
+            for (std::size_t k = 0; k < nodes.size(); ++k)
+                u += h[std::abs(i - nodes[k])] * pressed.pressure[static_cast<Index>(k)];
+            if (goal[i] - u > 1e-15L * displacement) {
+                in[static_cast<std::size_t>(i)] = 1;
+                settled = false;
+            }
+        }
+        if (settled)
+            return pressed;
+    }
+    throw NotConverged("the oracle's contact set does not settle");
+}
+
+} // namespace
+
+Oracle consult_oracle(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
+    const Vector h = influence(profile, body);
+    const Vector heights = profile.heights.cast<Real>();
+    const Real share =
+        static_cast<Real>(profile.spacing) / static_cast<Real>(profile_length(profile, body.kernel));
+    const Real modulus = body.effective_modulus;
+    Oracle oracle;
+    for (const double displacement : displacements) {
+        const Vector goal = (heights.array() - heights.maxCoeff() + static_cast<Real>(displacement)).matrix();
+        const Pressed pressed = press(h, goal, displacement, body.kernel == Kernel::periodic);
+        oracle.pressure.push_back(static_cast<double>(modulus * share * pressed.pressure.sum()));
+        oracle.tangent_stiffness.push_back(static_cast<double>(modulus * share * pressed.stiffness));
+        oracle.contact_nodes.push_back(static_cast<Index>(pressed.nodes.size()));
+    }
+    return oracle;
+}
+
+} // namespace rough

@@ -1,0 +1,151 @@
+#include "domain/contact/solvers/polonsky_keer.hpp"
+
+#include "domain/contact/solvers/certificate.hpp"
+#include "domain/contact/solvers/set_solver.hpp"
+#include "domain/errors.hpp"
+
+#include <optional>
+
+namespace rough {
+
+namespace {
+
+using Eigen::ArrayXd;
+
+constexpr long most_iterations = 5000;
+/// The residual under which rounding makes further iterations pointless.
+constexpr double finest = 1e-12;
+
+class PolonskyKeer {
+  public:
+    PolonskyKeer(const ContactProblem& problem, const ContactOptions& options)
+        : problem_(problem), options_(options), solver_(problem), check_(problem.column),
+          set_(problem.nodes()), load_(problem.nodes()), direction_(problem.nodes()),
+          tangent_(problem.nodes()) {}
+
+    /// One step to an approach, or to a load if one is given; `approach` becomes the one found.
+    StepSolution press(double& approach, std::optional<double> load = {}) {
+        if (load)
+            start_at_load(*load);
+        else if (load_.pressure.maxCoeff() == 0)
+            start_at_approach(approach);
+        for (double tolerance = options_.tolerance;;) {
+            iterate(approach, load, tolerance);
+            for (Index i = 0; i < problem_.nodes(); ++i)
+                load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
+            set_.collect();
+            solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
+            const double error = load_error(problem_, approach, set_, load_, tangent_);
+            if (error <= options_.tolerance || tolerance <= finest)
+                break;
+            tolerance = std::max(finest, 0.3 * tolerance * options_.tolerance / error);
+        }
+        StepSolution step = step_solution(set_, load_, tangent_, options_.states);
+        const Eigen::VectorXd displacement = check_.apply(load_.pressure);
+        step.residual =
+            certify(problem_, approach, step.nodes, step.pressure, displacement.data()).residual();
+        if (!(step.residual <= 2 * options_.tolerance))
+            fail("Polonsky-Keer", problem_, approach, step.residual, options_.tolerance);
+        return step;
+    }
+
+    long iterations() const { return iterations_; }
+
+  private:
+    void start_at_load(double load) {
+        const double sum = load_.pressure.sum();
+        if (sum > 0)
+            load_.pressure *= load / sum;
+        else
+            load_.pressure.setConstant(load / static_cast<double>(problem_.nodes()));
+    }
+
+    /// The overlap, scaled to do the least work.
+    void start_at_approach(double approach) {
+        load_.pressure = (approach - problem_.gap.array()).max(0);
+        solver_.load(load_);
+        const double work = load_.pressure.dot(load_.displacement);
+        if (work > 0)
+            load_.pressure *= load_.pressure.squaredNorm() / work;
+    }
+
+    void iterate(double& approach, std::optional<double> load, double target) {
+        direction_.pressure.setZero();
+        double conjugate = 0, previous = 1, residual = 1;
+        for (long iteration = 0; iteration < most_iterations; ++iteration) {
+            if (iteration % 16 == 0)
+                check_stop(options_);
+            auto& p = load_.pressure;
+            solver_.load(load_);
+            const Eigen::Array<bool, Eigen::Dynamic, 1> contact = p.array() > 0;
+            const double count = static_cast<double>(contact.count());
+            if (load)
+                approach = contact.select(problem_.gap + load_.displacement, 0).sum() / count;
+            gap_ = (problem_.gap + load_.displacement).array() - approach;
+            residual = contact.select(gap_.abs(), -gap_).maxCoeff() / approach;
+            if (!std::isfinite(residual))
+                break;
+            if (residual <= target) {
+                const double trusted = trusted_residual(problem_, approach, p, load_.displacement);
+                if (residual <= finest || residual <= trusted)
+                    return;
+                target = std::max(finest, std::min(0.5 * target, trusted));
+            }
+            ++iterations_;
+            const double squares = contact.select(gap_.square(), 0).sum();
+            direction_.pressure =
+                contact.select(gap_ + conjugate * (squares / previous) * direction_.pressure.array(), 0);
+            previous = squares;
+            solver_.load(direction_);
+            ArrayXd image = direction_.displacement.array();
+            if (load)
+                image -= contact.select(image, 0).sum() / count;
+            const double curvature = contact.select(image * direction_.pressure.array(), 0).sum();
+            const double step =
+                curvature > 0 ? contact.select(gap_ * direction_.pressure.array(), 0).sum() / curvature : 0;
+            p = contact.select(p.array() - step * direction_.pressure.array(), 0).max(0);
+            const Eigen::Array<bool, Eigen::Dynamic, 1> overlap = p.array() == 0 && gap_ < 0;
+            conjugate = overlap.any() ? 0 : 1;
+            p = overlap.select(-step * gap_, p.array());
+            if (load)
+                p *= *load / p.sum();
+        }
+        fail("Polonsky-Keer", problem_, approach, residual, target);
+    }
+
+    const ContactProblem& problem_;
+    const ContactOptions& options_;
+    SetSolver solver_;
+    SplitOperator check_;
+    ContactSet set_;
+    Loaded load_, direction_, tangent_;
+    ArrayXd gap_;
+    long iterations_ = 0;
+};
+
+} // namespace
+
+Solution solve_polonsky_keer(const ContactProblem& problem, const ContactOptions& options) {
+    PolonskyKeer solver(problem, options);
+    Solution solution;
+    for (double approach : problem.approach)
+        solution.steps.push_back(solver.press(approach));
+    solution.iterations = solver.iterations();
+    return solution;
+}
+
+Solution solve_polonsky_keer_loads(ContactProblem& problem, const std::vector<double>& loads,
+                                   const ContactOptions& options) {
+    PolonskyKeer solver(problem, options);
+    Solution solution;
+    problem.approach.clear();
+    for (const double load : loads) {
+        double approach = 0;
+        solution.steps.push_back(solver.press(approach, load));
+        problem.approach.push_back(approach);
+    }
+    solution.iterations = solver.iterations();
+    return solution;
+}
+
+} // namespace rough

@@ -1,0 +1,138 @@
+#include "domain/contact/solvers/problem.hpp"
+
+#include "domain/contact/kernel.hpp"
+#include "domain/errors.hpp"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace rough {
+
+namespace {
+
+void check_profile(const Profile& profile) {
+    if (profile.nodes() < 2)
+        refuse("a profile of ", profile.nodes(), " node(s) was given, at least 2 are expected");
+    if (!(profile.spacing > 0) || !std::isfinite(profile.spacing))
+        refuse("node spacing ", profile.spacing, " mm was given, a positive finite length is expected");
+    for (Index i = 0; i < profile.nodes(); ++i)
+        if (!std::isfinite(profile.heights[i]))
+            refuse("height ", profile.heights[i], " mm at node ", i, ", a finite height is expected");
+    if (!std::isfinite(profile.heights.maxCoeff() - profile.heights.minCoeff()))
+        refuse("heights from ", profile.heights.minCoeff(), " to ", profile.heights.maxCoeff(),
+               " mm, a range that fits double precision is expected");
+}
+
+void check_body(const Profile& profile, const Body& body) {
+    if (!(body.effective_modulus > 0) || !std::isfinite(body.effective_modulus))
+        refuse("effective modulus ", body.effective_modulus,
+               " MPa was given, a positive finite one is expected");
+    if (body.kernel == Kernel::free && (!(body.datum > datum_limit(profile)) || !std::isfinite(body.datum)))
+        refuse("datum distance ", body.datum,
+               " mm was given, more than (L + delta)/4 = ", datum_limit(profile),
+               " mm is expected: nearer, the free half-plane has no unique solution");
+    if (body.kernel == Kernel::strip && (!(body.strip_width > 0) || !std::isfinite(body.strip_width)))
+        refuse("strip width ", body.strip_width, " mm was given, a positive finite one is expected");
+}
+
+void check_displacements(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
+    double previous = 0;
+    for (const double displacement : displacements) {
+        if (!std::isfinite(displacement) || displacement < previous)
+            refuse("displacement ", displacement, " mm was given after ", previous,
+                   " mm, increasing finite values are expected");
+        previous = displacement;
+    }
+    if (body.kernel != Kernel::periodic)
+        return;
+    const double full = largest_displacement(profile, body);
+    if (!(full > 0))
+        refuse("a flat profile was given, one with height differences is expected: on a periodic half-plane "
+               "a flat "
+               "one bears any load at no approach");
+    const double rounding = 1e-14 * profile.heights.cwiseAbs().maxCoeff();
+    if (previous > full * (1 + 1e-12) + rounding)
+        refuse("displacement ", previous, " mm was given, at most that of full contact, ", full,
+               " mm, is expected: beyond it the periodic half-plane has no solution");
+}
+
+} // namespace
+
+double largest_displacement(const Profile& profile, const Body& body) {
+    if (body.kernel != Kernel::periodic)
+        return std::numeric_limits<double>::infinity();
+    const double highest = profile.heights.maxCoeff();
+    return (highest - profile.heights.array()).mean(); // Delta_full = max Z - mean Z
+}
+
+ContactProblem make_problem(const Profile& profile, const Body& body,
+                            const std::vector<double>& displacements) {
+    check_profile(profile);
+    check_body(profile, body);
+    check_displacements(profile, body, displacements);
+    const double unit = displacements.empty() || displacements.back() == 0 ? 1 : displacements.back();
+    const double length = profile_length(profile, body.kernel);
+    ContactProblem problem;
+    problem.kernel = body.kernel;
+    problem.datum = body.datum / profile.spacing;
+    problem.strip_width = body.strip_width / profile.spacing;
+    problem.column = influence_column(body.kernel, profile.nodes(), problem.datum, problem.strip_width);
+    problem.gap = (profile.heights.maxCoeff() - profile.heights.array()) / unit;
+    for (const double displacement : displacements)
+        problem.approach.push_back(displacement / unit);
+    problem.displacement_unit = unit;
+    problem.pressure_unit = body.effective_modulus * (unit / profile.spacing);
+    problem.elements = length / profile.spacing;
+    problem.stiffness_unit = body.effective_modulus / length;
+    problem.touches_only_overlapping =
+        body.kernel == Kernel::strip || (body.kernel == Kernel::free && body.datum >= length);
+    return problem;
+}
+
+template <typename Operator>
+static Operator operator_of(const ContactProblem& problem) {
+    if (problem.kernel == Kernel::periodic && is_good_fourier_length(problem.nodes()))
+        return Operator::circulant(problem.nodes(), periodic_spectrum(problem.nodes()));
+    return Operator::toeplitz(problem.column);
+}
+
+FourierOperator fourier_operator(const ContactProblem& problem) {
+    return operator_of<FourierOperator>(problem);
+}
+
+SingleFourierOperator single_fourier_operator(const ContactProblem& problem) {
+    return operator_of<SingleFourierOperator>(problem);
+}
+
+LoadStep load_step(const ContactProblem& problem, double displacement, const StepSolution& found) {
+    LoadStep step;
+    step.displacement = displacement;
+    step.pressure = found.pressure.sum() / problem.elements * problem.pressure_unit;
+    step.tangent_stiffness = found.stiffness * problem.stiffness_unit;
+    step.kkt_residual = found.residual;
+    if (!std::isfinite(step.pressure) || !std::isfinite(step.tangent_stiffness))
+        refuse(
+            "mean pressure ", step.pressure, " MPa and stiffness ", step.tangent_stiffness,
+            " MPa/mm at a displacement of ", displacement,
+            " mm, a modulus, heights and a node spacing whose response fits double precision are expected");
+    step.contact_nodes = static_cast<Index>(found.nodes.size());
+    step.contact_fraction = static_cast<double>(step.contact_nodes) / static_cast<double>(problem.nodes());
+    return step;
+}
+
+void check_stop(const ContactOptions& options) {
+    if (options.stop && options.stop())
+        throw NotConverged("stopped before the contact was solved");
+}
+
+void fail(const char* solver, const ContactProblem& problem, double approach, double residual,
+          double tolerance) {
+    std::ostringstream line;
+    line.precision(6);
+    line << solver << " did not settle at an approach of " << approach * problem.displacement_unit
+         << " mm: residual " << residual << " where " << tolerance << " is expected";
+    throw NotConverged(line.str());
+}
+
+} // namespace rough

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "domain/contact/solve.hpp"
+#include "domain/numerics/fourier.hpp"
+
+namespace rough {
+
+/// A contact problem without units, as every solver takes it: heights in units of the largest displacement,
+/// lengths along the profile in units of delta, pressures in units of E* times the largest displacement over
+/// delta.
+struct ContactProblem {
+    Kernel kernel;                ///< which body H stands for
+    double datum;                 ///< d (free), in units of delta
+    double strip_width;           ///< W (strip), in units of delta
+    Eigen::VectorXd column;       ///< first column of H
+    Eigen::VectorXd gap;          ///< g0_i = max Z - Z_i >= 0
+    std::vector<double> approach; ///< displacements, increasing, the last one 1 (or all zero)
+
+    double displacement_unit; ///< mm
+    double pressure_unit;     ///< MPa, of a node's pressure
+    double elements;          ///< L/delta: P = sum p / elements
+    double stiffness_unit;    ///< MPa/mm, E*/L: K = stiffness_unit * sum w
+
+    Index nodes() const { return gap.size(); } ///< N
+    /// Only overlapping nodes can touch (strip, and free with d >= L).
+    bool touches_only_overlapping;
+};
+
+/// Checks everything a contact problem can be refused for. Throws InputError.
+ContactProblem make_problem(const Profile& profile, const Body& body,
+                            const std::vector<double>& displacements);
+
+/// The largest displacement that has a solution, mm: that of full contact (periodic), or infinity.
+double largest_displacement(const Profile& profile, const Body& body);
+
+/// H applied by FFT.
+FourierOperator fourier_operator(const ContactProblem& problem);
+/// The same in single precision.
+SingleFourierOperator single_fourier_operator(const ContactProblem& problem);
+
+/// One step's solution in the problem's units.
+struct StepSolution {
+    std::vector<int> nodes;   ///< contact set
+    Eigen::VectorXd pressure; ///< on the contact set
+    double stiffness = 0;     ///< sum of H_AA^-1 1
+    Eigen::VectorXd tangent;  ///< H_AA^-1 1, where asked for
+    double residual = 0;      ///< certificate
+};
+
+/// The same in MPa and mm; `displacement` is its own, mm.
+LoadStep load_step(const ContactProblem& problem, double displacement, const StepSolution& found);
+
+/// What a solver returns.
+struct Solution {
+    std::vector<StepSolution> steps; ///< one an approach
+    long iterations = 0;             ///< the solver's own unit, over all steps
+};
+
+/// Throws NotConverged where the options' `stop` says so.
+void check_stop(const ContactOptions& options);
+/// Throws NotConverged in the words every solver uses.
+[[noreturn]] void fail(const char* solver, const ContactProblem& problem, double approach, double residual,
+                       double tolerance);
+
+} // namespace rough

@@ -1,0 +1,205 @@
+#include "domain/contact/solvers/set_solver.hpp"
+
+#include "domain/contact/kernel.hpp"
+#include "domain/contact/solvers/deflation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rough {
+
+namespace {
+
+/// Error of a product in single precision over its largest entry, at most: twice the largest seen, on 512 to
+/// 262,144 nodes.
+constexpr double single_rounding = 5e-6;
+/// The residual's fall after which it is taken afresh: products in single precision have blurred it by a
+/// hundredth then.
+constexpr double single_depth = 1e-4;
+/// A stiffness whose H w was improved in single precision is good to this: ten times the largest error seen.
+constexpr double single_stiffness = 3e-7;
+/// Of the tangent, far beyond what it ever took.
+constexpr long most_iterations = 5000;
+
+/// Eigenvalues 1/S_k of the inverse of T. Chan's circulant, whose first column is ((M - j) h_j + j
+/// h_(M-j))/M.
+Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Index length) {
+    Eigen::VectorXd eigenvalues;
+    if (problem.kernel == Kernel::periodic) {
+        eigenvalues = periodic_spectrum(length);
+    } else {
+        const Eigen::VectorXd h =
+            influence_column(problem.kernel, length, problem.datum, problem.strip_width);
+        const FourierPlan plan = fourier_plan(length);
+        AlignedBuffer<double> real(length);
+        AlignedBuffer<fftw_complex> transform(length / 2 + 1);
+        const double m = static_cast<double>(length);
+        real[0] = h[0];
+        for (Index j = 1; j < length; ++j) {
+            const double share = static_cast<double>(j) / m;
+            real[j] = (1 - share) * h[j] + share * h[length - j];
+        }
+        fftw_execute_dft_r2c(plan.forward, real.data(), transform.data());
+        eigenvalues.resize(length / 2 + 1);
+        for (Index k = 0; k < eigenvalues.size(); ++k)
+            eigenvalues[k] = transform[k][0];
+    }
+    // A datum near its limit, or no datum at all, leaves the mean without a stiffness of its own.
+    if (eigenvalues.size() > 1)
+        eigenvalues[0] = std::max(eigenvalues[0], eigenvalues[1]);
+    return eigenvalues.cwiseInverse();
+}
+
+/// A periodic matrix is circulant itself; where that is slow to transform, a longer one serves as well as it
+/// does for the other kernels.
+Index circulant_length(const ContactProblem& problem) {
+    const Index nodes = problem.nodes();
+    return problem.kernel == Kernel::periodic && is_good_fourier_length(nodes) ? nodes
+                                                                               : fast_fourier_length(nodes);
+}
+
+} // namespace
+
+void ContactSet::collect() {
+    nodes_.clear();
+    for (std::size_t i = 0; i < touching_.size(); ++i)
+        if (touching_[i])
+            nodes_.push_back(static_cast<int>(i));
+}
+
+SetSolver::SetSolver(const ContactProblem& problem)
+    : sums_(cumulative(problem.column)), forward_(fourier_operator(problem)),
+      single_(single_fourier_operator(problem)),
+      inverse_(SingleFourierOperator::circulant(circulant_length(problem),
+                                                inverse_circulant(problem, circulant_length(problem)))) {}
+
+void SetSolver::load(Loaded& x) {
+    const Index n = x.pressure.size();
+    std::copy_n(x.pressure.data(), n, forward_.input());
+    std::copy_n(forward_.apply(), n, x.displacement.data());
+    ++applies_;
+}
+
+void SetSolver::load(Loaded& x, KnownProduct& known, double accuracy) {
+    const Index n = x.pressure.size();
+    if (known.pressure.size() == n && known.blur < accuracy) {
+        const Eigen::VectorXd change = x.pressure - known.pressure;
+        const double scale = change.cwiseAbs().maxCoeff();
+        if (scale > 0) {
+            Eigen::VectorXf::Map(single_.input(), n) = (change * (1 / scale)).cast<float>();
+            const auto moved = Eigen::VectorXf::Map(single_.apply(), n);
+            ++applies_;
+            known.displacement += scale * moved.cast<double>();
+            known.blur += single_rounding * scale * static_cast<double>(moved.cwiseAbs().maxCoeff());
+        }
+        if (known.blur <= accuracy) { // false for what is no number
+            known.pressure = x.pressure;
+            x.displacement = known.displacement;
+            return;
+        }
+    }
+    load(x);
+    known = {x.pressure, x.displacement, 0};
+}
+
+void SetSolver::multiply(SingleFourierOperator& matrix, const std::vector<int>& nodes,
+                         const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image) {
+    float* full = matrix.input();
+    std::fill_n(full, matrix.nodes(), 0.0F);
+    const double inverse = 1 / scale;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+        full[nodes[k]] = static_cast<float>(v[static_cast<Index>(k)] * inverse);
+    const float* product = matrix.apply();
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+        image[static_cast<Index>(k)] = scale * static_cast<double>(product[nodes[k]]);
+}
+
+bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
+                        const Enough& enough, long most) {
+    const auto& nodes = set.nodes();
+    const Index m = static_cast<Index>(nodes.size());
+    if (m == 0)
+        return true;
+    const Deflation deflation(nodes, sums_);
+    Eigen::VectorXd r(m), z(m), q(m), hq(m);
+    bool solved = false;
+    double before = std::numeric_limits<double>::infinity();
+    for (long iteration = 0;;) {
+        for (Index k = 0; k < m; ++k) {
+            const Index i = nodes[static_cast<std::size_t>(k)];
+            r[k] = target(i) - x.displacement[i];
+        }
+        x.pressure(nodes) += deflation.project(r);
+        const double scale = r.cwiseAbs().maxCoeff();
+        // Written so that a residual that is no number ends it, too.
+        const bool progress = scale < 0.5 * before;
+        before = scale;
+        double rz = 1;
+        for (bool first = true;; first = false, ++iteration) {
+            const double largest = r.cwiseAbs().maxCoeff();
+            solved = largest <= enough.residual;
+            if (solved)
+                break;
+            multiply(inverse_, nodes, r, scale > 0 ? scale : 1, z);
+            const double energy = r.dot(z);
+            solved = std::isfinite(energy) && enough.energy && enough.energy(energy);
+            if (solved || iteration >= most || !progress || !(energy > 0) || largest <= single_depth * scale)
+                break;
+            deflation.purge(z);
+            q = first ? z : z + energy / rz * q;
+            rz = energy;
+            multiply(single_, nodes, q, scale, hq);
+            ++applies_;
+            const double curvature = q.dot(hq);
+            if (!(curvature > 0))
+                break;
+            const double step = rz / curvature;
+            r -= step * hq;
+            x.pressure(nodes) += step * q;
+        }
+        for (Index k = 0; k < m; ++k) {
+            const Index i = nodes[static_cast<std::size_t>(k)];
+            x.displacement[i] = target(i) - r[k];
+        }
+        if (solved || iteration >= most || !progress)
+            return solved;
+        load(x);
+    }
+}
+
+void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w) {
+    for (Index i = 0; i < w.pressure.size(); ++i)
+        if (!set.holds(i))
+            w.pressure[i] = 0;
+    load(w);
+    const Enough enough =
+        each_entry ? Enough{0.1 * tolerance}
+                   : Enough{0, [&](double energy) { return energy <= 0.5 * tolerance * w.pressure.sum(); }};
+    improve(
+        set, [](Index) { return 1.0; }, w, enough, most_iterations);
+    if (tolerance < single_stiffness)
+        load(w);
+}
+
+double load_error(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,
+                  const Loaded& tangent) {
+    double error = 0;
+    for (const int i : set.nodes())
+        error += tangent.pressure[i] * (approach - problem.gap[i] - load.displacement[i]);
+    return std::abs(error) / load.pressure.sum();
+}
+
+StepSolution step_solution(const ContactSet& set, const Loaded& load, const Loaded& tangent,
+                           bool with_tangent) {
+    StepSolution step;
+    step.nodes = set.nodes();
+    step.pressure = load.pressure(step.nodes);
+    for (const int i : step.nodes)
+        step.stiffness += tangent.pressure[i] * (2 - tangent.displacement[i]);
+    if (with_tangent)
+        step.tangent = tangent.pressure(step.nodes);
+    return step;
+}
+
+} // namespace rough

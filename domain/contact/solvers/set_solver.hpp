@@ -1,0 +1,94 @@
+#pragma once
+
+#include "domain/contact/solvers/problem.hpp"
+
+#include <functional>
+
+namespace rough {
+
+/// A contact set during an iterative solution: sorted nodes, and the same as a mask over all nodes.
+class ContactSet {
+  public:
+    /// Nothing touches.
+    explicit ContactSet(Index nodes) : touching_(static_cast<std::size_t>(nodes), 0) {}
+    const std::vector<int>& nodes() const { return nodes_; } ///< increasing; as of the last collect()
+    /// N entries, 1 where the node touches; up to date at any time.
+    const std::vector<char>& touching() const { return touching_; }
+    /// Whether the node touches.
+    bool holds(Index node) const { return touching_[static_cast<std::size_t>(node)] != 0; }
+    /// Lets the node touch.
+    void insert(Index node) { touching_[static_cast<std::size_t>(node)] = 1; }
+    /// Lets the node part.
+    void erase(Index node) { touching_[static_cast<std::size_t>(node)] = 0; }
+    /// To be called after the last insert or erase.
+    void collect();
+
+  private:
+    std::vector<int> nodes_;
+    std::vector<char> touching_;
+};
+
+/// A vector that is zero off the contact set, and H times it at every node.
+struct Loaded {
+    Eigen::VectorXd pressure;     ///< p, N entries, in the problem's units
+    Eigen::VectorXd displacement; ///< u = H p where the solver last brought it up to date, N entries
+    /// No load.
+    explicit Loaded(Index nodes) : pressure(Eigen::VectorXd::Zero(nodes)), displacement(pressure) {}
+};
+
+/// The last product with H that was taken, and how far rounding may have blurred it.
+struct KnownProduct {
+    Eigen::VectorXd pressure;     ///< p
+    Eigen::VectorXd displacement; ///< H p
+    double blur = 0;              ///< largest error of an entry
+};
+
+/// When an improvement may end: at the residual or, where it is asked for, at a small enough energy.
+struct Enough {
+    double residual = 0;                     ///< largest |b - H x| on A
+    std::function<bool(double)> energy = {}; ///< of the error: r' M^-1 r, M being the preconditioner
+};
+
+/// Conjugate gradients for H_AA x = b on a fixed contact set A, H applied by FFT, preconditioned by the
+/// inverse of the circulant nearest to H (T. Chan 1988), restricted to A. Its search directions are products
+/// in single precision; the residual they improve is taken afresh in double precision before they could blur
+/// it (iterative refinement in mixed precision, Carson & Higham 2018).
+class SetSolver {
+  public:
+    /// Transforms the problem's first column and its preconditioner's once.
+    explicit SetSolver(const ContactProblem& problem);
+
+    /// u = H p afresh
+    void load(Loaded& x);
+    /// The same with an error of at most `accuracy` at each node: from the product that is known, by that of
+    /// what has changed since in single precision, where this is good enough.
+    void load(Loaded& x, KnownProduct& known, double accuracy);
+    /// Improves x until it is good enough; x.displacement is then up to date on A only. Returns false where
+    /// `most` iterations were not enough or rounding stops it.
+    bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
+                 const Enough& enough, long most);
+    /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
+    /// entries.
+    void tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
+
+    long applies() const { return applies_; } ///< products with H so far, in either precision
+
+  private:
+    /// image = M v on the nodes alone; `scale` is about v's size.
+    static void multiply(SingleFourierOperator& matrix, const std::vector<int>& nodes,
+                         const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image);
+    Eigen::VectorXd sums_; ///< of H's first column, for the deflation
+    FourierOperator forward_;
+    SingleFourierOperator single_, inverse_;
+    long applies_ = 0;
+};
+
+/// How far the load sum p is off for the residual that is left on A: w'r, over it.
+double load_error(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,
+                  const Loaded& tangent);
+
+/// A step's solution from vectors over all nodes. K = 2 sum w - w'Hw: its error is the square of w's.
+StepSolution step_solution(const ContactSet& set, const Loaded& load, const Loaded& tangent,
+                           bool with_tangent);
+
+} // namespace rough

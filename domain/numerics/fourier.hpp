@@ -1,0 +1,93 @@
+#pragma once
+
+#include "domain/numerics/aligned.hpp"
+
+#include <fftw3.h>
+
+namespace rough {
+
+/// Real transforms of one length, planned once (FFTW_ESTIMATE, under a lock) and safe to execute from any
+/// thread.
+struct FourierPlan {
+    fftw_plan forward;  ///< real to half-complex, unnormalised
+    fftw_plan backward; ///< its inverse, times the length
+};
+/// The plan for real transforms of `length` numbers.
+FourierPlan fourier_plan(Index length);
+/// the same for complex transforms in place
+FourierPlan complex_fourier_plan(Index length);
+
+/// Whether no prime factor is above 13: with a large one transforms take up to ten times as long.
+bool is_good_fourier_length(Index length);
+
+/// Smallest even 2^a 3^b 5^c that is no smaller than `length`.
+Index fast_fourier_length(Index length);
+
+/// FFTW's types in one precision.
+template <typename Real>
+struct Fftw;
+/// In double precision, planned by fourier_plan.
+template <>
+struct Fftw<double> {
+    using Complex = fftw_complex; ///< real and imaginary part
+    using Plan = FourierPlan;     ///< both directions
+};
+/// In single precision.
+template <>
+struct Fftw<float> {
+    using Complex = fftwf_complex; ///< real and imaginary part
+    /// both directions
+    struct Plan {
+        fftwf_plan forward;  ///< real to half-complex, unnormalised
+        fftwf_plan backward; ///< its inverse, times the length
+    };
+};
+
+/// u = T p for a symmetric circulant (its eigenvalues given) or Toeplitz matrix (its first column given,
+/// padded with zeros), by FFT in double or single precision. One object serves one thread at a time.
+template <typename Real>
+class BasicFourierOperator {
+  public:
+    /// N x N symmetric Toeplitz from its first column of N entries.
+    static BasicFourierOperator toeplitz(const Eigen::VectorXd& first_column);
+    /// eigenvalues S_k, k = 0..N/2, of an N x N symmetric circulant
+    static BasicFourierOperator circulant(Index nodes, const Eigen::VectorXd& eigenvalues);
+
+    Index nodes() const { return nodes_; } ///< N
+    /// Write p (N entries) here, then call apply().
+    Real* input() { return real_.data(); }
+    /// Returns u (N entries), valid until the next write to input().
+    const Real* apply();
+
+  private:
+    BasicFourierOperator(Index nodes, Index length);
+    Index nodes_, length_;
+    typename Fftw<Real>::Plan plan_;
+    Index half_; ///< length/2 + 1
+    AlignedBuffer<Real> real_, spectrum_;
+    AlignedBuffer<typename Fftw<Real>::Complex> transform_;
+};
+/// In double precision.
+using FourierOperator = BasicFourierOperator<double>;
+/// In single precision, at about half the time: for corrections, of which a part in a million does not
+/// matter.
+using SingleFourierOperator = BasicFourierOperator<float>;
+
+/// u = T p for a symmetric Toeplitz matrix without padding: T is half the sum of a circulant, c_j + c_(N-j),
+/// and a skew-circulant, c_j - c_(N-j). Shares no transform and no spectrum with FourierOperator.
+class SplitOperator {
+  public:
+    /// From the first column of N entries.
+    explicit SplitOperator(const Eigen::VectorXd& first_column);
+    /// u = T p; p and u have N entries.
+    Eigen::VectorXd apply(const Eigen::VectorXd& p);
+
+  private:
+    Index nodes_;
+    FourierPlan plan_;
+    AlignedBuffer<fftw_complex> work_;
+    Eigen::ArrayXcd twist_;           ///< exp(-i pi j/N)
+    Eigen::ArrayXd circulant_, skew_; ///< eigenvalues over 2 N
+};
+
+} // namespace rough

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "domain/paper/phases.hpp"
+#include "ga/ga.hpp"
+#include "ga/text/parser.hpp"
+#include "ga/text/vocabulary.hpp"
+
+#include <memory>
+
+namespace rough {
+
+/// What roughness adds to the engine's words: which phases refinement moves, how genomes are joined and
+/// reduced.
+struct Vocabulary {
+    std::shared_ptr<const DominanceRule> rule; ///< Algorithm 1
+    PhaseReach reach = {};                     ///< of every refined phase
+
+    /// The choice `dominant`: phases of dominant chromosomes.
+    ga::Variables<Genome> dominant() const {
+        return {"dominant", [*this](const Genome& genome) {
+                    return dominant_phase_variables(genome, (*rule)(genome), reach);
+                }};
+    }
+    /// The choice `others`: phases of all the other chromosomes.
+    ga::Variables<Genome> others() const {
+        return {"others", [*this](const Genome& genome) {
+                    return other_phase_variables(genome, (*rule)(genome), reach);
+                }};
+    }
+    /// The choice `phases`: every phase.
+    ga::Variables<Genome> phases() const {
+        return {"phases", [*this](const Genome& genome) { return phase_variables(genome, reach); }};
+    }
+
+    /// Keeps a genome's dominant chromosomes alone, its scale as it is.
+    auto reduce_dominant() const {
+        return ga::transform("reduce dominant",
+                             [*this](const Genome& genome) { return reduced(genome, (*rule)(genome)); });
+    }
+
+    /// The sum of the two parents as they were scaled when scored: their relative amplitude matters.
+    static ga::Combine<Genome> unite() {
+        return {"unite", [](const ga::Individual<Genome>& left, const ga::Individual<Genome>& right) {
+                    return std::optional(sum(left.genome, right.genome));
+                }};
+    }
+};
+
+/// Adds those words to what text pipelines are made of.
+template <ga::Problem P>
+requires std::same_as<typename P::Genome, Genome>
+void add_words(ga::Registry<P>& registry, const Vocabulary& vocabulary) {
+    registry.add("reduce dominant", "roughness", "keeps each genome's dominant chromosomes (Algorithm 1)",
+                 vocabulary.reduce_dominant());
+    registry.add(Vocabulary::unite(), "the sum of two genomes, each as it was scaled when scored");
+    registry.add(vocabulary.dominant(), "phases of the dominant chromosomes (Algorithm 1)");
+    registry.add(vocabulary.others(), "phases of the other chromosomes");
+    registry.add(vocabulary.phases(), "phases of all chromosomes");
+}
+
+} // namespace rough

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "domain/numerics/grid.hpp"
+
+namespace rough {
+
+/// A sampled line profile: heights Z_i at x_i = i * spacing, i = 0..N-1. Lengths in mm.
+struct Profile {
+    Eigen::VectorXd heights; ///< N heights, mm
+    double spacing = 0;      ///< delta, mm; L/(N-1) on an open interval, L/N on a periodic one
+
+    Index nodes() const { return heights.size(); } ///< N
+};
+
+} // namespace rough

@@ -1,0 +1,143 @@
+#include "domain/target/goal.hpp"
+
+#include "domain/errors.hpp"
+#include "domain/target/target_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace rough {
+
+namespace {
+
+constexpr Quantity quantities[] = {Quantity::stiffness, Quantity::area_at_pressure,
+                                   Quantity::area_at_displacement, Quantity::load_at_displacement};
+constexpr const char* expected_columns = "expected pressure_MPa with stiffness_MPa_per_mm, contact_fraction "
+                                         "or conductance, or displacement_mm with "
+                                         "contact_fraction or pressure_MPa; optionally lower and upper";
+
+} // namespace
+
+Columns columns_of(Quantity quantity) {
+    switch (quantity) {
+    case Quantity::stiffness:
+        return {"pressure_MPa", "stiffness_MPa_per_mm"};
+    case Quantity::area_at_pressure:
+        return {"pressure_MPa", "contact_fraction"};
+    case Quantity::area_at_displacement:
+        return {"displacement_mm", "contact_fraction"};
+    case Quantity::load_at_displacement:
+        return {"displacement_mm", "pressure_MPa"};
+    }
+    throw InputError("quantity: unknown");
+}
+
+void validate(const Goal& goal) {
+    const Columns columns = columns_of(goal.quantity);
+    const auto fail = [&](Index k, const std::string& column, double value, const std::string& expected) {
+        refuse(goal.name, ": point ", k + 1, ": ", column, " is ", value, ", expected ", expected);
+    };
+    const bool of_area = is_area(goal.quantity);
+    if (goal.points() == 0)
+        throw InputError(goal.name + ": no points given, expected at least one");
+    double last = 0;
+    for (Index k = 0; k < goal.points(); ++k) {
+        if (!std::isfinite(goal.x[k]) || goal.x[k] <= last)
+            fail(k, columns.x, goal.x[k], "finite numbers greater than 0, increasing");
+        if (!std::isfinite(goal.y[k]) || goal.y[k] <= 0 || (of_area && goal.y[k] > 1))
+            fail(k, columns.y, goal.y[k],
+                 of_area ? "a number greater than 0, at most 1" : "a finite number greater than 0");
+        if (goal.has_band() && !(goal.lower[k] <= goal.y[k]))
+            fail(k, "lower", goal.lower[k], std::string("a number no greater than ") + columns.y);
+        if (goal.has_band() && !(goal.upper[k] >= goal.y[k]))
+            fail(k, "upper", goal.upper[k], std::string("a number no less than ") + columns.y);
+        last = goal.x[k];
+    }
+}
+
+Goal read_goal(const std::filesystem::path& file, double conductance_to_stiffness) {
+    const TargetTable cells = read_target_table(file);
+    Goal goal;
+    goal.name = file.string();
+    goal.recorded = cells.recorded;
+    int x = -1, y = -1;
+    double factor = 1;
+    for (const Quantity quantity : quantities) {
+        const Columns columns = columns_of(quantity);
+        if (cells.place_of(columns.x) >= 0 && cells.place_of(columns.y) >= 0) {
+            if (y >= 0)
+                throw InputError(file.string() + ":1: more than one curve given, expected one a file");
+            goal.quantity = quantity, x = cells.place_of(columns.x), y = cells.place_of(columns.y);
+        }
+    }
+    if (y < 0 && cells.place_of("pressure_MPa") >= 0 && cells.place_of("conductance") >= 0) {
+        if (!(conductance_to_stiffness > 0))
+            throw InputError(file.string() +
+                             ": a conductance is given, expected --resistivity with it: C = 2 "
+                             "K/(E* resistivity)");
+        x = cells.place_of("pressure_MPa"), y = cells.place_of("conductance");
+        factor = conductance_to_stiffness;
+    }
+    const int lower = cells.place_of("lower"), upper = cells.place_of("upper");
+    const std::size_t known = (x >= 0) + (y >= 0) + (lower >= 0) + (upper >= 0);
+    if (x < 0 || y < 0 || known != cells.header.size() || (lower >= 0) != (upper >= 0)) {
+        throw InputError(file.string() + ": columns \"" + cells.header_text() + "\" given, " +
+                         expected_columns);
+    }
+    goal.x = cells.column(x);
+    goal.y = cells.column(y, factor);
+    if (lower >= 0) {
+        goal.lower = cells.column(lower, factor);
+        goal.upper = cells.column(upper, factor);
+    }
+    validate(goal);
+    return goal;
+}
+
+std::string to_csv(const Goal& goal) {
+    std::ostringstream out;
+    out.precision(17);
+    for (const auto& [key, value] : goal.recorded)
+        out << "# " << key << ": " << value << "\n";
+    const Columns columns = columns_of(goal.quantity);
+    out << columns.x << "," << columns.y << (goal.has_band() ? ",lower,upper" : "") << "\n";
+    for (Index k = 0; k < goal.points(); ++k) {
+        out << goal.x[k] << "," << goal.y[k];
+        if (goal.has_band())
+            out << "," << goal.lower[k] << "," << goal.upper[k];
+        out << "\n";
+    }
+    return out.str();
+}
+
+Curve curve_of(Quantity quantity, const Response& response) {
+    switch (quantity) {
+    case Quantity::stiffness:
+        return secant_stiffness(response);
+    case Quantity::area_at_pressure:
+        return area_against_pressure(response);
+    case Quantity::area_at_displacement:
+        return area_against_displacement(response);
+    case Quantity::load_at_displacement:
+        return load_against_displacement(response);
+    }
+    throw InputError("quantity: unknown");
+}
+
+Eigen::VectorXd misfit(const Goal& goal, const Curve& curve) {
+    Eigen::VectorXd result(goal.points());
+    for (Index k = 0; k < goal.points(); ++k) {
+        const double y = curve.at(goal.x[k]);
+        const double wanted = goal.has_band() ? std::clamp(y, goal.lower[k], goal.upper[k]) : goal.y[k];
+        result[k] = goal.weight * (y - wanted) / goal.y[k];
+    }
+    return result;
+}
+
+double similarity(const Goal& goal, const Curve& curve) {
+    return 1 - misfit(goal, curve).cwiseAbs().maxCoeff(); // Eq. 12
+}
+
+} // namespace rough

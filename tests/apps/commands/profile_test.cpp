@@ -1,0 +1,150 @@
+#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/profile/roughness.hpp"
+#include "domain/profile/spectrum.hpp"
+#include "tests/apps/program.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <sstream>
+
+using app::testing::Folder;
+using app::testing::rugosa;
+
+namespace {
+
+const std::string genome =
+    R"({"series":[{"A":0.02,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]},
+       {"n":2,"phases":[2.1,4.4]},{"n":4,"phases":[5.5]}]}]})";
+
+/// The rows of a CSV file behind its header.
+std::vector<std::vector<double>> rows(const std::filesystem::path& file, const std::string& header) {
+    std::istringstream text(rough::read_whole(file));
+    std::string line;
+    std::getline(text, line);
+    CHECK(line == header);
+    std::vector<std::vector<double>> all;
+    while (std::getline(text, line)) {
+        std::istringstream cells(line);
+        std::string cell;
+        all.emplace_back();
+        while (std::getline(cells, cell, ','))
+            all.back().push_back(std::stod(cell));
+    }
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("a genome's profile comes out as heights, solid, pictures, roughness and spectra") {
+    const Folder folder;
+    folder.write("surface.json", genome);
+    const auto ended = rugosa("profile surface.json --nodes 700 --magnify 100", folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    CHECK_THAT(ended.out, Catch::Contains("3 waves") && Catch::Contains("Rz"));
+    const auto out = folder / "out" / "surface";
+
+    const rough::Genome read = rough::read_genome(folder / "surface.json");
+    const rough::Profile profile = sample(read, {.nodes = 700});
+    const auto heights = rows(out / "heights.csv", "x_mm,height_mm");
+    REQUIRE(heights.size() == 700);
+    for (const std::size_t i : {0U, 123U, 699U}) {
+        CHECK(heights[i][0] == Approx(double(i) * profile.spacing));
+        CHECK(heights[i][1] == profile.heights[rough::Index(i)]);
+    }
+    const auto numbers = nlohmann::json::parse(rough::read_whole(out / "profile.json"));
+    CHECK(numbers["Rz_mm"].get<double>() == roughness(profile).Rz);
+    CHECK(numbers["m4_per_mm2"].get<double>() == roughness(profile).m4);
+    CHECK(numbers["m2"].get<double>() == Approx(numbers["series"]["m2"].get<double>()).epsilon(0.5));
+    CHECK(rows(out / "lines.csv", "wave_number_rad_per_mm,power_mm2").size() == 3);
+    CHECK(rows(out / "spectrum.csv", "wave_number_rad_per_mm,density_mm3")[17][1] ==
+          continuous_spectrum(profile).density[17]);
+    CHECK(std::filesystem::file_size(out / "profile.stl") == 84 + 50 * (8 * 699 + 4));
+    CHECK(std::system(("admesh '" + (out / "profile.stl").string() + "' | grep -Eq 'Number of parts +: +1 '")
+                          .c_str()) == 0);
+    for (const char* picture : {"profile.svg", "spectrum.svg"})
+        CHECK_THAT(rough::read_whole(out / picture),
+                   Catch::StartsWith("<?xml") && Catch::Contains("<svg") && Catch::Contains("</svg>"));
+}
+
+TEST_CASE("a scan's profile is described like a genome's, without lines of its waves") {
+    const Folder folder;
+    std::string scan = "x [um];z [nm]\n";
+    for (int i = 0; i < 200; ++i)
+        scan += std::to_string(i) + ";" + std::to_string((i * 7919) % 100) + "\n";
+    folder.write("scan.csv", scan);
+    const auto ended = rugosa("profile --profile scan.csv --pictures off --out r", folder.path());
+    REQUIRE(ended.code == 0);
+    CHECK_THAT(ended.out, Catch::Contains("200 points"));
+    CHECK(std::filesystem::exists(folder / "r" / "profile.stl"));
+    CHECK_FALSE(std::filesystem::exists(folder / "r" / "lines.csv"));
+    CHECK_FALSE(std::filesystem::exists(folder / "r" / "profile.svg"));
+}
+
+TEST_CASE("profile refuses wrong use in one line and leaves nothing") {
+    const Folder folder;
+    folder.write("surface.json", genome);
+    folder.write("flat.txt", "0 1\n1 1\n2 1\n");
+    REQUIRE(rugosa("profile surface.json --out kept --pictures off", folder.path()).code == 0);
+    const auto before = rough::read_whole(folder / "kept" / "heights.csv");
+    for (const std::string words :
+         {"", "surface.json --profile flat.txt", "none.json", "--profile flat.txt --out new",
+          "surface.json --nodes 5 --out new", "surface.json --width 0 --out new",
+          "surface.json --base -1 --out new", "surface.json --magnify nan --out new",
+          "surface.json --unit um --out new", "surface.json --out kept --nodes 20",
+          "surface.json --out surface.json/x"}) {
+        const auto refused = rugosa("profile " + words, folder.path());
+        INFO(words << ": " << refused.err);
+        CHECK(refused.code == 2);
+        CHECK(refused.error_lines() == 1);
+    }
+    CHECK(rough::read_whole(folder / "kept" / "heights.csv") == before);
+    CHECK_FALSE(std::filesystem::exists(folder / "new"));
+    CHECK(rugosa("profile surface.json --out kept --nodes 20 --pictures off --force", folder.path()).code ==
+          0);
+    CHECK(rough::read_whole(folder / "kept" / "heights.csv") != before);
+}
+
+TEST_CASE("a genome designed for a scan's length is pressed, printed and described at that length") {
+    const Folder folder;
+    folder.write("scan.txt", [] {
+        std::string text = "x [um];z [um]\n";
+        for (int i = 0; i <= 400; ++i)
+            text += std::to_string(0.5 * i) + ";" +
+                    std::to_string(std::cos(0.05 * i) + 0.3 * std::cos(0.31 * i)) + "\n";
+        return text;
+    }());
+    const auto designed = rugosa("design --like scan.txt --nodes 128 --pictures off --out d "
+                                 "--pipeline 'sample 5 | score | best 1'",
+                                 folder.path());
+    INFO(designed.err);
+    REQUIRE((designed.code == 0 || designed.code == 3));
+    const auto file = rough::read_genome_file(folder / "d" / "genome.json");
+    CHECK(file.length == Approx(0.2));
+    const auto result = nlohmann::json::parse(rough::read_whole(folder / "d" / "result.json"));
+    CHECK(result["length_mm"].get<double>() == file.length);
+    const auto& checks = result["variants"]["pipeline"]["trust"]["checks"];
+    CHECK(std::any_of(checks.begin(), checks.end(), [](const auto& check) {
+        return check["name"] == "4 times the load steps, for the target too" &&
+               check["similarity"].is_number();
+    }));
+
+    REQUIRE(rugosa("profile d/genome.json --pictures off --out solid", folder.path()).code == 0);
+    const auto numbers = nlohmann::json::parse(rough::read_whole(folder / "solid" / "profile.json"));
+    CHECK(numbers["length_mm"].get<double>() == Approx(file.length));
+    REQUIRE(rugosa("contact --genome d/genome.json --nodes 128 --out own.csv", folder.path()).code == 0);
+    REQUIRE(rugosa("contact --genome d/genome.json --nodes 128 --length " + std::to_string(file.length) +
+                       " --out given.csv",
+                   folder.path())
+                .code == 0);
+    const std::string header =
+        "displacement_mm,pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm,kkt_residual";
+    const auto own = rows(folder / "own.csv", header), given = rows(folder / "given.csv", header);
+    for (std::size_t i = 0; i < own.size(); ++i)
+        CHECK(own[i][1] == Approx(given[i][1]).epsilon(1e-4));
+    const auto standard = rough::genome_file_text(file.genome, rough::standard_length);
+    CHECK(standard.find("length_mm") == std::string::npos);
+}

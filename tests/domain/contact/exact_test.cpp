@@ -1,0 +1,191 @@
+#include "domain/contact/exact.hpp"
+#include "domain/contact/solve.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+using namespace rough;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+const exact::HalfPlane half_plane{1.3, 1.0};
+
+/// Worst relative errors over many contact widths and positions of the summit between nodes.
+struct Worst {
+    double pressure = 0, stiffness = 0;
+};
+
+/// gap(x) >= 0 pressed on L = 1, against exact(a) for a in [narrowest, widest].
+Worst worst_error(Kernel kernel, Index nodes, const std::function<double(double)>& gap,
+                  const std::function<exact::Contact(double)>& exact_contact, double narrowest,
+                  double widest) {
+    constexpr double length = 1;
+    const bool periodic = kernel == Kernel::periodic;
+    Body body;
+    body.kernel = kernel;
+    body.effective_modulus = half_plane.effective_modulus;
+    body.datum = half_plane.datum;
+    Worst worst;
+    for (int offset = 0; offset < 7; ++offset) {
+        Profile profile{Eigen::VectorXd(nodes), length / static_cast<double>(periodic ? nodes : nodes - 1)};
+        const double summit = (static_cast<double>(nodes / 2) + offset / 7.0 - 0.47) * profile.spacing;
+        for (Index i = 0; i < nodes; ++i) {
+            const double x = std::abs(static_cast<double>(i) * profile.spacing - summit);
+            profile.heights[i] = -gap(periodic ? std::min(x, length - x) : x);
+        }
+        std::vector<double> displacements;
+        std::vector<exact::Contact> expected;
+        for (int k = 0; k < 40; ++k) {
+            const exact::Contact contact = exact_contact(narrowest + (widest - narrowest) * k / 39);
+            // The highest node stands a little below the summit.
+            displacements.push_back(contact.displacement + profile.heights.maxCoeff());
+            expected.push_back(contact);
+        }
+        const ContactCurve curve = solve_contact(profile, body, displacements);
+        for (std::size_t k = 0; k < expected.size(); ++k) {
+            const LoadStep& step = curve.steps[k];
+            worst.pressure =
+                std::max(worst.pressure, std::abs(step.pressure * length / expected[k].load - 1));
+            worst.stiffness = std::max(worst.stiffness,
+                                       std::abs(step.tangent_stiffness * length / expected[k].stiffness - 1));
+        }
+    }
+    return worst;
+}
+
+void check_orders(Kernel kernel, const std::function<double(double)>& gap,
+                  const std::function<exact::Contact(double)>& exact_contact, double narrowest,
+                  double widest) {
+    const Worst coarse = worst_error(kernel, 128, gap, exact_contact, narrowest, widest);
+    const Worst fine = worst_error(kernel, 1024, gap, exact_contact, narrowest, widest);
+    const double octaves = 3;
+    CHECK(std::log2(coarse.pressure / fine.pressure) / octaves > 1.8);
+    CHECK(std::log2(coarse.stiffness / fine.stiffness) / octaves > 0.9);
+    CHECK(fine.pressure < 2e-5);
+    CHECK(fine.stiffness < 1e-2);
+}
+
+} // namespace
+
+TEST_CASE("load converges to second and stiffness to first order on the half-plane's exact contacts",
+          "[contact]") {
+    SECTION("a Hertz parabola") {
+        check_orders(
+            Kernel::free, [](double x) { return x * x / 4; },
+            [](double a) { return exact::parabola(2, a, half_plane); }, 0.15, 0.4);
+    }
+    SECTION("a wedge") {
+        check_orders(
+            Kernel::free, [](double x) { return 0.1 * x; },
+            [](double a) { return exact::wedge(0.1, a, half_plane); }, 0.15, 0.4);
+    }
+    SECTION("a fourth power") {
+        check_orders(
+            Kernel::free, [](double x) { return 3 * std::pow(x, 4); },
+            [](double a) { return exact::quartic(3, a, half_plane); }, 0.15, 0.4);
+    }
+    SECTION("a gap known only by its slope, cosh x - 1") {
+        check_orders(
+            Kernel::free, [](double x) { return std::cosh(4 * x) - 1; },
+            [](double a) {
+                return exact::symmetric([](double x) { return 4 * std::sinh(4 * x); }, a, half_plane);
+            },
+            0.15, 0.4);
+    }
+}
+
+TEST_CASE("load converges to second and stiffness to first order on the periodic exact contacts",
+          "[contact]") {
+    SECTION("Westergaard's wave") {
+        check_orders(
+            Kernel::periodic, [](double x) { return 1 - std::cos(2 * pi * x); },
+            [](double a) { return exact::wave(1, 1, a, half_plane.effective_modulus); }, 0.1, 0.4);
+    }
+    SECTION("two waves") {
+        const double h2 = GENERATE(-0.2, 0.12);
+        check_orders(
+            Kernel::periodic,
+            [h2](double x) { return 1 - std::cos(2 * pi * x) + h2 * (1 - std::cos(4 * pi * x)); },
+            [h2](double a) { return exact::two_waves(1, h2, 1, a, half_plane.effective_modulus); }, 0.1, 0.4);
+    }
+}
+
+TEST_CASE("a flat punch is soft by 0.17 delta/(a ln(2d/a)), to first order", "[contact]") {
+    for (const Index nodes : {64, 256, 1024}) {
+        Body body;
+        body.datum = 3;
+        const Profile profile{Eigen::VectorXd::Constant(nodes, 5.0), 1.0 / static_cast<double>(nodes - 1)};
+        const double a = profile.spacing * static_cast<double>(nodes) / 2, displacement = 0.01;
+        const exact::Contact expected = exact::punch(displacement, a, {1, body.datum});
+        const LoadStep step = solve_contact(profile, body, {displacement}).steps.front();
+        CHECK(step.contact_nodes == nodes);
+        const double softness =
+            (1 - step.pressure / expected.load) * a * std::log(2 * body.datum / a) / profile.spacing;
+        CHECK(softness == Approx(0.17).margin(0.015));
+    }
+}
+
+TEST_CASE("a periodic flat punch converges to first order", "[contact]") {
+    auto error = [](Index nodes) {
+        Body body;
+        body.kernel = Kernel::periodic;
+        Profile profile{Eigen::VectorXd::Constant(nodes, -1), 1.0 / static_cast<double>(nodes)};
+        const Index wide = nodes / 4;
+        profile.heights.segment(nodes / 3, wide).setZero();
+        const LoadStep step = solve_contact(profile, body, {0.01}).steps.front();
+        CHECK(step.contact_nodes == wide);
+        const double a = profile.spacing * static_cast<double>(wide) / 2;
+        return std::abs(step.pressure / exact::periodic_punch(0.01, 1, a, 1).load - 1);
+    };
+    CHECK(std::log2(error(128) / error(1024)) / 3 == Approx(1).margin(0.1));
+}
+
+TEST_CASE("pressures follow Hertz and the wedge's arccosh inside the contact", "[contact]") {
+    const Index nodes = 1025;
+    const double a = 0.3;
+    Profile parabola{Eigen::VectorXd(nodes), 1.0 / static_cast<double>(nodes - 1)}, wedge = parabola;
+    for (Index i = 0; i < nodes; ++i) {
+        const double x = static_cast<double>(i) * parabola.spacing - 0.5;
+        parabola.heights[i] = -x * x / 2;
+        wedge.heights[i] = -std::abs(x);
+    }
+    Body body;
+    body.effective_modulus = half_plane.effective_modulus;
+    body.datum = half_plane.datum;
+    ContactOptions options;
+    options.states = true;
+    const auto hertz =
+        solve_contact(parabola, body, {exact::parabola(1, a, half_plane).displacement}, options);
+    const auto sharp = solve_contact(wedge, body, {exact::wedge(1, a, half_plane).displacement}, options);
+    auto check = [&](const ContactState& state, auto pressure_at, double from) {
+        for (std::size_t k = 0; k < state.nodes.size(); ++k) {
+            const double x = std::abs(state.nodes[k] * parabola.spacing - 0.5);
+            if (x > from && x < 0.9 * a)
+                CHECK(state.pressure[static_cast<Index>(k)] == Approx(pressure_at(x)).epsilon(3e-3));
+        }
+    };
+    check(
+        hertz.states[0], [&](double x) { return exact::parabola_pressure(1, a, x, half_plane); }, -1);
+    check(
+        sharp.states[0], [&](double x) { return exact::wedge_pressure(1, a, x, half_plane); }, 0.02);
+}
+
+TEST_CASE("the master integrals give the closed forms", "[contact]") {
+    for (const double a : {1e-3, 0.1, 0.7}) {
+        auto same = [](const exact::Contact& x, const exact::Contact& y) {
+            CHECK(x.load == Approx(y.load).epsilon(1e-12));
+            CHECK(x.displacement == Approx(y.displacement).epsilon(1e-12));
+            CHECK(x.stiffness == Approx(y.stiffness).epsilon(1e-12));
+        };
+        same(exact::symmetric([](double x) { return x / 2; }, a, half_plane),
+             exact::parabola(2, a, half_plane));
+        same(exact::symmetric([](double) { return 0.1; }, a, half_plane), exact::wedge(0.1, a, half_plane));
+        same(exact::symmetric([](double x) { return 12 * x * x * x; }, a, half_plane),
+             exact::quartic(3, a, half_plane));
+    }
+}

@@ -1,0 +1,224 @@
+#include "domain/contact/datum.hpp"
+#include "domain/contact/kernel.hpp"
+#include "domain/contact/solvers/problem.hpp"
+#include "domain/contact/solvers/set_solver.hpp"
+#include "tests/domain/contact/scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <random>
+
+using namespace rough;
+
+namespace {
+
+struct Scene {
+    Profile profile;
+    Body body;
+    std::vector<double> displacements;
+};
+
+/// Sums of cosines of random wavelength, amplitude and phase, between smooth and rough, on every kernel.
+std::vector<Scene> random_scenes(int count) {
+    std::mt19937 random(20);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    std::vector<Scene> scenes;
+    for (int k = 0; k < count; ++k) {
+        Scene scene;
+        scene.body.kernel =
+            std::array{Kernel::free, Kernel::periodic, Kernel::strip}[static_cast<std::size_t>(k % 3)];
+        const Index nodes = 20 + static_cast<Index>(uniform(random) * 180);
+        const double length = std::pow(10, 4 * uniform(random) - 2);
+        const bool periodic = scene.body.kernel == Kernel::periodic;
+        scene.profile = {Eigen::VectorXd::Zero(nodes),
+                         length / static_cast<double>(periodic ? nodes : nodes - 1)};
+        scene.body.effective_modulus = std::pow(10, 6 * uniform(random));
+        scene.body.datum = length * (k % 2 ? 0.3 + 0.6 * uniform(random) : std::pow(10, uniform(random)));
+        scene.body.strip_width = scene.profile.spacing * std::pow(10, 4 * uniform(random) - 2);
+        const double decay = 0.5 + 1.5 * uniform(random);
+        for (int wave = 1; wave < 30; ++wave) {
+            const double amplitude = length * std::pow(wave, -decay) * uniform(random),
+                         phase = 7 * uniform(random);
+            for (Index i = 0; i < nodes; ++i)
+                scene.profile.heights[i] +=
+                    amplitude * std::cos(6.283185307179586 * wave * static_cast<double>(i) *
+                                             scene.profile.spacing / length +
+                                         phase);
+        }
+        const double highest = scene.profile.heights.maxCoeff();
+        const double reach = periodic ? 0.95 * (highest - scene.profile.heights.mean())
+                                      : highest - scene.profile.heights.minCoeff();
+        for (int j = 1; j <= 12; ++j)
+            scene.displacements.push_back(reach * j / 12);
+        scenes.push_back(scene);
+    }
+    return scenes;
+}
+
+ContactCurve solved(const Scene& scene) {
+    ContactOptions options;
+    options.states = true;
+    return solve_contact(scene.profile, scene.body, scene.displacements, options);
+}
+
+} // namespace
+
+TEST_CASE("no node leaves contact as the approach grows, and every tangent pressure is positive",
+          "[contact]") {
+    for (const Scene& scene : random_scenes(150)) {
+        const ContactCurve curve = solved(scene);
+        std::vector<int> before;
+        for (const ContactState& state : curve.states) {
+            std::vector<int> nodes = state.nodes;
+            std::sort(nodes.begin(), nodes.end());
+            CHECK(std::includes(nodes.begin(), nodes.end(), before.begin(), before.end()));
+            CHECK(state.tangent.minCoeff() > 0);
+            CHECK(state.pressure.minCoeff() > 0);
+            before = nodes;
+        }
+    }
+}
+
+TEST_CASE("only overlapping nodes touch a strip, or a half-plane with its datum at L or beyond",
+          "[contact]") {
+    int touched_apart = 0;
+    for (const Scene& scene : random_scenes(150)) {
+        const double highest = scene.profile.heights.maxCoeff();
+        const bool theorem = scene.body.kernel == Kernel::strip ||
+                             (scene.body.kernel == Kernel::free &&
+                              scene.body.datum >= profile_length(scene.profile, Kernel::free));
+        const ContactCurve curve = solved(scene);
+        for (std::size_t j = 0; j < curve.steps.size(); ++j)
+            for (const int node : curve.states[j].nodes) {
+                const bool apart = highest - scene.profile.heights[node] >= scene.displacements[j];
+                if (theorem)
+                    CHECK_FALSE(apart);
+                touched_apart += apart;
+            }
+    }
+    CHECK(touched_apart > 0); // on the other bodies it does happen
+}
+
+TEST_CASE("scaling heights and displacements scales the pressure and leaves stiffness and contact",
+          "[contact]") {
+    for (Scene scene : random_scenes(60)) {
+        const ContactCurve curve = solved(scene);
+        const double scale = 1e-3;
+        scene.profile.heights *= scale;
+        for (double& displacement : scene.displacements)
+            displacement *= scale;
+        const ContactCurve scaled = solved(scene);
+        for (std::size_t j = 0; j < curve.steps.size(); ++j) {
+            CHECK(scaled.steps[j].pressure == Approx(scale * curve.steps[j].pressure).epsilon(1e-10));
+            CHECK(scaled.steps[j].tangent_stiffness ==
+                  Approx(curve.steps[j].tangent_stiffness).epsilon(1e-10));
+            CHECK(scaled.steps[j].contact_nodes == curve.steps[j].contact_nodes);
+        }
+    }
+}
+
+TEST_CASE("pressure is convex in the displacement, stiffness never falls nor exceeds full contact's",
+          "[contact]") {
+    for (const Scene& scene : random_scenes(150)) {
+        const ContactCurve curve = solved(scene);
+        double full = std::numeric_limits<double>::infinity();
+        if (scene.body.kernel != Kernel::periodic) {
+            Profile flat = scene.profile;
+            flat.heights.setZero();
+            full = solve_contact(flat, scene.body, {1}).steps[0].tangent_stiffness;
+        }
+        LoadStep before;
+        double secant_before = 0;
+        for (const LoadStep& step : curve.steps) {
+            const double secant =
+                (step.pressure - before.pressure) / (step.displacement - before.displacement);
+            CHECK(secant >= secant_before * (1 - 1e-10));
+            CHECK(secant <= step.tangent_stiffness * (1 + 1e-10));
+            CHECK(secant >= before.tangent_stiffness * (1 - 1e-10));
+            CHECK(step.tangent_stiffness >= before.tangent_stiffness * (1 - 1e-10));
+            CHECK(step.tangent_stiffness <= full * (1 + 1e-10));
+            before = step;
+            secant_before = secant;
+        }
+    }
+}
+
+TEST_CASE("full contact of the paper's half-plane is as stiff as pi E*/(2 L ln 4), a little more on a grid",
+          "[contact]") {
+    const Profile flat{Eigen::VectorXd::Zero(512), 0.84942 / 511};
+    const double stiffness = solve_contact(flat, Body{}, {1}).steps[0].tangent_stiffness;
+    CHECK(stiffness == Approx(1.3352).epsilon(1e-4));
+    CHECK(stiffness == Approx(std::numbers::pi / (2 * 0.84942 * std::log(4))).epsilon(2e-3));
+}
+
+TEST_CASE("waves of amplitude e left out move the curve by at most 2 e in displacement", "[contact]") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (const Scene& scene : random_scenes(90)) {
+        if (scene.body.kernel == Kernel::periodic)
+            continue;
+        const ContactCurve whole = solved(scene);
+        const double e = 0.03 * scene.displacements.back() * uniform(random), wave = 3 + 20 * uniform(random);
+        Scene without = scene;
+        for (Index i = 0; i < scene.profile.nodes(); ++i)
+            without.profile.heights[i] -= e * std::cos(wave * static_cast<double>(i));
+        for (std::size_t j = 0; j < whole.steps.size(); ++j) {
+            const double displacement = scene.displacements[j];
+            auto pressure = [&](double at) {
+                return at <= 0 ? 0.0 : solve_contact(without.profile, without.body, {at}).steps[0].pressure;
+            };
+            CHECK(pressure(displacement - 2 * e) <= whole.steps[j].pressure * (1 + 1e-10));
+            CHECK(pressure(displacement + 2 * e) >= whole.steps[j].pressure * (1 - 1e-10));
+        }
+    }
+}
+
+TEST_CASE("the contact set settles within nine rounds a step", "[contact]") {
+    for (const Scene& scene : random_scenes(90))
+        CHECK(solved(scene).iterations <= 9 * static_cast<long>(scene.displacements.size()));
+}
+
+TEST_CASE("the circulant preconditioner keeps iterations on a fixed set from growing with the grid",
+          "[contact]") {
+    for (const Index nodes : {1024, 4096, 16384}) {
+        Profile profile{Eigen::VectorXd::LinSpaced(nodes, -1, 1), 1.0 / static_cast<double>(nodes - 1)};
+        profile.heights = -profile.heights.cwiseAbs2();
+        const ContactProblem problem = make_problem(profile, {Kernel::free, 1, 1, 0}, {0.1});
+        ContactSet set(nodes);
+        for (Index i = nodes / 3; i < nodes / 2; ++i)
+            set.insert(i);
+        set.collect();
+        SetSolver solver(problem);
+        Loaded w(nodes);
+        const bool solved = solver.improve(
+            set, [](Index) { return 1.0; }, w, Enough{1e-8}, 100);
+        CHECK(solved);
+        CHECK(solver.applies() <= 22);
+    }
+}
+
+TEST_CASE("another datum needs no other solution", "[contact]") {
+    for (const Scene& scene : random_scenes(60)) {
+        if (scene.body.kernel != Kernel::free)
+            continue;
+        const double length = profile_length(scene.profile, Kernel::free);
+        const ContactCurve moved = with_datum(solved(scene), scene.profile, scene.body, 7 * length);
+        Scene other = scene;
+        other.body.datum = 7 * length;
+        for (std::size_t j = 0; j < moved.steps.size(); ++j)
+            other.displacements[j] = moved.steps[j].displacement;
+        const ContactCurve again = solved(other);
+        for (std::size_t j = 0; j < moved.steps.size(); ++j) {
+            CHECK(moved.steps[j].pressure == Approx(again.steps[j].pressure).epsilon(1e-9));
+            CHECK(moved.steps[j].tangent_stiffness == Approx(again.steps[j].tangent_stiffness).epsilon(1e-9));
+            CHECK(moved.steps[j].contact_nodes == again.steps[j].contact_nodes);
+            CHECK(moved.states[j].tangent.sum() == Approx(again.states[j].tangent.sum()).epsilon(1e-9));
+        }
+        const double h = 1e-6, stiffness = moved.steps[0].tangent_stiffness;
+        const double nearby =
+            with_datum(moved, scene.profile, other.body, 7 * length * std::exp(h)).steps[0].tangent_stiffness;
+        CHECK((nearby - stiffness) / h ==
+              Approx(datum_sensitivity(stiffness, length, scene.body.effective_modulus)).epsilon(1e-5));
+    }
+}

@@ -1,0 +1,185 @@
+#include "domain/mwm/sobol.hpp"
+#include "domain/paper/variants.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+
+using namespace rough;
+
+namespace {
+
+constexpr double p_max = 1.6e-4;
+
+/// A coarse set-up of the paper's experiment: 64 nodes, 30 genomes.
+struct Coarse {
+    Model model{{64, 0.84942, false}, {}, {}, {}};
+    RescaledProblem problem{model, read_target(RUGOSA_TEST_DATA "/target_heldout.csv"), p_max, p_max / 2};
+    Vocabulary words{std::make_shared<DominanceRule>(model)};
+    std::vector<Genome> genomes = sobol_database({.pairs = 6, .shortest = model.grid.spacing()});
+};
+
+using Stages = std::vector<std::pair<std::string, ga::Population<Genome>>>;
+
+ga::Result<Genome> run_on(const Coarse& coarse, const PaperPipeline& pipeline, int threads,
+                          Stages* stages = nullptr) {
+    ga::RunOptions options;
+    options.variant = "test";
+    options.threads = threads;
+    std::vector<ga::Observer<Genome>> observers;
+    if (stages)
+        observers.push_back(
+            [stages](const ga::Event<Genome>& event) { stages->emplace_back(event.path, event.population); });
+    return ga::run(pipeline, coarse.problem, ga::population(coarse.genomes), options, observers);
+}
+
+const ga::Population<Genome>& at(const Stages& stages, const std::string& path) {
+    for (const auto& [name, population] : stages)
+        if (name == path)
+            return population;
+    FAIL("no stage " << path);
+    return stages.front().second;
+}
+
+} // namespace
+
+TEST_CASE("the paper's algorithms give the same bits on 1, 2 and 5 threads") {
+    const Coarse coarse;
+    for (auto algorithm : {sog, gco, cco})
+        for (Form form : {Form::paper, Form::minimax}) {
+            const auto one = run_on(coarse, algorithm(coarse.words, form), 1);
+            REQUIRE(one.population.size() == 1);
+            for (int threads : {2, 5}) {
+                const auto many = run_on(coarse, algorithm(coarse.words, form), threads);
+                CHECK(shape_key(many.population[0].genome) == shape_key(one.population[0].genome));
+                CHECK(many.population[0].genome.scale == one.population[0].genome.scale);
+                CHECK(many.population[0].value() == one.population[0].value());
+                CHECK(many.counters.evaluations == one.counters.evaluations);
+            }
+        }
+}
+
+TEST_CASE("refinement keeps the three candidates' identities and never makes one worse") {
+    const Coarse coarse;
+    for (auto algorithm : {sog, gco}) {
+        Stages stages;
+        run_on(coarse, algorithm(coarse.words, Form::paper), 2, &stages);
+        const auto& before = at(stages, "test/best.1");
+        for (const char* path : {"test/refine.1", "test/refine.2"}) {
+            const auto& after = at(stages, path);
+            REQUIRE(after.size() == 3);
+            for (std::size_t i = 0; i < 3; ++i) {
+                CHECK(after[i].identity == before[i].identity);
+                CHECK(after[i].value() >= before[i].value());
+            }
+        }
+    }
+}
+
+TEST_CASE("the first refinement moves dominant phases alone, the second the others, both within 10 % of the "
+          "original") {
+    const Coarse coarse;
+    Stages stages;
+    run_on(coarse, gco(coarse.words), 2, &stages);
+    const auto &before = at(stages, "test/best.1"), &first = at(stages, "test/refine.1"),
+               &second = at(stages, "test/refine.2");
+    int moved = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Genome& original = before[i].genome;
+        const Dominance dominance = (*coarse.words.rule)(original);
+        const auto places = gene_places(original);
+        const auto g0 = genes(original), g1 = genes(first[i].genome), g2 = genes(second[i].genome);
+        for (std::size_t g = 0; g < places.size(); ++g) {
+            if (places[g].kind != GenePlace::Kind::phase) {
+                CHECK(g2[g] == g0[g]);
+                continue;
+            }
+            const bool dominant = dominance.at(places[g].series, places[g].chromosome);
+            CHECK((dominant || g1[g] == g0[g]));
+            CHECK((!dominant || g2[g] == g1[g]));
+            CHECK(std::abs(g2[g] - g0[g]) <= 0.1 * std::abs(g0[g]) * (1 + 1e-12));
+            moved += g2[g] != g0[g];
+        }
+    }
+    CHECK(moved > 0);
+}
+
+TEST_CASE("a child of GCO is the sum of its rescaled parents, each pair once") {
+    const Coarse coarse;
+    Stages stages;
+    run_on(coarse, gco(coarse.words), 2, &stages);
+    const auto &left = at(stages, "test/pair.1/left/above.1"),
+               &right = at(stages, "test/pair.1/right/above.1"), &children = at(stages, "test/pair.1");
+    std::map<ga::Identity, Genome> parents;
+    for (const auto* side : {&left, &right})
+        for (const auto& one : *side) {
+            parents[one.identity] = one.genome;
+            const Response response = respond(one.genome, coarse.model);
+            CHECK(response.pressure[response.steps() - 1] == Approx(p_max).epsilon(1e-9));
+        }
+    std::set<std::pair<ga::Identity, ga::Identity>> seen;
+    for (const auto& child : children) {
+        const auto a = *child.parents.begin(), b = *(child.parents.begin() + 1);
+        CHECK(shape_key(child.genome) == shape_key(sum(parents.at(a), parents.at(b))));
+        CHECK(seen.insert(std::minmax(a, b)).second);
+    }
+    CHECK(children.size() <= left.size() * right.size());
+}
+
+TEST_CASE("CCO's parents are reduced to their dominant chromosomes and keep their scale") {
+    const Coarse coarse;
+    Stages stages;
+    run_on(coarse, cco(coarse.words), 2, &stages);
+    const auto &whole = at(stages, "test/pair.1/left/above.1"),
+               &part = at(stages, "test/pair.1/left/reduce.1");
+    REQUIRE(whole.size() == part.size());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        CHECK(part[i].genome.scale == whole[i].genome.scale);
+        CHECK(shape_key(part[i].genome) ==
+              shape_key(reduced(whole[i].genome, (*coarse.words.rule)(whole[i].genome))));
+    }
+}
+
+TEST_CASE("an answer's similarity can be computed again from its genome") {
+    const Coarse coarse;
+    for (auto algorithm : {sog, gco, cco}) {
+        const auto answer = run_on(coarse, algorithm(coarse.words, Form::paper), 2).population.front();
+        CHECK(similarity(coarse.problem, answer.genome) == Approx(answer.value()).margin(1e-9));
+        const Curve curve = secant_stiffness(respond(folded(answer.genome), coarse.model));
+        CHECK(similarity(coarse.problem.target(), curve) == Approx(answer.value()).margin(1e-9));
+    }
+}
+
+TEST_CASE("the paper's algorithms written as text take the same way and give the same bits as in code") {
+    const Coarse coarse;
+    ga::Parser<RescaledProblem> parser(paper_registry(coarse.words), paper_variants(coarse.words));
+    for (const auto& [name, algorithm] :
+         {std::pair("sog", &sog), std::pair("gco", &gco), std::pair("cco", &cco)})
+        for (Form form : {Form::paper, Form::minimax}) {
+            Stages in_code, in_text;
+            const auto code = run_on(coarse, algorithm(coarse.words, form), 2, &in_code);
+            const std::string variant = std::string(name) + (form == Form::minimax ? "-minimax" : "");
+            const auto text = run_on(coarse, parser.variant(variant), 2, &in_text);
+            CHECK(shape_key(code.population[0].genome) == shape_key(text.population[0].genome));
+            REQUIRE(in_code.size() == in_text.size());
+            for (std::size_t i = 0; i < in_code.size(); ++i) {
+                CHECK(in_code[i].first == in_text[i].first);
+                REQUIRE(in_code[i].second.size() == in_text[i].second.size());
+                for (std::size_t j = 0; j < in_code[i].second.size(); ++j)
+                    CHECK(shape_key(in_code[i].second[j].genome) == shape_key(in_text[i].second[j].genome));
+            }
+        }
+}
+
+TEST_CASE("a genetic algorithm of one's own, written as text, improves on the database") {
+    const Coarse coarse;
+    ga::Parser<RescaledProblem> parser(paper_registry(coarse.words), paper_variants(coarse.words));
+    const auto mine =
+        parser.parse("score | best 10 | repeat 3 { tournament 2 | cross uniform | mutate 0.1 | score | "
+                     "refine lm | elite 5 } | best 1");
+    const auto answer = run_on(coarse, mine, 2);
+    const auto screened = run_on(coarse, parser.parse("score | best 1"), 2);
+    CHECK(answer.population[0].value() > screened.population[0].value());
+    const auto again = run_on(coarse, mine, 5);
+    CHECK(shape_key(again.population[0].genome) == shape_key(answer.population[0].genome));
+}

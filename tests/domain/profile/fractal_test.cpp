@@ -1,0 +1,67 @@
+#include "domain/errors.hpp"
+#include "domain/profile/fractal.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace rough;
+
+namespace {
+
+const Grid grid{512, 0.8, false};
+
+/// Mean power of one octave band over many profiles.
+double band_power(double hurst, std::size_t band) {
+    double sum = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed)
+        sum += octave_bands(fractal_profile(grid, hurst, 1, seed))[band].heights.squaredNorm();
+    return sum;
+}
+
+} // namespace
+
+TEST_CASE("a fractal profile's power falls by 2^(-2H) from one octave of wave number to the next") {
+    for (double hurst : {0.3, 0.5, 0.8})
+        CHECK(std::log2(band_power(hurst, 2) / band_power(hurst, 6)) / 4 == Approx(2 * hurst).margin(0.1));
+}
+
+TEST_CASE("a fractal profile has the rms height asked for, no tilt, and the same bits for the same seed") {
+    const Profile profile = fractal_profile(grid, 0.7, 2e-3, 5);
+    REQUIRE(profile.nodes() == 512);
+    CHECK(profile.spacing == grid.spacing());
+    CHECK(std::sqrt(profile.heights.squaredNorm() / 512) == Approx(2e-3));
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(512, -1, 1);
+    CHECK(std::abs(x.dot(profile.heights)) < 1e-12);
+    CHECK(profile.heights == fractal_profile(grid, 0.7, 2e-3, 5).heights);
+    CHECK(profile.heights != fractal_profile(grid, 0.7, 2e-3, 6).heights);
+}
+
+TEST_CASE("octave bands add up to the profile and a cosine of the length falls into one of them") {
+    for (Index nodes : {4, 7, 512, 500}) {
+        const Profile profile = fractal_profile({nodes, 0.8, false}, 0.6, 1, 3);
+        Eigen::VectorXd sum = Eigen::VectorXd::Constant(nodes, profile.heights.mean());
+        for (const Band& band : octave_bands(profile)) {
+            sum += band.heights;
+            CHECK(band.heights.cwiseAbs().maxCoeff() > 0);
+            CHECK(band.longest == Approx(2 * band.shortest));
+        }
+        CHECK((sum - profile.heights).cwiseAbs().maxCoeff() < 1e-13);
+    }
+    Profile cosine{Eigen::VectorXd(256), 1.0 / 256};
+    for (Index i = 0; i < 256; ++i) // half-sample symmetric, so one component of the even continuation
+        cosine.heights[i] = std::cos(M_PI * 12 * (static_cast<double>(i) + 0.5) / 256);
+    for (const Band& band : octave_bands(cosine)) {
+        const double wave_length = 2.0 / 12;
+        const bool holds = wave_length <= band.longest && wave_length > band.shortest;
+        CHECK(band.heights.norm() == Approx(holds ? cosine.heights.norm() : 0).margin(1e-12));
+    }
+}
+
+TEST_CASE("a fractal profile out of range is refused") {
+    CHECK_THROWS_AS(fractal_profile(grid, 1, 1, 0), InputError);
+    CHECK_THROWS_AS(fractal_profile(grid, 0, 1, 0), InputError);
+    CHECK_THROWS_AS(fractal_profile(grid, NAN, 1, 0), InputError);
+    CHECK_THROWS_AS(fractal_profile(grid, 0.5, 0, 0), InputError);
+    CHECK_THROWS_AS(fractal_profile({3, 1, false}, 0.5, 1, 0), InputError);
+}

@@ -1,0 +1,134 @@
+#include "domain/mwm/sampling.hpp"
+#include "domain/profile/solid.hpp"
+#include "tests/domain/random_genome.hpp"
+#include "tests/folder.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <set>
+
+using namespace rough;
+
+namespace {
+
+using Corner = std::array<float, 3>;
+struct Mesh {
+    std::vector<std::array<Corner, 3>> facets;
+    std::vector<Corner> normals;
+};
+
+Mesh parsed(const std::string& stl) {
+    std::uint32_t count = 0;
+    std::memcpy(&count, stl.data() + 80, 4);
+    REQUIRE(stl.size() == 84 + 50 * std::size_t(count));
+    Mesh mesh;
+    for (std::uint32_t f = 0; f < count; ++f) {
+        std::array<Corner, 4> record;
+        std::memcpy(&record, stl.data() + 84 + 50 * std::size_t(f), 48);
+        mesh.normals.push_back(record[0]);
+        mesh.facets.push_back({record[1], record[2], record[3]});
+    }
+    return mesh;
+}
+
+Eigen::Vector3d vector(const Corner& corner) { return {corner[0], corner[1], corner[2]}; }
+
+double volume(const Mesh& mesh) {
+    double six = 0;
+    for (const auto& [a, b, c] : mesh.facets)
+        six += vector(a).dot(vector(b).cross(vector(c)));
+    return six / 6;
+}
+
+std::string output_of(const std::string& command) {
+    FILE* pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::string output;
+    for (int c = 0; (c = std::fgetc(pipe)) != EOF;)
+        output += char(c);
+    REQUIRE(pclose(pipe) == 0);
+    return output;
+}
+
+Profile rough_profile(unsigned seed, Index nodes) {
+    std::mt19937_64 random(seed);
+    return sample(testing::random_genome(random, 2, 3, 0.84942, 0.84942 / 100), {.nodes = nodes});
+}
+
+} // namespace
+
+TEST_CASE("an extruded profile is closed: every edge is walked once each way") {
+    const Mesh mesh = parsed(binary_stl(rough_profile(1, 257)));
+    CHECK(mesh.facets.size() == 8 * 256 + 4);
+    std::map<std::pair<Corner, Corner>, int> edges;
+    for (const auto& facet : mesh.facets)
+        for (int i = 0; i < 3; ++i)
+            ++edges[{facet[std::size_t(i)], facet[std::size_t((i + 1) % 3)]}];
+    for (const auto& [edge, times] : edges) {
+        CHECK(times == 1);
+        CHECK(edges.count({edge.second, edge.first}) == 1);
+    }
+}
+
+TEST_CASE("an extruded profile's volume is its area times the width, its normals point outwards") {
+    const Profile profile = rough_profile(2, 400);
+    for (const double magnify : {1.0, 50.0}) {
+        const Mesh mesh = parsed(binary_stl(profile, {.width = 0.3, .base = 0.2, .magnify = magnify}));
+        const Eigen::ArrayXd z = profile.heights.array() - profile.heights.minCoeff() + 0.2;
+        const double area = (z.sum() - (z[0] + z[z.size() - 1]) / 2) * profile.spacing;
+        CHECK(volume(mesh) == Approx(area * 0.3 * std::pow(magnify, 3)).epsilon(1e-5));
+        for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
+            const auto& [a, b, c] = mesh.facets[f];
+            const Eigen::Vector3d normal = (vector(b) - vector(a)).cross(vector(c) - vector(a)).normalized();
+            CHECK((normal - vector(mesh.normals[f])).norm() < 1e-6);
+        }
+    }
+}
+
+TEST_CASE("ADMesh finds nothing to mend in an extruded profile") {
+    const tests::Folder folder;
+    for (const Index nodes : {2, 512, 5001}) {
+        const auto file = folder.write("solid.stl", binary_stl(rough_profile(3, nodes), {.magnify = 100}));
+        const std::string report = output_of("admesh " + file.string());
+        INFO(report);
+        const auto count = [&](const std::string& what) {
+            const auto place = report.find(what);
+            REQUIRE(place != std::string::npos);
+            return std::stol(report.substr(report.find(':', place) + 1));
+        };
+        CHECK(count("Number of facets") == 8 * (nodes - 1) + 4);
+        CHECK(count("Number of parts") == 1);
+        for (const std::string fault :
+             {"Total disconnected facets", "Degenerate facets", "Edges fixed", "Facets removed",
+              "Facets added", "Facets reversed", "Backwards edges", "Normals fixed"})
+            CHECK(count(fault) == 0);
+    }
+}
+
+TEST_CASE("a solid of no size is refused") {
+    const Profile profile = rough_profile(4, 50);
+    CHECK_THROWS_WITH(binary_stl(profile, {.width = -1}), Catch::Contains("width"));
+    CHECK_THROWS_WITH(binary_stl(profile, {.base = std::nan("")}), Catch::Contains("base"));
+    CHECK_THROWS_WITH(binary_stl(profile, {.magnify = 0}), Catch::Contains("magnification"));
+}
+
+TEST_CASE("a solid that single precision cannot hold is refused, and heights are not lost beside its base") {
+    const Profile profile = rough_profile(5, 50);
+    CHECK_THROWS_WITH(binary_stl(profile, {.width = 1e308}), Catch::Contains("width of 1e+308 mm"));
+    CHECK_THROWS_WITH(binary_stl(profile, {.width = 1e-308}), Catch::Contains("width of 1e-308 mm"));
+    CHECK_THROWS_WITH(binary_stl(profile, {.magnify = 1e300}), Catch::Contains("length of"));
+    CHECK_THROWS_WITH(binary_stl(profile, {.base = 1e7}), Catch::Contains("base 10000000 mm"));
+    Profile smooth = profile;
+    smooth.heights *= 1e-9;
+    const Mesh mesh = parsed(binary_stl(smooth));
+    std::set<float> levels;
+    for (const auto& facet : mesh.facets)
+        for (const Corner& corner : facet)
+            levels.insert(corner[2]);
+    CHECK(levels.size() >= 45); // of 50 nodes
+}

@@ -1,0 +1,87 @@
+#include "domain/errors.hpp"
+#include "domain/mwm/discrete_spectrum.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/profile/spectrum.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// The integral over q of a spectrum on its own wave numbers, which are evenly spaced.
+double integral(const Spectrum& spectrum) { return spectrum.density.sum() * spectrum.wave_number[0]; }
+
+} // namespace
+
+TEST_CASE("the discrete spectrum of a genome has one line a wave number and sums to the mean square height") {
+    Genome genome;
+    genome.series.push_back({1.3, 0.9, 2, 1, {{1, {0.3}}, {2, {1.0, 2.5}}, {4, {5.0}}}});
+    genome.series.push_back({0.4, 0.6, 2, 0.5, {{1, {2.0}}, {2, {0.1}}}}); // first wave is the other's second
+    const auto lines = discrete_spectrum(genome);
+    REQUIRE(lines.size() == 4);
+    double power = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        CHECK(lines[i].wave_number == Approx(2 * pi * std::pow(2, double(i))));
+        power += lines[i].power;
+    }
+    const Eigen::ArrayXd z = sample(genome, {.nodes = 4096, .length = 1, .wraps = true}).heights.array();
+    CHECK(power == Approx((z - z.mean()).square().mean()).epsilon(1e-12));
+}
+
+TEST_CASE("the continuous spectrum of white noise is flat at its mean square over the wave numbers") {
+    std::mt19937_64 random(3);
+    Profile noise{Eigen::VectorXd(1 << 16), 0.01};
+    for (double& z : noise.heights)
+        z = std::normal_distribution<double>(2, 0.5)(random);
+    const Spectrum spectrum = continuous_spectrum(noise);
+    const double flat = 0.25 / (pi / noise.spacing); // mean square over the Nyquist wave number
+    const Index band = spectrum.density.size() / 8;
+    for (Index b = 0; b < 8; ++b)
+        CHECK(spectrum.density.segment(b * band, band).mean() ==
+              Approx(flat).epsilon(0.08)); // 4096 values: 1/64 x 5
+    CHECK(integral(spectrum) == Approx(0.25).epsilon(0.03));
+}
+
+TEST_CASE(
+    "a cosine's continuous spectrum peaks at its wave number and integrates to half its squared amplitude") {
+    const double amplitude = 0.02, length = 3;
+    for (const Index nodes : {512, 513, 1000}) {
+        Profile profile{Eigen::VectorXd(nodes), length / double(nodes)};
+        const double k = 2 * pi * 17 / length;
+        for (Index i = 0; i < nodes; ++i)
+            profile.heights[i] = amplitude * std::cos(k * profile.spacing * double(i) + 0.7);
+        const Spectrum spectrum = continuous_spectrum(profile);
+        Index peak = 0;
+        spectrum.density.maxCoeff(&peak);
+        CHECK(spectrum.wave_number[peak] == Approx(k));
+        CHECK(integral(spectrum) == Approx(amplitude * amplitude / 2).epsilon(1e-9));
+        CHECK(spectrum.density[peak + 40] < 1e-12 * spectrum.density[peak]);
+        CHECK(spectrum.wave_number.size() == nodes / 2);
+    }
+}
+
+TEST_CASE("the periodogram equals a Fourier sum written out") {
+    std::mt19937_64 random(8);
+    const Profile profile = sample(testing::random_genome(random, 1, 2, 1, 0.1), {.nodes = 61, .length = 1});
+    const Spectrum spectrum = continuous_spectrum(profile);
+    const Index n = profile.nodes();
+    for (const Index k : {1, 2, 7, 30}) {
+        double real = 0, imaginary = 0, window_square = 0;
+        for (Index i = 0; i < n; ++i) {
+            const double window = std::pow(std::sin(pi * double(i) / double(n)), 2);
+            const double z = window * (profile.heights[i] - profile.heights.mean());
+            const double q = spectrum.wave_number[k - 1];
+            real += z * std::cos(q * profile.spacing * double(i));
+            imaginary += z * std::sin(q * profile.spacing * double(i));
+            window_square += window * window;
+        }
+        const double expected =
+            2 * (real * real + imaginary * imaginary) * profile.spacing / (2 * pi * window_square);
+        CHECK(spectrum.density[k - 1] == Approx(expected).epsilon(1e-9));
+    }
+    CHECK_THROWS_AS(continuous_spectrum({Eigen::VectorXd::Random(3), 1}), InputError);
+}

@@ -1,0 +1,78 @@
+#include "domain/errors.hpp"
+#include "domain/target/goal.hpp"
+#include "tests/folder.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+Goal read_text(const std::string& text, double conductance_to_stiffness = 0) {
+    const tests::Folder folder;
+    return read_goal(folder.write("target.csv", text), conductance_to_stiffness);
+}
+
+} // namespace
+
+TEST_CASE("a target file says by its columns what it is of") {
+    CHECK(read_text("pressure_MPa,stiffness_MPa_per_mm\n1,2\n3,4\n").quantity == Quantity::stiffness);
+    CHECK(read_text("pressure_MPa,contact_fraction\n1,0.2\n").quantity == Quantity::area_at_pressure);
+    CHECK(read_text("displacement_mm,contact_fraction\n1,0.2\n").quantity == Quantity::area_at_displacement);
+    CHECK(read_text("displacement_mm,pressure_MPa\n1,0.2\n").quantity == Quantity::load_at_displacement);
+    const Goal swapped = read_text("stiffness_MPa_per_mm , pressure_MPa\n2,1\n4,3\n");
+    CHECK(swapped.x == Eigen::Vector2d(1, 3));
+    CHECK(swapped.y == Eigen::Vector2d(2, 4));
+}
+
+TEST_CASE("a conductance is read as the stiffness that has it") {
+    // C = 2 K/(E* rho): K = C E* rho/2
+    CHECK(read_text("pressure_MPa,conductance\n1,10\n", 0.25).y[0] == 2.5);
+    CHECK_THROWS_WITH(read_text("pressure_MPa,conductance\n1,10\n"), Catch::Contains("--resistivity"));
+}
+
+TEST_CASE("a target written is read back to the bits, with what it records of its model") {
+    Goal goal =
+        read_text("# kernel: strip\n# datum_mm: 0.84942\npressure_MPa,stiffness_MPa_per_mm,lower,upper\n"
+                  "0.1,0.3,0.29,0.31\n0.2,0.7,0.6,0.8\n");
+    CHECK(goal.recorded.at("kernel") == "strip");
+    CHECK(goal.recorded.at("datum_mm") == "0.84942");
+    goal.x[0] = 0.1 + 1e-17;
+    goal.y[1] = 2.0 / 3;
+    const Goal again = read_text(to_csv(goal));
+    CHECK(again.x == goal.x);
+    CHECK(again.y == goal.y);
+    CHECK(again.lower == goal.lower);
+    CHECK(again.recorded == goal.recorded);
+}
+
+TEST_CASE("bad targets are refused by file, line and column") {
+    using Catch::Contains;
+    CHECK_THROWS_WITH(read_text("pressure_MPa\n1\n"), Contains("pressure_MPa") && Contains("expected"));
+    CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm\n1,x\n"),
+                      Contains(":2:") && Contains("\"x\""));
+    CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm\n1,2,3\n"), Contains(":2:"));
+    CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm\n1,2\n1,3\n"), Contains("point 2"));
+    CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm\n1,-2\n"), Contains("greater than 0"));
+    CHECK_THROWS_WITH(read_text("pressure_MPa,contact_fraction\n1,1.5\n"), Contains("at most 1"));
+    CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm,lower\n1,2,1\n"), Contains("lower"));
+    CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm,lower,upper\n1,2,2.5,3\n"),
+                      Contains("lower"));
+    CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm\n"), Contains("no points"));
+    CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm\nnan,2\n"), Contains("finite"));
+}
+
+TEST_CASE("a misfit within the band counts for nothing, beyond it for its distance") {
+    Goal goal;
+    goal.x = Eigen::Vector3d(1, 2, 3);
+    goal.y = Eigen::Vector3d(10, 10, 10);
+    goal.lower = Eigen::Vector3d(8, 8, 8);
+    goal.upper = Eigen::Vector3d(11, 11, 11);
+    const Curve curve{Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(9, 12, 7), 0, 3};
+    CHECK(misfit(goal, curve).isApprox(Eigen::Vector3d(0, 0.1, -0.1), 1e-12));
+    CHECK(similarity(goal, curve) == Approx(0.9));
+    goal.weight = 0.5;
+    CHECK(similarity(goal, curve) == Approx(0.95));
+    goal.lower.resize(0), goal.upper.resize(0), goal.weight = 1;
+    CHECK(similarity(goal, curve) == Approx(0.7));
+}

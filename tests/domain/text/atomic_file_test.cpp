@@ -1,0 +1,80 @@
+#include "domain/errors.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "tests/folder.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <sys/stat.h>
+#include <thread>
+
+namespace fs = std::filesystem;
+using tests::Folder;
+
+namespace {
+long entries(const fs::path& folder) {
+    return std::distance(fs::directory_iterator(folder), fs::directory_iterator{});
+}
+} // namespace
+
+TEST_CASE("a file written atomically holds exactly the content, also in place of an older one") {
+    const Folder folder;
+    const fs::path file = folder / "curve.csv";
+    const std::string bytes("old\0\r\n\xff and long", 17);
+    rough::write_atomically(file, bytes);
+    CHECK(rough::read_whole(file) == bytes);
+    rough::write_atomically(file, "");
+    CHECK(rough::read_whole(file).empty());
+    CHECK(entries(folder.path()) == 1);
+}
+
+TEST_CASE("a place that cannot be written is refused in one line and nothing is left there") {
+    const Folder folder;
+    const fs::path missing = folder / "missing" / "a.csv";
+    CHECK_THROWS_AS(rough::write_atomically(missing, "x"), rough::InputError);
+    fs::create_directory(folder / "taken");
+    try {
+        rough::write_atomically(folder / "taken", "x");
+        FAIL("a folder was replaced by a file");
+    } catch (const rough::InputError& refusal) {
+        const std::string line = refusal.what();
+        CHECK(line.find("taken") != std::string::npos);
+        CHECK(line.find('\n') == std::string::npos);
+    }
+    CHECK(entries(folder.path()) == 1);
+}
+
+TEST_CASE("a file written through a link takes the place of what the link names, and the link stays") {
+    const Folder folder;
+    fs::create_directory(folder / "far");
+    folder.write("far/curve.csv", "old");
+    fs::create_symlink("far/curve.csv", folder / "link.csv");
+    fs::create_symlink("far/new.csv", folder / "dangling.csv");
+    rough::write_atomically(folder / "link.csv", "new");
+    rough::write_atomically(folder / "dangling.csv", "first");
+    CHECK(fs::is_symlink(folder / "link.csv"));
+    CHECK(rough::read_whole(folder / "far/curve.csv") == "new");
+    CHECK(rough::read_whole(folder / "far/new.csv") == "first");
+    CHECK(entries(folder / "far") == 2);
+}
+
+TEST_CASE("a pipe is written to as it is, and a full device is refused and stays") {
+    const Folder folder;
+    const fs::path pipe = folder / "pipe";
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    std::string read;
+    std::thread reader([&] { read = rough::read_whole(pipe); });
+    rough::write_atomically(pipe, "curve");
+    reader.join();
+    CHECK(read == "curve");
+    CHECK(fs::is_fifo(pipe));
+    fs::create_symlink("/dev/full", folder / "full");
+    CHECK_THROWS_AS(rough::write_atomically(folder / "full", "x"), rough::InputError);
+    CHECK(fs::is_character_file("/dev/full"));
+    CHECK(entries(folder.path()) == 2);
+}
+
+TEST_CASE("reading a missing file or a folder is refused with its name") {
+    const Folder folder;
+    CHECK_THROWS_WITH(rough::read_whole(folder / "none.txt"), Catch::Contains("none.txt"));
+    CHECK_THROWS_AS(rough::read_whole(folder.path()), rough::InputError);
+}
