@@ -3,6 +3,7 @@
 //   benchmark_accuracy little    (only what a scene that needs little costs, against one that needs
 //   everything)
 #include "domain/accuracy/error_bounds.hpp"
+#include "domain/accuracy/respond.hpp"
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/response/curve.hpp"

@@ -4,6 +4,7 @@
 // within a second of wall time (opening the file, screening and refinement included), beside what the paper's
 // three variants reach.
 
+#include "domain/accuracy/respond.hpp"
 #include "domain/database/build.hpp"
 #include "domain/database/starts.hpp"
 #include "domain/design/problem.hpp"

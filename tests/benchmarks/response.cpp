@@ -2,6 +2,7 @@
 // 20-step curve with tangents, the same with its full Jacobian in every gene, and warm-started NNLS in the
 // same run.
 
+#include "domain/accuracy/respond.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/paper/rescaled_problem.hpp"
 #include "ga/stopwatch.hpp"

@@ -1,3 +1,4 @@
+#include "domain/accuracy/respond.hpp"
 #include "domain/database/store.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/response/curve.hpp"

@@ -1,6 +1,7 @@
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/extrapolation.hpp"
 #include "domain/accuracy/load_rows.hpp"
+#include "domain/accuracy/respond.hpp"
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/contact/solvers/choice.hpp"
 #include "domain/errors.hpp"
