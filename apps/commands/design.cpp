@@ -12,6 +12,7 @@
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/checkpoint.hpp"
+#include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
 
 #include <cmath>
@@ -82,8 +83,8 @@ int design(const Words& words) {
         return 0;
     const Settings settings = read_command_line(words, design_settings());
     DesignRun run = design_from(settings);
-    run.version = RUGOSA_VERSION;
-    run.command = command_line("design", words);
+    run.origin = {RUGOSA_VERSION, command_line("design", words), run.options.seed,
+                  ga::thread_count(run.options.threads)};
     const bool resume = settings.is_on("resume");
     if (resume && !settings.has("out"))
         throw rough::InputError(

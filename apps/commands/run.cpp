@@ -1,24 +1,15 @@
 #include "apps/commands/commands.hpp"
-#include "apps/experiments/accuracy/experiment.hpp"
-#include "apps/experiments/paper/experiment.hpp"
-#include "apps/experiments/paper/page.hpp"
-#include "apps/experiments/paper/settings.hpp"
-#include "apps/experiments/paper/tables.hpp"
-#include "apps/experiments/variants/experiment.hpp"
-#include "apps/prompt/interrupt.hpp"
+#include "apps/experiments/experiment.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/prompt/voice.hpp"
-#include "apps/report/output.hpp"
-#include "apps/report/result.hpp"
-#include "apps/report/units.hpp"
 #include "domain/errors.hpp"
-#include "domain/text/atomic_file.hpp"
+
+#include <algorithm>
 
 namespace app {
 
 namespace {
 
-/// The model's settings, as flags of every experiment.
+/// The model's settings, as flags of every experiment that has one.
 std::vector<Setting> model_flags() {
     std::vector<Setting> flags = joined({model_settings(), {accuracy_setting()}});
     for (Setting& flag : flags)
@@ -59,61 +50,52 @@ std::vector<std::string> taken_overrides(Words& words) {
     return overrides;
 }
 
-nlohmann::json result_json(const PaperRun& run, const TargetRun& target) {
-    nlohmann::json result = head_json(run.searched, {run.version, run.command, run.seed, run.threads});
-    result["max_pressure_MPa"] = run.max_pressure;
-    result["threshold_MPa"] = target.p_bar;
-    result["target"] = target_json(target.target);
-    for (const VariantRun& variant : target.variants)
-        result["variants"][variant.name] = variant_json(variant, {run.searched});
-    return result;
+/// By the file's experiment.kind, which is read before it is known what other keys there may be.
+const Experiment& experiment_of(const std::filesystem::path& file,
+                                const std::vector<std::string>& overrides) {
+    std::vector<std::string> kinds;
+    std::vector<Setting> any;
+    for (const Experiment& experiment : experiments()) {
+        kinds.push_back(experiment.kind);
+        for (const Setting& setting : experiment.all_settings()) {
+            any.push_back(setting);
+            any.push_back({setting.name.substr(0, setting.name.find('.')) + ".*", "", ""});
+        }
+    }
+    return experiments()[read_ini(file, any, overrides).one_of("experiment.kind", kinds)];
 }
 
-enum class Kind { paper, variants, accuracy };
-
-/// What the experiment is of, before its keys are known.
-Kind kind_of(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-    const std::vector<Setting> any =
-        joined({paper_settings(),
-                variants_settings(),
-                accuracy_study_settings(),
-                {{"experiment.*", "", ""}, {"targets.*", "", ""}, {"variants.*", "", ""}}});
-    return static_cast<Kind>(
-        read_ini(file, any, overrides).one_of("experiment.kind", {"paper", "variants", "accuracy"}));
-}
-
-std::vector<std::filesystem::path> inputs_of(const Settings& flags, const Settings& experiment) {
-    std::vector<std::filesystem::path> inputs = flags.files();
-    for (const auto& file : experiment.files())
-        inputs.push_back(file);
-    return inputs;
-}
-
-/// An experiment without checkpoints: what it gives is written as it ends, or as far as it came.
-template <class Run, class Write, class Page>
-int run_at_once(const Words& given, const Settings& flags, const std::vector<Setting>& known,
-                const std::vector<std::string>& overrides, Run work, Write write, Page page,
-                const std::vector<std::string>& names) {
-    const std::filesystem::path file = flags.text("experiment");
-    const Settings settings = read_ini(file, known, overrides);
-    if (flags.is_on("resume"))
-        throw rough::InputError("--resume: given with an experiment of kind " +
-                                settings.text("experiment.kind") + ", which keeps no checkpoints");
-    const OutputFolder output(flags.text("out"), file.stem().string(),
-                              {names, inputs_of(flags, settings), flags.is_on("force")});
-    const Interrupt interrupt;
-    Progress progress;
-    auto result = work(settings, progress, interrupt.flag());
-    result.version = RUGOSA_VERSION;
-    result.command = command_line("run", given);
-    write(result, output.path());
-    if (flags.one_of("pictures", {"on", "off"}) == 0)
-        rough::write_atomically(output.path() / "report.html", page(result));
-    say(output.path().string() + ": " + readable(result.seconds) + " s");
-    return interrupt.asked() ? exit_interrupted : 0;
+/// Runs an experiment under its short name: the keys of its own section are flags.
+int run_by_name(const std::string& kind, const Words& words) {
+    const Experiment& experiment = *std::find_if(experiments().begin(), experiments().end(),
+                                                 [&](const Experiment& one) { return one.kind == kind; });
+    const auto flag_of = [&](const Setting& setting) { return setting.name.substr(kind.size() + 1); };
+    std::vector<Setting> flags{{"out", "", "folder to write [out/" + kind + "]"},
+                               {"force", "", "write over an existing result", true}};
+    for (const Setting& key : experiment.settings) {
+        flags.push_back(key);
+        flags.back().name = flag_of(key);
+    }
+    if (shows_help(words, kind + " [--out DIR] [flags]", experiment.summary, flags, experiment.examples))
+        return 0;
+    const Settings given = read_command_line(words, flags);
+    std::map<std::string, std::string> values;
+    for (const Setting& key : experiment.settings)
+        if (given.given(flag_of(key)))
+            values[key.name] = given.text(flag_of(key));
+    return carry_out(experiment, Settings("", experiment.all_settings(), values),
+                     {.command = command_line(kind, words),
+                      .out = given.text("out"),
+                      .name = kind,
+                      .inputs = {},
+                      .page = kind + ".html",
+                      .force = given.is_on("force")});
 }
 
 } // namespace
+
+int chart(const Words& words) { return run_by_name("chart", words); }
+int stability(const Words& words) { return run_by_name("stability", words); }
 
 int run(const Words& given) {
     if (shows_help(given, "run EXPERIMENT.ini [--out DIR] [--set section.key=value]... [flags]",
@@ -136,50 +118,20 @@ int run(const Words& given) {
             overrides.push_back("model." + flag.name + "=" + flags.text(flag.name));
 
     const std::filesystem::path file = flags.text("experiment");
-    const Kind kind = kind_of(file, overrides);
-    if (kind == Kind::variants)
-        return run_at_once(given, flags, variants_settings(), overrides, run_race, write_race, race_page,
-                           {"result.json", "variants.csv", "report.html"});
-    if (kind == Kind::accuracy)
-        return run_at_once(given, flags, accuracy_study_settings(), overrides, run_accuracy_study,
-                           write_accuracy_study, accuracy_page,
-                           {"result.json", "savings.csv", "searches.csv", "budget.csv", "report.html"});
-    const Settings settings = read_ini(file, paper_settings(), overrides);
-    const bool resume = flags.is_on("resume");
-    if (resume && !flags.has("out"))
-        throw rough::InputError(
-            "--resume: given without --out, expected the folder of the run to go on with");
-    const OutputFolder output(flags.text("out"), file.stem().string(),
-                              {{"result.json", "report.html", "genomes.csv", "scores.csv", "stages.csv",
-                                "curves.csv", "thresholds.csv", "heldout", "log", "checkpoints"},
-                               inputs_of(flags, settings),
-                               flags.is_on("force"),
-                               resume});
-    const auto& folder = output.path();
-    if (resume && says_finished(folder, "checkpoints"))
-        return 0;
-    const Interrupt interrupt;
-    Progress progress;
-    PaperRun paper = run_paper(settings, progress, interrupt.flag(), {folder, resume});
-    paper.version = RUGOSA_VERSION;
-    paper.command = command_line("run", given);
-
-    for (const TargetRun& target : paper.targets) {
-        const auto place = &target == &paper.targets.front() ? folder : folder / "heldout";
-        std::filesystem::create_directories(place);
-        write_target_tables(target, place);
-        write_json(place / "result.json", result_json(paper, target));
-    }
-    write_database_table(paper, folder);
-    if (interrupt.asked()) {
-        say(folder.string() + ": interrupted; what was found is in result.json; --resume goes on");
-        return exit_interrupted;
-    }
-    if (flags.one_of("pictures", {"on", "off"}) == 0)
-        rough::write_atomically(folder / "report.html", paper_page(paper));
-    std::filesystem::remove_all(folder / "checkpoints");
-    say(folder.string() + ": " + readable(paper.seconds) + " s");
-    return 0;
+    const Experiment& experiment = experiment_of(file, overrides);
+    const Settings settings = read_ini(file, experiment.all_settings(), overrides);
+    std::vector<std::filesystem::path> inputs = flags.files();
+    for (const auto& input : settings.files())
+        inputs.push_back(input);
+    return carry_out(experiment, settings,
+                     {.command = command_line("run", given),
+                      .out = flags.text("out"),
+                      .name = file.stem().string(),
+                      .inputs = inputs,
+                      .page = "report.html",
+                      .pictures = flags.one_of("pictures", {"on", "off"}) == 0,
+                      .force = flags.is_on("force"),
+                      .resume = flags.is_on("resume")});
 }
 
 } // namespace app

@@ -121,7 +121,7 @@ Settings::Settings(std::string source, std::vector<Setting> known, std::map<std:
 
 std::string Settings::place(const std::string& name) const {
     if (source_.empty())
-        return "--" + name;
+        return "--" + name.substr(name.find('.') + 1); // an experiment's key by its short name's flag
     const auto line = lines_.find(name);
     return source_ + (line == lines_.end() ? "" : ":" + std::to_string(line->second)) + ": " + name;
 }

@@ -1,6 +1,13 @@
 #include "apps/report/csv.hpp"
 
+#include "domain/text/words.hpp"
+
 namespace app {
+
+Csv::Csv(const std::string& header, int digits) : names_(rough::listed(header)) {
+    text_.precision(digits);
+    text_ << header << "\n";
+}
 
 void Csv::put(const std::string& word) {
     if (word.find_first_of(",\"\n") == std::string::npos) {

@@ -2,6 +2,8 @@
 
 #include "domain/response/response.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <optional>
 #include <sstream>
 #include <string>
@@ -10,25 +12,29 @@
 
 namespace app {
 
-/// A CSV file row by row, header first. Words are quoted where they need to be; a number that is not there
-/// leaves its cell empty.
+/// A table row by row, as CSV, header first, and as JSON. Words are quoted where they need to be; a number
+/// that is not there leaves its cell empty.
 class Csv {
   public:
     /// `digits`: significant digits of its numbers, 17 for all there are; what was measured has no more
     /// than 6.
-    explicit Csv(const std::string& header, int digits = 17) {
-        text_.precision(digits);
-        text_ << header << "\n";
-    }
+    explicit Csv(const std::string& header, int digits = 17);
 
     template <class First, class... Rest>
     void row(const First& first, const Rest&... rest) {
         put(first);
         ((text_ << ",", put(rest)), ...);
         text_ << "\n";
+        nlohmann::json row = nlohmann::json::object();
+        auto name = names_.begin();
+        row[*name] = in_json(first);
+        ((row[*++name] = in_json(rest)), ...);
+        rows_.push_back(std::move(row));
     }
 
     std::string text() const { return text_.str(); }
+    /// The rows, each an object of the header's names.
+    const nlohmann::json& rows() const { return rows_; }
 
   private:
     void put(const std::string& word);
@@ -40,7 +46,17 @@ class Csv {
     requires std::is_arithmetic_v<Number>
     void put(Number number) { text_ << number; }
 
+    static nlohmann::json in_json(const std::optional<double>& number) {
+        return number ? nlohmann::json(*number) : nlohmann::json();
+    }
+    template <class Value>
+    static nlohmann::json in_json(const Value& value) {
+        return value;
+    }
+
     std::ostringstream text_;
+    std::vector<std::string> names_;
+    nlohmann::json rows_ = nlohmann::json::array();
 };
 
 /// Columns of equal length as CSV, 17 significant digits.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/report/variant_run.hpp"
+#include "apps/report/record.hpp"
 #include "ga/context.hpp"
 
 #include <nlohmann/json.hpp>

@@ -9,20 +9,7 @@ namespace app {
 
 using nlohmann::json;
 
-VariantRun variant_run(const std::string& name, const rough::SearchResult& found,
-                       std::vector<StageRecord> stages, double seconds) {
-    VariantRun run;
-    run.name = name;
-    run.stages = std::move(stages);
-    run.notes = found.notes;
-    run.answer.genome = found.best.genome;
-    run.similarity = found.best.similarity;
-    run.similarity_refined = found.best.similarity_refined;
-    run.seconds = seconds;
-    run.curves = found.counters.evaluations;
-    run.gradients = found.counters.gradients;
-    return run;
-}
+namespace {
 
 json variant_json(const VariantRun& variant, const std::vector<rough::Model>& loaded) {
     json stages = json::array();
@@ -40,6 +27,8 @@ json variant_json(const VariantRun& variant, const std::vector<rough::Model>& lo
                    {"seconds", variant.seconds},
                    {"curves", variant.curves},
                    {"gradients", variant.gradients}};
+    if (!variant.pipeline.empty())
+        result["pipeline"] = variant.pipeline;
     for (const rough::Model& model : loaded)
         result["modelled"].push_back(modelled_json(variant.answer.genome, model));
     if (const rough::Model& model = loaded.front(); model.body.kernel == rough::Kernel::free)
@@ -47,6 +36,24 @@ json variant_json(const VariantRun& variant, const std::vector<rough::Model>& lo
             result["tangent_stiffness_per_ln_datum_MPa_per_mm"].push_back(
                 rough::datum_sensitivity(stiffness, model.grid.length, model.body.effective_modulus));
     return result;
+}
+
+} // namespace
+
+VariantRun variant_run(const std::string& name, const rough::SearchResult& found,
+                       std::vector<StageRecord> stages, double seconds) {
+    VariantRun run;
+    run.name = name;
+    run.pipeline = found.pipeline;
+    run.stages = std::move(stages);
+    run.notes = found.notes;
+    run.answer.genome = found.best.genome;
+    run.similarity = found.best.similarity;
+    run.similarity_refined = found.best.similarity_refined;
+    run.seconds = seconds;
+    run.curves = found.counters.evaluations;
+    run.gradients = found.counters.gradients;
+    return run;
 }
 
 json model_json(const rough::Model& model) {
@@ -68,21 +75,33 @@ json model_json(const rough::Model& model) {
     return result;
 }
 
-json head_json(const rough::Model& model, const Origin& origin) {
-    json result = model_json(model);
-    result["version"] = origin.version;
-    result["command"] = origin.command;
-    result["seed"] = origin.seed;
-    result["threads"] = origin.threads;
-    return result;
+json target_json(const rough::Goal& target) {
+    const rough::Columns columns = columns_of(target.quantity);
+    json points = json::array();
+    for (rough::Index k = 0; k < target.points(); ++k) {
+        points.push_back({{columns.x, target.x[k]}, {columns.y, target.y[k]}});
+        if (target.has_band())
+            points.back()["lower"] = target.lower[k], points.back()["upper"] = target.upper[k];
+    }
+    return {{"name", target.name}, {"points", std::move(points)}};
 }
 
-json target_json(const rough::Target& target) {
-    json points = json::array();
-    for (rough::Index k = 0; k < target.points(); ++k)
-        points.push_back(
-            {{"pressure_MPa", target.pressure[k]}, {"stiffness_MPa_per_mm", target.stiffness[k]}});
-    return {{"name", target.name}, {"points", std::move(points)}};
+json origin_json(const Origin& origin) {
+    return {{"version", origin.version},
+            {"command", origin.command},
+            {"seed", origin.seed},
+            {"threads", origin.threads}};
+}
+
+json result_json(const Record& record) {
+    json result = model_json(record.model);
+    result.update(origin_json(record.origin));
+    result["max_pressure_MPa"] = record.max_pressure ? json(*record.max_pressure) : json();
+    result["target"] = target_json(record.target);
+    result["variants"] = json::object();
+    for (const VariantRun& variant : record.variants)
+        result["variants"][variant.name] = variant_json(variant, record.loaded);
+    return result;
 }
 
 } // namespace app

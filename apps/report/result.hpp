@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/report/variant_run.hpp"
+#include "apps/report/record.hpp"
 #include "domain/design/search.hpp"
 
 #include <nlohmann/json.hpp>
@@ -11,24 +11,18 @@ namespace app {
 VariantRun variant_run(const std::string& name, const rough::SearchResult& found,
                        std::vector<StageRecord> stages, double seconds);
 
-/// One variant's way and answer, as result.json holds it, with
-/// what was modelled of the answer: one account for each way the target is loaded, `loaded` being the model
-/// that the search used for it. For the free half-plane with dK/d ln d at each load step.
-nlohmann::json variant_json(const VariantRun& variant, const std::vector<rough::Model>& loaded);
-
 /// The model set-up: grid, body, load steps.
 nlohmann::json model_json(const rough::Model& model);
 
-/// What it takes to repeat a run.
-struct Origin {
-    std::string version, command;
-    std::uint64_t seed;
-    int threads;
-};
+/// Name and points, in the columns of the target's file.
+nlohmann::json target_json(const rough::Goal& target);
 
-/// The top of every result.json: the model set-up and the run's origin.
-nlohmann::json head_json(const rough::Model& model, const Origin& origin);
+/// version, command, seed and threads: what every result.json begins with.
+nlohmann::json origin_json(const Origin& origin);
 
-nlohmann::json target_json(const rough::Target& target);
+/// result.json of a record; a kind of run adds keys of its own. Each variant has its stages and answer, what
+/// was modelled of the answer (an account for each way the target is loaded) and, for the free half-plane,
+/// dK/d ln d at each load step.
+nlohmann::json result_json(const Record& record);
 
 } // namespace app

@@ -2,6 +2,7 @@
 
 #include "domain/contact/kernel.hpp"
 #include "domain/design/starts.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
 
@@ -31,17 +32,6 @@ DesignSetup in_final_amplitude(const DesignSetup& setup) {
     DesignSetup final = setup;
     final.max_pressure.reset();
     return final;
-}
-
-double quantile(std::vector<double> values, double part) {
-    std::erase_if(values, [](double value) { return std::isnan(value); });
-    if (values.empty())
-        return unknown;
-    std::sort(values.begin(), values.end());
-    const double place = part * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const double above = values[std::min(below + 1, values.size() - 1)];
-    return values[below] + (place - static_cast<double>(below)) * (above - values[below]);
 }
 
 Model with_kernel(Model model, Kernel kernel) {

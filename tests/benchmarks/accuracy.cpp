@@ -6,6 +6,7 @@
 #include "domain/accuracy/respond.hpp"
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/mwm/sobol.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "domain/response/curve.hpp"
 #include "tests/domain/random_genome.hpp"
 
@@ -18,12 +19,6 @@
 using namespace rough;
 
 namespace {
-
-double quantile(std::vector<double> values, double q) {
-    std::sort(values.begin(), values.end());
-    return values[std::min(values.size() - 1,
-                           static_cast<std::size_t>(q * static_cast<double>(values.size())))];
-}
 
 /// The paper's own genomes, waves down to a node's spacing, at its 512 nodes: what an accuracy saves, and
 /// what half the nodes would cost.

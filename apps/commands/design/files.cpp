@@ -5,7 +5,6 @@
 #include "apps/report/result.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "ga/parallel.hpp"
 
 namespace app {
 
@@ -13,16 +12,10 @@ namespace {
 
 using nlohmann::json;
 
-json goal_json(const rough::Goal& goal) {
-    const rough::Columns columns = columns_of(goal.quantity);
-    json points = json::array();
-    for (rough::Index k = 0; k < goal.points(); ++k) {
-        json point = {{columns.x, goal.x[k]}, {columns.y, goal.y[k]}};
-        if (goal.has_band())
-            point["lower"] = goal.lower[k], point["upper"] = goal.upper[k];
-        points.push_back(std::move(point));
-    }
-    return {{"name", goal.name}, {"weight", goal.weight}, {"points", std::move(points)}};
+json weighted_json(const rough::Goal& goal) {
+    json result = target_json(goal);
+    result["weight"] = goal.weight;
+    return result;
 }
 
 json answer_json(const rough::Answer& answer) {
@@ -68,12 +61,17 @@ json front_json(const std::vector<rough::Compromise>& front) {
 }
 
 json design_json(const DesignRun& run) {
-    json result = head_json(run.searched.model, {run.version, run.command, run.options.seed,
-                                                 ga::thread_count(run.options.threads)});
-    result["max_pressure_MPa"] = run.setup.max_pressure ? json(*run.setup.max_pressure) : json();
-    result["target"] = goal_json(run.setup.goals.front());
+    VariantRun variant = variant_run(run.options.variant, run.found, run.stages, run.seconds);
+    variant.answer.response = run.response;
+    json result = result_json({run.origin,
+                               run.searched.model,
+                               loaded_models(run.searched),
+                               run.setup.max_pressure,
+                               run.setup.goals.front(),
+                               {variant}});
+    result["target"] = weighted_json(run.setup.goals.front());
     for (const rough::Goal& goal : run.setup.goals)
-        result["targets"].push_back(goal_json(goal));
+        result["targets"].push_back(weighted_json(goal));
     result["verdict"] = run.verdict;
     result["interrupted"] = run.interrupted;
     result["out_of_reach"] = json::array();
@@ -81,10 +79,7 @@ json design_json(const DesignRun& run) {
         result["out_of_reach"].push_back(
             {{"reason", reason.reason}, {"at", reason.at}, {"highest_similarity", reason.bound}});
 
-    VariantRun variant = variant_run(run.options.variant, run.found, run.stages, run.seconds);
-    variant.answer.response = run.response;
-    json answer = variant_json(variant, loaded_models(run.searched));
-    answer["pipeline"] = run.found.pipeline;
+    json& answer = result["variants"][run.options.variant];
     answer["stopped"] = run.found.stopped;
     answer["alternatives"] = json::array();
     for (const auto& alternative : run.found.alternatives)
@@ -101,7 +96,6 @@ json design_json(const DesignRun& run) {
     answer["within_limits"] = run.found.best.within_limits;
     if (run.trust)
         answer["trust"] = trust_json(*run.trust);
-    result["variants"][run.options.variant] = std::move(answer);
     return result;
 }
 

@@ -270,14 +270,14 @@ std::string design_page(const DesignRun& run) {
     page.section("How it was found");
     for (const auto& account : run.accounts)
         page.prose(escaped(account) + ".");
-    page.code(run.command);
+    page.code(run.origin.command);
     const rough::Model& model = run.setup.model;
     page.prose(
-        "Seed " + std::to_string(run.options.seed) + "; " + name_of(model.body.kernel) +
+        "Seed " + std::to_string(run.origin.seed) + "; " + name_of(model.body.kernel) +
         " body, E* = " + readable(model.body.effective_modulus) + " MPa" +
         (model.body.kernel == rough::Kernel::free ? ", datum " + readable(model.body.datum) + " mm" : "") +
         "; " + std::to_string(model.grid.nodes) + " nodes on " + readable(model.grid.length, 6) + " mm; " +
-        std::to_string(model.loading.steps) + " load steps; rugosa " + run.version + ". The search:");
+        std::to_string(model.loading.steps) + " load steps; rugosa " + run.origin.version + ". The search:");
     page.code(run.found.pipeline);
     if (!run.found.stopped.empty())
         page.prose("The search ended early: " + run.found.stopped + ".");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/report/variant_run.hpp"
+#include "apps/report/record.hpp"
 #include "domain/design/out_of_reach.hpp"
 #include "domain/design/search.hpp"
 #include "domain/design/trust.hpp"
@@ -32,7 +32,7 @@ struct DesignRun {
     std::string verdict; ///< one line
     bool interrupted = false;
     double seconds = 0;
-    std::string version, command;
+    Origin origin;
 };
 
 } // namespace app

@@ -1,5 +1,6 @@
-#include "apps/experiments/accuracy/experiment.hpp"
+#include "apps/experiments/experiment.hpp"
 
+#include "apps/experiments/accuracy/run.hpp"
 #include "apps/experiments/contact_trial.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/target_files.hpp"
@@ -10,13 +11,12 @@
 #include "domain/design/search.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/sobol.hpp"
+#include "domain/mwm/test_surfaces.hpp"
 #include "domain/paper/variants.hpp"
 #include "domain/text/words.hpp"
-#include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace app {
 
@@ -45,19 +45,22 @@ double seconds_of(Work work) {
 
 /// A series of the paper's law with every wave down to `parts` to the length.
 rough::Genome surface(double H, double length, double parts, ga::Stream random) {
-    rough::Series series{1, H, random.uniform(1.4, 2), length, {}};
-    for (int n = 1; n <= rough::last_chromosome(length, series.gamma, length / parts); ++n)
-        series.chromosomes.push_back({n, {random.uniform(0, 2 * std::numbers::pi)}});
-    return {1, {series}};
+    return rough::random_genome([&](double from, double to) { return random.uniform(from, to); }, 1, 1,
+                                length, length / parts, {.A_from = 1, .A_to = 1, .H_from = H, .H_to = H});
 }
 
 class AccuracyStudy {
   public:
-    AccuracyStudy(const Settings& settings, Progress& progress, const std::atomic<bool>& stop)
-        : settings_(settings), progress_(progress), stop_(stop), model_(model_from(settings, "model.")) {
+    AccuracyStudy(const Settings& settings, const Conditions& conditions)
+        : settings_(settings), progress_(conditions.progress), stop_(conditions.stop),
+          model_(model_from(settings, "model.")) {
         model_.accuracy = accuracy_from(settings, "model.");
-        run_.seed = settings.seed("experiment.seed");
-        run_.threads = ga::thread_count(settings.threads("experiment.threads"));
+        run_.origin = conditions.origin;
+        rough::DesignSetup& setup = run_.setup;
+        setup.model = model_;
+        setup.goals = {rough::read_goal(target_files(settings_, "targets.files").front())};
+        setup.max_pressure = max_pressure();
+        setup.limits.shortest_wave = 8 * model_.grid.spacing();
     }
 
     AccuracyRun run() {
@@ -85,7 +88,7 @@ class AccuracyStudy {
                         const rough::Genome genome = surface(
                             settings_.number("accuracy." + surface_kind + "-H", 0.01, 3), model.grid.length,
                             settings_.number("accuracy." + surface_kind + "-waves", 1, 1000),
-                            ga::Stream(ga::fold(ga::fold(run_.seed, surface_kind),
+                            ga::Stream(ga::fold(ga::fold(run_.origin.seed, surface_kind),
                                                 static_cast<std::uint64_t>(sample))));
                         model.grid = rough::resolved_grid(genome, model.grid.length, false);
                         add_savings({surface_kind, name_of(kernel), load, static_cast<int>(sample)}, genome,
@@ -140,7 +143,7 @@ class AccuracyStudy {
         ga::Result<rough::Genome> whole, screened;
         const auto searched = [&](bool screening) {
             return ga::run(pipeline, problem, ga::population(genomes),
-                           ga::RunOptions{.seed = run_.seed, .threads = 1, .screening = screening});
+                           ga::RunOptions{.seed = run_.origin.seed, .threads = 1, .screening = screening});
         };
         row.seconds = seconds_of([&] { whole = searched(false); });
         row.screened_seconds = seconds_of([&] { screened = searched(true); });
@@ -158,14 +161,10 @@ class AccuracyStudy {
         if (stop_.load())
             return;
         progress_.show("a designed surface");
-        rough::DesignSetup& setup = run_.setup;
-        setup.model = model_;
-        setup.goals = {rough::read_goal(target_files(settings_, "targets.files").front())};
-        setup.max_pressure = max_pressure();
-        setup.limits.shortest_wave = 8 * model_.grid.spacing();
+        const rough::DesignSetup& setup = run_.setup;
         rough::SearchOptions options;
-        options.seed = run_.seed;
-        options.threads = run_.threads;
+        options.seed = run_.origin.seed;
+        options.threads = run_.origin.threads;
         options.evaluations = settings_.whole("accuracy.design-budget", 10, 1000000000);
         options.stop = &stop_;
         std::vector<StageRecord> stages;
@@ -221,13 +220,8 @@ class AccuracyStudy {
     AccuracyRun run_;
 };
 
-} // namespace
-
 std::vector<Setting> accuracy_study_settings() {
     const std::vector<Setting> settings{
-        {"experiment.kind", "", "paper, variants or accuracy"},
-        {"experiment.seed", "1", "seed of everything random"},
-        {"experiment.threads", "0", "threads of the design; the rest is timed on one; 0 takes all"},
         {"accuracy.accuracies", "3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4", "what is asked for, commas between"},
         {"accuracy.surfaces", "5", "random surfaces of each kind"},
         {"accuracy.smooth-H", "1.4", "H of the smooth surfaces"},
@@ -243,8 +237,20 @@ std::vector<Setting> accuracy_study_settings() {
     return joined({settings, model_settings("model."), {accuracy_setting("model.")}});
 }
 
-AccuracyRun run_accuracy_study(const Settings& settings, Progress& progress, const std::atomic<bool>& stop) {
-    return AccuracyStudy(settings, progress, stop).run();
+Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
+    const auto run = std::make_shared<AccuracyRun>(AccuracyStudy(settings, conditions).run());
+    return {[run, folder = conditions.folder] { write_accuracy_study(*run, folder); },
+            [run] { return accuracy_page(*run); }};
+}
+
+} // namespace
+
+Experiment accuracy_experiment() {
+    return {.kind = "accuracy",
+            .summary = "what accuracy costs, and what is gained by modelling no more than an answer needs",
+            .settings = accuracy_study_settings(),
+            .files = {"savings.csv", "searches.csv", "budget.csv"},
+            .run = run_accuracy};
 }
 
 } // namespace app

@@ -1,8 +1,8 @@
 #include "apps/report/page.hpp"
 
-#include "apps/experiments/accuracy/experiment.hpp"
-#include "apps/experiments/statistics.hpp"
+#include "apps/experiments/accuracy/run.hpp"
 #include "apps/report/units.hpp"
+#include "domain/numerics/statistics.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -25,7 +25,7 @@ Series median_line(const AccuracyRun& run, const std::string& label, Colour colo
     Eigen::Index i = 0;
     for (const auto& [accuracy, values] : by_accuracy) {
         line.x[i] = accuracy;
-        line.y[i++] = median(values);
+        line.y[i++] = rough::median(values);
     }
     return line;
 }
@@ -83,7 +83,8 @@ void add_savings(Page& page, const AccuracyRun& run) {
         }
         const auto count = static_cast<double>(rows.size());
         table.rows.push_back({readable(accuracy), std::to_string(rows.size()), percent(covered / count),
-                              percent(within / count), readable(worst, 3), readable(median(savings), 3)});
+                              percent(within / count), readable(worst, 3),
+                              readable(rough::median(savings), 3)});
     }
     page.table(table);
 }
@@ -144,7 +145,7 @@ std::string accuracy_page(const AccuracyRun& run) {
     add_savings(page, run);
     add_searches(page, run);
     add_budget(page, run);
-    page.code(run.command);
+    page.code(run.origin.command);
     return page.html();
 }
 

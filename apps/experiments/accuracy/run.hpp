@@ -1,9 +1,9 @@
 #pragma once
 
-#include "apps/report/variant_run.hpp"
+#include "apps/report/record.hpp"
 #include "domain/design/problem.hpp"
 
-#include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -48,10 +48,14 @@ struct AccuracyRun {
     rough::DesignSetup setup; ///< of the designed surface
     VariantRun design;
     std::vector<BudgetRow> budget;
-    std::uint64_t seed = 1;
-    int threads = 1;
+    Origin origin;
     double seconds = 0;
-    std::string version, command;
 };
+
+/// Writes result.json, savings.csv, searches.csv and budget.csv.
+void write_accuracy_study(const AccuracyRun& run, const std::filesystem::path& folder);
+
+/// The report as a web page.
+std::string accuracy_page(const AccuracyRun& run);
 
 } // namespace app

@@ -1,7 +1,6 @@
 #include "apps/experiments/chart/data.hpp"
 
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/csv.hpp"
 
 #include <algorithm>
 #include <set>
@@ -22,7 +21,7 @@ const ChartRun* ChartData::solved(const ChartSetting& setting) const {
 double ChartData::contact(std::size_t scene) const {
     double fraction = 0;
     for (const ChartRun& run : runs)
-        if (run.setting.scene == scene && run.setting.share == 1 && run.outcome == Outcome::solved)
+        if (run.setting.scene == scene && run.outcome == Outcome::solved)
             fraction = run.contact_fraction;
     return fraction;
 }
@@ -34,7 +33,7 @@ std::vector<rough::Index> ChartData::grids() const {
     return {grids.begin(), grids.end()};
 }
 
-std::string chart_csv(const ChartData& data) {
+Csv chart_table(const ChartData& data) {
     Csv table(
         "scene,kernel,method,nodes,steps,tolerance,seconds,error_pressure,error_stiffness,error_contact,"
         "iterations,outcome",
@@ -45,12 +44,11 @@ std::string chart_csv(const ChartData& data) {
     for (const ChartRun& run : data.runs) {
         const ChartSetting& setting = run.setting;
         const ChartedScene& scene = data.scenes[setting.scene];
-        if (setting.share == 1)
-            table.row(scene.name, scene.kernel, name_of(setting.method), setting.nodes, setting.steps,
-                      setting.tolerance, run.seconds, known(run.error_pressure), known(run.error_stiffness),
-                      known(run.error_contact), run.iterations, name_of(run.outcome));
+        table.row(scene.name, scene.kernel, name_of(setting.method), setting.nodes, setting.steps,
+                  setting.tolerance, run.seconds, known(run.error_pressure), known(run.error_stiffness),
+                  known(run.error_contact), run.iterations, name_of(run.outcome));
     }
-    return table.text();
+    return table;
 }
 
 } // namespace app

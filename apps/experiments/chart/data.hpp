@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/experiments/chart/runs.hpp"
+#include "apps/report/csv.hpp"
 
 namespace app {
 
@@ -11,7 +12,7 @@ struct ChartedScene {
 
 /// Why a setting was not tried.
 enum class LeftOutFor {
-    limit,    ///< one curve would take too long, or did on a coarser grid
+    limit,    ///< one curve takes too long, to go by a coarser grid
     unsolved, ///< a coarser grid was refused or did not converge
     time,     ///< the chart's own time was over
     interrupt
@@ -39,7 +40,10 @@ struct ChartData {
     std::vector<rough::Index> grids() const;
 };
 
-/// chart.csv: a row a run to a scene's own last displacement.
-std::string chart_csv(const ChartData& data);
+/// chart.csv: a row a run.
+Csv chart_table(const ChartData& data);
+
+/// A page that says which method to take, with the pictures. Needs gnuplot.
+std::string chart_page(const ChartData& data);
 
 } // namespace app

@@ -20,8 +20,7 @@ bool holds(const std::vector<Index>& grids, Index nodes) {
 } // namespace
 
 const ChartExtent& quick_extent() {
-    static const ChartExtent extent{{128, 512, 2048}, {512, 2048},  {5, 80}, {512, 2048},
-                                    {0.03, 0.2},      {1e-3, 1e-6}, 8193,    1};
+    static const ChartExtent extent{{128, 512, 2048}, {512, 2048}, {5, 80}, {1e-3, 1e-6}, 8193, 1};
     return extent;
 }
 
@@ -29,8 +28,6 @@ const ChartExtent& whole_extent() {
     static const ChartExtent extent{{128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536},
                                     {512, 2048},
                                     {5, 10, 40, 80, 160},
-                                    {512, 2048, 8192},
-                                    {0.03, 0.2},
                                     {1e-3, 1e-4, 1e-6, 1e-8},
                                     65537,
                                     5};
@@ -43,32 +40,18 @@ ChartSetting usual_setting(std::size_t scene, Solver method, Index nodes) {
     return {scene, method, nodes, usual_steps, usual_tolerance_of(method)};
 }
 
-std::vector<ChartSetting> chart_plan(const ChartExtent& extent, std::size_t scenes) {
+std::vector<ChartSetting> chart_plan(const ChartExtent& extent) {
     std::vector<ChartSetting> plan;
-    const auto add = [&](ChartSetting setting) {
-        for (setting.scene = 0; setting.scene < scenes; ++setting.scene)
-            plan.push_back(setting);
-    };
     for (const Index nodes : extent.nodes)
         for (std::size_t m = 0; m < solver_names().size(); ++m) {
             const Solver method = static_cast<Solver>(m);
-            const double usual = usual_tolerance_of(method);
             for (const double tolerance : is_iterative(method) ? extent.tolerances : std::vector<double>{0})
-                add({0, method, nodes, usual_steps, tolerance});
+                plan.push_back({0, method, nodes, usual_steps, tolerance});
             if (holds(extent.nodes_with_steps, nodes))
                 for (const int steps : extent.steps)
-                    add({0, method, nodes, steps, usual});
-            if (holds(extent.nodes_with_shares, nodes) && method != Solver::automatic)
-                for (const double share : extent.shares)
-                    add({0, method, nodes, usual_steps, usual, share});
+                    plan.push_back({0, method, nodes, steps, usual_tolerance_of(method)});
         }
     return plan;
-}
-
-bool differ_by_scene(const ChartSetting& one, const ChartSetting& other) {
-    ChartSetting there = other;
-    there.scene = one.scene;
-    return one == there && one.scene != other.scene;
 }
 
 } // namespace app

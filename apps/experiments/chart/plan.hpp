@@ -2,6 +2,7 @@
 
 #include "domain/contact/solve.hpp"
 
+#include <compare>
 #include <cstddef>
 #include <vector>
 
@@ -14,21 +15,18 @@ struct ChartSetting {
     rough::Index nodes = 0;
     int steps = 0;
     double tolerance = 0; ///< 0 for the direct methods, which have none, and for auto, which takes 1e-6
-    double share = 1;     ///< of the scene's last displacement; less than 1 only to see the cost grow
 
-    bool operator==(const ChartSetting&) const = default;
+    auto operator<=>(const ChartSetting&) const = default;
 };
 
 /// How fine and how patient a chart is.
 struct ChartExtent {
-    std::vector<rough::Index> nodes;             ///< with 20 load steps, increasing
-    std::vector<rough::Index> nodes_with_steps;  ///< of these, with other numbers of load steps too
-    std::vector<int> steps;                      ///< those others
-    std::vector<rough::Index> nodes_with_shares; ///< with smaller last displacements too
-    std::vector<double> shares;                  ///< those, of the scene's own
-    std::vector<double> tolerances;              ///< of the iterative methods, 1e-6 among them
-    rough::Index most_for_truth;                 ///< nodes of a reference
-    double limit;                                ///< s that one curve may take
+    std::vector<rough::Index> nodes;            ///< with 20 load steps, increasing
+    std::vector<rough::Index> nodes_with_steps; ///< of these, with other numbers of load steps too
+    std::vector<int> steps;                     ///< those others
+    std::vector<double> tolerances;             ///< of the iterative methods, 1e-6 among them
+    rough::Index most_for_truth;                ///< nodes of a reference
+    double limit;                               ///< s that one curve may take
 };
 
 const ChartExtent& quick_extent();
@@ -42,11 +40,7 @@ double usual_tolerance_of(rough::Solver method);
 /// 20 load steps, the usual tolerance.
 ChartSetting usual_setting(std::size_t scene, rough::Solver method, rough::Index nodes);
 
-/// Everything that a chart tries, from the coarsest grid to the finest; on a grid, one method and setting
-/// over all the scenes before the next, so that a chart that ends early has the same of every scene.
-std::vector<ChartSetting> chart_plan(const ChartExtent& extent, std::size_t scenes);
-
-/// Whether both differ in their scenes alone.
-bool differ_by_scene(const ChartSetting& one, const ChartSetting& other);
+/// Everything that a chart tries on each scene, from the coarsest grid to the finest.
+std::vector<ChartSetting> chart_plan(const ChartExtent& extent);
 
 } // namespace app

@@ -27,8 +27,7 @@ constexpr std::array<ErrorKind, 3> error_kinds{
 /// Time against an error for a scene, log-log, one line a method, the Pareto front marked.
 Plot error_plot(const ChartData& data, std::size_t scene, const ErrorKind& kind);
 
-/// By name: time against the nodes where the fewest and where the most nodes touch, and against the contact
-/// fraction on the finest grid that all methods share.
-std::vector<std::pair<std::string, Plot>> growth_plots(const ChartData& data);
+/// Time of a curve of 20 steps (tolerance 1e-6) against the nodes on a scene, log-log, one line a method.
+Plot time_plot(const ChartData& data, std::size_t scene);
 
 } // namespace app

@@ -14,6 +14,10 @@ rough::Curve curve_through(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
     return {x, y, -HUGE_VAL, HUGE_VAL};
 }
 
+/// How long a curve is repeated, s, and how often at most.
+constexpr double seconds_of_repeats = 0.1;
+constexpr int most_repeats = 9;
+
 } // namespace
 
 void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, ChartRun& run) {
@@ -45,7 +49,7 @@ std::optional<ChartRun> run_chart(const ChartScene& scene, const ChartTruth& tru
                                   const ChartSetting& setting, double limit,
                                   const std::function<bool()>& stop) {
     const ContactScene contact{scene.name, scene.profile(setting.nodes), scene.body,
-                               scene.displacements(setting.steps, setting.share)};
+                               scene.displacements(setting.steps)};
     rough::ContactOptions options;
     options.solver = setting.method;
     if (setting.tolerance > 0)
@@ -75,7 +79,7 @@ std::optional<ChartRun> run_chart(const ChartScene& scene, const ChartTruth& tru
     run.late = gave_up;
     if (trial.outcome == Outcome::solved) {
         run.contact_fraction = trial.curve.steps.back().contact_fraction;
-        if (setting.share == 1 && setting.nodes <= truth.finest_judged)
+        if (setting.nodes <= truth.finest_judged)
             measure_errors(trial.curve, truth, run);
     }
     return run;

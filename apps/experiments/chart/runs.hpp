@@ -27,14 +27,10 @@ struct ChartRun {
 void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, ChartRun& run);
 
 /// Solves a few times and takes the least time, as other work on the machine only adds to it; gives up after
-/// `limit` seconds of processor time. Errors are known on grids that the truth resolves and at the scene's
-/// own last displacement. None where `stop` ended it.
+/// `limit` seconds of processor time. Errors are known on grids that the truth resolves. None where `stop`
+/// ended it.
 std::optional<ChartRun> run_chart(const ChartScene& scene, const ChartTruth& truth,
                                   const ChartSetting& setting, double limit,
                                   const std::function<bool()>& stop = {});
-
-/// How long a curve is repeated, s, and how often at most.
-constexpr double seconds_of_repeats = 0.1;
-constexpr int most_repeats = 9;
 
 } // namespace app

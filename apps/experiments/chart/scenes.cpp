@@ -2,6 +2,7 @@
 
 #include "apps/experiments/chart/words.hpp"
 #include "domain/contact/exact.hpp"
+#include "domain/mwm/test_surfaces.hpp"
 
 #include <cmath>
 #include <limits>
@@ -16,6 +17,7 @@ using rough::Index;
 
 constexpr double pi = std::numbers::pi;
 constexpr int points = 20000;
+constexpr double wave_length = 0.84942; ///< mm, of the longest wave
 
 ChartTruth exact_curve(const std::function<rough::exact::Contact(double)>& contact, double widest,
                        double length) {
@@ -59,17 +61,9 @@ ChartScene westergaard() {
     return scene;
 }
 
-/// Cosines of given amplitudes and wave numbers (1/L), phases by the golden angle.
-ChartScene waves(const std::string& name, const std::string& words, std::vector<double> amplitudes,
-                 std::vector<double> numbers) {
-    ChartScene scene{name, words, {}, 0.84942, {}, 0, {}};
-    scene.height = [=, length = scene.length](double x) {
-        double z = 0;
-        for (std::size_t k = 0; k < numbers.size(); ++k)
-            z += amplitudes[k] *
-                 std::cos(2 * pi * numbers[k] * x / length + 2.399963 * static_cast<double>(k * k));
-        return z;
-    };
+ChartScene of_waves(const std::string& name, const std::string& words, std::vector<rough::Wave> waves) {
+    ChartScene scene{name, words, {}, wave_length, {}, 0, {}};
+    scene.height = [waves = std::move(waves)](double x) { return height_at(waves, x); };
     const VectorXd heights = scene.profile(65537).heights;
     scene.last = 0.6 * (heights.maxCoeff() - heights.minCoeff());
     return scene;
@@ -77,22 +71,12 @@ ChartScene waves(const std::string& name, const std::string& words, std::vector<
 
 ChartScene weierstrass(const std::string& name, const std::string& words, double hurst, double gamma,
                        int count) {
-    std::vector<double> amplitudes, numbers;
-    for (int n = 0; n < count; ++n) {
-        amplitudes.push_back(0.05 * std::pow(gamma, -n * hurst));
-        numbers.push_back(std::pow(gamma, n));
-    }
-    return waves(name, words, amplitudes, numbers);
+    return of_waves(name, words, rough::self_affine_waves(wave_length, 0.05, hurst, gamma, count));
 }
 
 ChartScene brownian() {
-    std::vector<double> amplitudes, numbers; // PSD ~ q^-(1 + 2H), H = 0.8
-    for (int n = 1; n <= 64; ++n) {
-        amplitudes.push_back(0.05 * std::pow(n, -1.3));
-        numbers.push_back(n);
-    }
-    return waves("fractional-brownian", "a fractional-Brownian profile, H = 0.8, 64 waves", amplitudes,
-                 numbers);
+    return of_waves("fractional-brownian", "a fractional-Brownian profile, H = 0.8, 64 waves",
+                    rough::brownian_waves(wave_length, 0.05, 0.8, 64));
 }
 
 ChartTruth refined(const ChartScene& scene, Index nodes, int steps, const std::function<bool()>& stop) {
@@ -117,17 +101,13 @@ ChartTruth refined(const ChartScene& scene, Index nodes, int steps, const std::f
 } // namespace
 
 rough::Profile ChartScene::profile(Index nodes) const {
-    const bool periodic = body.kernel == rough::Kernel::periodic;
-    rough::Profile profile{VectorXd(nodes), length / static_cast<double>(periodic ? nodes : nodes - 1)};
-    for (Index i = 0; i < nodes; ++i)
-        profile.heights[i] = height(static_cast<double>(i) * profile.spacing);
-    return profile;
+    return rough::sampled({nodes, length, body.kernel == rough::Kernel::periodic}, height);
 }
 
-std::vector<double> ChartScene::displacements(int steps, double share) const {
+std::vector<double> ChartScene::displacements(int steps) const {
     std::vector<double> displacements;
     for (int j = 1; j <= steps; ++j)
-        displacements.push_back(share * last * j / steps);
+        displacements.push_back(last * j / steps);
     return displacements;
 }
 

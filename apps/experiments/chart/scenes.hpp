@@ -28,7 +28,7 @@ struct ChartScene {
     std::function<ChartTruth()> exact; ///< where there is an exact solution
 
     rough::Profile profile(rough::Index nodes) const;
-    std::vector<double> displacements(int steps, double share = 1) const;
+    std::vector<double> displacements(int steps) const;
 };
 
 /// hertz, westergaard, mwm-smooth, mwm-rough and fractional-brownian.

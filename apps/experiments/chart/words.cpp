@@ -2,7 +2,6 @@
 
 #include "apps/report/units.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -17,14 +16,6 @@ std::string share_words(double share) { return brief(100 * share) + " %"; }
 
 std::string tolerance_word(double tolerance) {
     return "1e" + std::to_string(std::lround(std::log10(tolerance)));
-}
-
-std::string range_words(const std::vector<double>& values) {
-    if (values.empty())
-        return "";
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    const std::string low = brief(*least), high = brief(*most);
-    return low == high ? low : low + " to " + high;
 }
 
 std::string enumerated(const std::vector<std::string>& words) {

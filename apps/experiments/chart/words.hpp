@@ -10,9 +10,6 @@ namespace app {
 std::string time_words(double seconds);       ///< "12.3 ms"
 std::string share_words(double share);        ///< "0.1 %"
 std::string tolerance_word(double tolerance); ///< "1e-6"
-/// "0.9 to 12", or the one value where they are alike, or "" of none.
-std::string range_words(const std::vector<double>& values);
-
 /// "a", "a and b", "a, b and c"
 std::string enumerated(const std::vector<std::string>& words);
 

@@ -1,6 +1,5 @@
 #include "apps/experiments/paper/claims.hpp"
 #include "apps/experiments/paper/lookup.hpp"
-#include "apps/experiments/statistics.hpp"
 #include "apps/report/units.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/numerics/statistics.hpp"
@@ -94,7 +93,7 @@ double high_exponent(const rough::Spectrum& spectrum) {
     const Eigen::Index half = powers.size() / 2;
     const Eigen::VectorXd octaves =
         Eigen::VectorXd::LinSpaced(half, 0, static_cast<double>(half - 1)) * std::log10(2);
-    return slope(octaves, powers.tail(half)) - 1; // an octave's power is its density times its width
+    return rough::slope(octaves, powers.tail(half)) - 1; // an octave's power is its density times its width
 }
 
 std::size_t chromosomes(const VariantRun& variant) { return waves(variant.answer.genome).size(); }

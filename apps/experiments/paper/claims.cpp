@@ -8,9 +8,9 @@ Studies studies_of(const PaperRun& run) {
     constexpr int phase_sets = 1000; // as many as the paper's Figure 2
     const std::vector<int> ridges = {2,  3,  4,   6,   8,   12,  16,  24,  32,  48,
                                      64, 96, 128, 192, 256, 384, 512, 768, 1024};
-    return {{chromosome_example(1, run.seed), chromosome_example(2, run.seed)},
-            ridge_study(ridges, phase_sets, run.seed),
-            fractal_studies(run.model, run.seed, run.threads),
+    return {{chromosome_example(1, run.origin.seed), chromosome_example(2, run.origin.seed)},
+            ridge_study(ridges, phase_sets, run.origin.seed),
+            fractal_studies(run.model, run.origin.seed, run.origin.threads),
             readings_of(run)};
 }
 

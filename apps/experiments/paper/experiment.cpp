@@ -1,6 +1,8 @@
-#include "apps/experiments/paper/experiment.hpp"
+#include "apps/experiments/experiment.hpp"
 
+#include "apps/experiments/paper/page.hpp"
 #include "apps/experiments/paper/settings.hpp"
+#include "apps/experiments/paper/tables.hpp"
 #include "apps/report/recorder.hpp"
 #include "apps/report/result.hpp"
 #include "domain/errors.hpp"
@@ -67,15 +69,14 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
 /// The paper's genomes and targets with what all variants share.
 class Paper {
   public:
-    Paper(const Settings& settings, PaperRun& run, Progress& progress, const std::atomic<bool>& stop,
-          const Keeping& keeping)
-        : settings_(settings), run_(run), progress_(progress), stop_(stop), keeping_(keeping),
-          genomes_(sobol_database(run.layout)), variants_(variants_from(settings, words_by(run.dominance))),
+    Paper(const Settings& settings, PaperRun& run, const Conditions& conditions)
+        : settings_(settings), run_(run), conditions_(conditions), genomes_(sobol_database(run.layout)),
+          variants_(variants_from(settings, words_by(run.dominance))),
           other_reading_(paper_three(words_by(other(run.dominance)))) {}
 
     void answer_database() {
         run_.database.resize(genomes_.size());
-        ga::parallel_for(genomes_.size(), run_.threads, [&](std::size_t i) {
+        ga::parallel_for(genomes_.size(), run_.origin.threads, [&](std::size_t i) {
             rough::Genome genome = genomes_[i];
             rough::Response response = respond(genome, run_.model);
             genome.scale = run_.max_pressure / response.pressure[response.steps() - 1]; // Eq. 11
@@ -97,9 +98,9 @@ class Paper {
                  similarity(target.target, curve, points(target.p_bar, run_.max_pressure))});
         }
         for (const Variant& variant : variants_) {
-            if (stop_)
+            if (conditions_.stop)
                 return;
-            progress_.show(target.title + ": " + variant.name);
+            conditions_.progress.show(target.title + ": " + variant.name);
             if (auto run = read_at(settings_, "variants." + variant.name,
                                    [&] { return run_kept(variant, problem, target.title); })) {
                 run->similarity_refined = similarity(problem, run->answer.genome, 4);
@@ -122,10 +123,10 @@ class Paper {
             const RescaledProblem problem(run_.searched, target.target, run_.max_pressure,
                                           fraction * run_.max_pressure, memory_);
             for (const std::size_t cross_over : {1, 2}) {
-                if (stop_)
+                if (conditions_.stop)
                     return;
-                progress_.show(target.title + ": threshold " + std::to_string(i + 1) + " of " +
-                               std::to_string(count));
+                conditions_.progress.show(target.title + ": threshold " + std::to_string(i + 1) + " of " +
+                                          std::to_string(count));
                 const auto row = run_variant(variants_[cross_over], problem);
                 if (row)
                     target.thresholds.push_back(threshold_row(*row, fraction * run_.max_pressure));
@@ -145,9 +146,9 @@ class Paper {
                      ga::Keeper<RescaledProblem>* keeper = nullptr, bool screening = false) const {
         ga::RunOptions options;
         options.variant = variant.name;
-        options.seed = run_.seed;
-        options.threads = run_.threads;
-        options.budget.stop = &stop_;
+        options.seed = run_.origin.seed;
+        options.threads = run_.origin.threads;
+        options.budget.stop = &conditions_.stop;
         options.screening = screening;
         return ga::run(variant.pipeline, problem, ga::population(genomes_), options, observers, keeper);
     }
@@ -164,11 +165,11 @@ class Paper {
                                        const std::string& title) const {
         const std::string name = title + "-" + variant.name;
         for (const char* folder : {"checkpoints", "log"})
-            std::filesystem::create_directories(keeping_.folder / folder);
+            std::filesystem::create_directories(conditions_.folder / folder);
         std::vector<StageRecord> stages;
-        ga::Log log(keeping_.folder / "log" / (name + ".csv"));
-        ga::Checkpoints<RescaledProblem> checkpoints(keeping_.folder / "checkpoints" / (name + ".cbor"),
-                                                     description(problem), keeping_.resume);
+        ga::Log log(conditions_.folder / "log" / (name + ".csv"));
+        ga::Checkpoints<RescaledProblem> checkpoints(conditions_.folder / "checkpoints" / (name + ".cbor"),
+                                                     description(problem), conditions_.resume);
         checkpoints.keep("stages", stages);
         checkpoints.keep("log", log.position);
         const Run result = run_pipeline(variant, problem, {recorder(stages), log.observer(problem)},
@@ -185,7 +186,7 @@ class Paper {
     /// What decides a variant's result beside its pipeline, seed and start.
     static std::string description(const RescaledProblem& problem) {
         nlohmann::json settings = model_json(problem.model());
-        settings["target"] = target_json(problem.target());
+        settings["target"] = target_json(goal_of(problem.target()));
         settings["max_pressure_MPa"] = problem.max_pressure();
         return rough::json_text(settings, true);
     }
@@ -237,9 +238,7 @@ class Paper {
     Fidelity fidelity_ =
         static_cast<Fidelity>(settings_.one_of("paper.fidelity", {"off", "on", "estimated"}));
     PaperRun& run_;
-    Progress& progress_;
-    const std::atomic<bool>& stop_;
-    const Keeping& keeping_;
+    const Conditions& conditions_;
     std::shared_ptr<rough::ResponseMemory> memory_ =
         std::make_shared<rough::ResponseMemory>(); ///< of the sweep
     std::vector<rough::Genome> genomes_;
@@ -247,21 +246,31 @@ class Paper {
     std::vector<Variant> other_reading_; ///< the paper's three under the other reading of Algorithm 1
 };
 
-} // namespace
-
-PaperRun run_paper(const Settings& settings, Progress& progress, const std::atomic<bool>& stop,
-                   const Keeping& keeping) {
+Findings run_paper(const Settings& settings, const Conditions& conditions) {
     const ga::Stopwatch clock;
-    PaperRun run = paper_from(settings);
-    Paper paper(settings, run, progress, stop, keeping);
-    progress.show("database");
+    const auto run = std::make_shared<PaperRun>(paper_from(settings, conditions.origin));
+    Paper paper(settings, *run, conditions);
+    conditions.progress.show("database");
     paper.answer_database();
-    for (TargetRun& target : run.targets) {
+    for (TargetRun& target : run->targets) {
         paper.design(target);
         paper.sweep(target);
     }
-    run.seconds = clock.seconds();
-    return run;
+    run->seconds = clock.seconds();
+    return {[run, folder = conditions.folder] { write_paper(*run, folder); },
+            [run] { return paper_page(*run); }};
+}
+
+} // namespace
+
+Experiment paper_experiment() {
+    return {.kind = "paper",
+            .summary = "the paper's experiment: SOG, GCO and CCO on one or two targets, every claim tried",
+            .settings = paper_settings(),
+            .files = {"genomes.csv", "scores.csv", "stages.csv", "curves.csv", "thresholds.csv", "heldout",
+                      "log"},
+            .run = run_paper,
+            .resumes = true};
 }
 
 } // namespace app

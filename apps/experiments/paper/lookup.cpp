@@ -1,10 +1,22 @@
 #include "apps/experiments/paper/lookup.hpp"
 
+#include "domain/numerics/statistics.hpp"
+
 #include <algorithm>
 
 namespace app {
 
 namespace {
+
+/// What `difference` says of the two curves at each point of `a` within the range of `b`.
+template <class Difference>
+std::vector<double> differences(const rough::Curve& a, const rough::Curve& b, Difference difference) {
+    std::vector<double> all;
+    for (Eigen::Index i = 0; i < a.x.size(); ++i)
+        if (a.x[i] >= b.from && a.x[i] <= b.to && a.y[i] != 0)
+            all.push_back(difference(a.y[i], b.at(a.x[i])));
+    return all;
+}
 
 bool is_refinement(const StageRecord& stage) {
     const std::size_t last = stage.path.rfind('/');
@@ -112,6 +124,16 @@ Series shown(const rough::Curve& curve, double x_factor, Series look) {
     look.x = whole.x * x_factor;
     look.y = whole.y;
     return look;
+}
+
+double relative_gap(const rough::Curve& a, const rough::Curve& b) {
+    return rough::mean(
+        differences(a, b, [](double here, double there) { return std::abs(there / here - 1); }));
+}
+
+double gap(const rough::Curve& a, const rough::Curve& b) {
+    const auto all = differences(a, b, [](double here, double there) { return std::abs(there - here); });
+    return all.empty() ? std::numeric_limits<double>::quiet_NaN() : *std::max_element(all.begin(), all.end());
 }
 
 } // namespace app

@@ -66,4 +66,11 @@ std::optional<Part> best_in_part(const TargetRun& target, bool low);
 /// (x, y) of a curve with the numbers as they are shown.
 Series shown(const rough::Curve& curve, double x_factor, Series look);
 
+/// Mean relative difference |b - a|/a at the points of `a` that both can be read at; NaN if there is none, or
+/// a is 0.
+double relative_gap(const rough::Curve& a, const rough::Curve& b);
+
+/// Largest difference |b - a| at the points of `a` that both can be read at; NaN if there is none.
+double gap(const rough::Curve& a, const rough::Curve& b);
+
 } // namespace app

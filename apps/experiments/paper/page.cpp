@@ -85,7 +85,7 @@ void add_glance(Page& page, const PaperRun& run, const std::vector<Claim>& claim
     tiles.emplace_back("claims reproduced", count_of(claims, Verdict::reproduced));
     tiles.emplace_back("contradicted", count_of(claims, Verdict::contradicted));
     tiles.emplace_back("undecidable", count_of(claims, Verdict::undecidable));
-    tiles.emplace_back("the whole run, " + std::to_string(run.threads) + " threads",
+    tiles.emplace_back("the whole run, " + std::to_string(run.origin.threads) + " threads",
                        readable(run.seconds, 2) + " s");
     page.tiles(tiles);
 }
@@ -104,9 +104,9 @@ void add_runs(Page& page, const PaperRun& run) {
 void add_repeat(Page& page, const PaperRun& run) {
     page.section("Repeat it");
     page.prose("The same seed gives the same bits, whatever the number of threads.");
-    page.code(run.command);
+    page.code(run.origin.command);
     page.prose(
-        "rugosa " + escaped(run.version) + ", seed " + std::to_string(run.seed) + ", " +
+        "rugosa " + escaped(run.origin.version) + ", seed " + std::to_string(run.origin.seed) + ", " +
         std::to_string(run.model.grid.nodes) + " nodes over " + readable(run.model.grid.length, 5) + " mm, " +
         std::to_string(run.model.loading.steps) +
         " load steps. After J. Cinat, G. Gnecco and M. Paggi (2020), "
@@ -138,7 +138,7 @@ std::string paper_page(const PaperRun& run) {
     page.figure(stages_figure(run));
     page.figure(thresholds_figure(run));
     page.section("What it stands on");
-    page.figure(chromosomes_figure(run.seed));
+    page.figure(chromosomes_figure(run.origin.seed));
     page.figure(ridges_figure(studies.ridges));
     page.figure(fractal_figure(studies.fractals.front()));
     page.figure(parts_figure(run));

@@ -1,6 +1,6 @@
 #include "apps/experiments/paper/readings.hpp"
 
-#include "apps/experiments/statistics.hpp"
+#include "apps/experiments/paper/lookup.hpp"
 #include "domain/paper/dominance.hpp"
 #include "domain/target/similarity.hpp"
 #include "ga/parallel.hpp"
@@ -60,7 +60,7 @@ Readings readings_of(const PaperRun& run) {
     readings.without_fine.resize(count);
     readings.datum_similarity.resize(count);
     std::vector<Curve> elsewhere(count);
-    ga::parallel_for(count, run.threads, [&](std::size_t i) {
+    ga::parallel_for(count, run.origin.threads, [&](std::size_t i) {
         const Answered& member = run.database[i];
         const Curve whole = secant_stiffness(member.response);
         readings.same_pressure[i] = reduction_of(member.genome, whole, run, same_pressure);

@@ -1,8 +1,8 @@
 #include "apps/experiments/paper/readings_section.hpp"
 
 #include "apps/experiments/paper/lookup.hpp"
-#include "apps/experiments/statistics.hpp"
 #include "apps/report/units.hpp"
+#include "domain/numerics/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +17,12 @@ std::string dominance_words(const PaperRun& run, const Readings& readings, rough
     const auto& rows = same_pressure ? readings.same_pressure : readings.same_step;
     const auto alone =
         std::count_if(rows.begin(), rows.end(), [](const Reduction& row) { return row.only_best; });
-    std::string words = std::string(same_pressure ? "At equal pressures" : "By load step") +
-                        ": s(reduced, whole) = " + readable(median(column(rows, &Reduction::similarity))) +
-                        " in the median with " + percent(mean(column(rows, &Reduction::kept)), 2) +
-                        " of the chromosomes; for " + std::to_string(alone) + " of " +
-                        std::to_string(rows.size()) +
-                        " genomes none passes 0.95, and the best is kept. Answers";
+    std::string words =
+        std::string(same_pressure ? "At equal pressures" : "By load step") +
+        ": s(reduced, whole) = " + readable(rough::median(rough::column(rows, &Reduction::similarity))) +
+        " in the median with " + percent(rough::mean(rough::column(rows, &Reduction::kept)), 2) +
+        " of the chromosomes; for " + std::to_string(alone) + " of " + std::to_string(rows.size()) +
+        " genomes none passes 0.95, and the best is kept. Answers";
     for (const TargetRun& target : run.targets) {
         words += (&target == &run.targets.front() ? ", " : "; ") + target.title + " target:";
         const auto& variants = reading == run.dominance ? target.variants : target.other_reading;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/report/variant_run.hpp"
+#include "apps/report/record.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/paper/dominance.hpp"
 #include "domain/target/target.hpp"
@@ -41,9 +41,7 @@ struct TargetRun {
 };
 
 struct PaperRun {
-    std::string version, command; ///< the command that repeats the run, as typed
-    std::uint64_t seed = 0;
-    int threads = 0;
+    Origin origin;
     double seconds = 0;      ///< wall time of the run without the page
     rough::Model model;      ///< solved throughout: all that is said of an answer
     rough::Model searched;   ///< the same with the accuracy that the searches were allowed

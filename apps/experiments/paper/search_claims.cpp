@@ -1,7 +1,7 @@
 #include "apps/experiments/paper/claims.hpp"
 #include "apps/experiments/paper/lookup.hpp"
-#include "apps/experiments/statistics.hpp"
 #include "apps/report/units.hpp"
+#include "domain/numerics/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ Finding beneficial(const TargetRun& target) {
     if (all == 0)
         return {};
     return {std::to_string(better) + " of " + std::to_string(all) + " candidates gained, by " +
-                readable(median(gains), 2) + " in the median",
+                readable(rough::median(gains), 2) + " in the median",
             better == all};
 }
 
@@ -79,7 +79,7 @@ Finding a_minute(const TargetRun& target) {
 /// Of one algorithm's rows over the thresholds.
 template <class Value>
 std::vector<double> over_thresholds(const TargetRun& target, const std::string& variant, Value value) {
-    return column(thresholds_of(target, variant), value);
+    return rough::column(thresholds_of(target, variant), value);
 }
 
 double spread(const std::vector<double>& values) {
@@ -139,8 +139,10 @@ Finding more_efficient(const TargetRun& target) {
                cco = over_thresholds(target, "cco", &ThresholdRow::share_above);
     if (gco.empty() || cco.empty())
         return {};
-    return {"mean share above 0.95: GCO " + percent(mean(gco), 2) + ", CCO " + percent(mean(cco), 2),
-            mean(gco) == mean(cco) ? std::nullopt : std::optional(mean(gco) > mean(cco))};
+    return {"mean share above 0.95: GCO " + percent(rough::mean(gco), 2) + ", CCO " +
+                percent(rough::mean(cco), 2),
+            rough::mean(gco) == rough::mean(cco) ? std::nullopt
+                                                 : std::optional(rough::mean(gco) > rough::mean(cco))};
 }
 
 const std::string both = " on every target; contradicted if on none.";

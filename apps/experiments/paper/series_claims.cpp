@@ -1,7 +1,7 @@
 #include "apps/experiments/paper/claims.hpp"
 #include "apps/experiments/paper/lookup.hpp"
-#include "apps/experiments/statistics.hpp"
 #include "apps/report/units.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "domain/target/similarity.hpp"
 #include "ga/random.hpp"
 
@@ -27,21 +27,22 @@ Claim one_wave(const Studies& studies) {
 }
 
 Claim condition(const Studies& studies) {
-    const auto printed = column(studies.ridges, &RidgeCount::as_printed);
-    const auto slipped = column(studies.ridges, &RidgeCount::last_missing);
+    const auto printed = rough::column(studies.ridges, &RidgeCount::as_printed);
+    const auto slipped = rough::column(studies.ridges, &RidgeCount::last_missing);
     const auto [least, most] = std::minmax_element(slipped.begin(), slipped.end());
     const double lowest = *std::min_element(printed.begin(), printed.end());
     return {"Figure 2", "Condition (10) holds for 88.5–98 % of random phases, about 95 % on average.",
-            "As printed it holds for " + percent(mean(printed)) +
+            "As printed it holds for " + percent(rough::mean(printed)) +
                 " (it is an identity). With the last pair missing from "
                 "g<sub>3</sub>: " +
-                percent(*least) + " to " + percent(*most) + ", " + percent(mean(slipped)) + " on average.",
+                percent(*least) + " to " + percent(*most) + ", " + percent(rough::mean(slipped)) +
+                " on average.",
             "The printed formula's shares within 88.5–98 % for every M from 2 to 1,024.",
             decided(lowest >= 0.885 && *std::max_element(printed.begin(), printed.end()) <= 0.98)};
 }
 
 Claim arccos(const Studies& studies) {
-    const double share = mean(column(studies.ridges, &RidgeCount::right_phase));
+    const double share = rough::mean(rough::column(studies.ridges, &RidgeCount::right_phase));
     return {"Eq. 8", "The phase of the sum is arccos(g<sub>1</sub>/R).",
             "Right for " + percent(share) + " of random phase sets: arccos loses the sign of g<sub>2</sub>.",
             "Right for more than 99 % of them.", decided(share > 0.99)};
@@ -49,8 +50,8 @@ Claim arccos(const Studies& studies) {
 
 Claim part_suffices(const Studies& studies) {
     const auto& rows = studies.readings.same_pressure;
-    const double kept = mean(column(rows, &Reduction::kept));
-    const double s = median(column(rows, &Reduction::similarity));
+    const double kept = rough::mean(rough::column(rows, &Reduction::kept));
+    const double s = rough::median(rough::column(rows, &Reduction::similarity));
     return {"Sections 1, 2.3", "K(p) needs only part of the chromosomes.",
             "Algorithm 1 keeps " + percent(kept, 2) +
                 " of a database genome's chromosomes in the mean; the reduced "
@@ -65,7 +66,7 @@ Claim part_suffices(const Studies& studies) {
 /// Which half of the waves a curve owes more to.
 Claim governed(const Studies& studies, bool stiffness) {
     const auto change = [&](const std::vector<Removal>& rows) {
-        return median(column(rows, stiffness ? &Removal::stiffness : &Removal::area));
+        return rough::median(rough::column(rows, stiffness ? &Removal::stiffness : &Removal::area));
     };
     const double coarse = change(studies.readings.without_coarse),
                  fine = change(studies.readings.without_fine);
@@ -88,25 +89,25 @@ std::string range_of(const std::vector<double>& values, double factor, int digit
 }
 
 Claim alloy_stiffness(const Studies& studies) {
-    const auto s = column(studies.fractals, [](const FractalStudy& study) {
+    const auto s = rough::column(studies.fractals, [](const FractalStudy& study) {
         return similarity(secant_stiffness(study.whole_response), secant_stiffness(study.reduced_response));
     });
     return {"Figure 3", "K(p) of the alloy's profile and of its dominant chromosomes overlap significantly.",
-            "On " + std::to_string(s.size()) + " fractal profiles: similarity " + readable(median(s)) +
+            "On " + std::to_string(s.size()) + " fractal profiles: similarity " + readable(rough::median(s)) +
                 " in the median (" + range_of(s, 1, 2) + ").",
             "A median similarity of at least 0.9 reproduces it; the alloy's profile is not public.",
-            decided_on_a_stand_in(median(s) >= 0.9)};
+            decided_on_a_stand_in(rough::median(s) >= 0.9)};
 }
 
 Claim alloy_area(const Studies& studies) {
-    const auto apart = column(studies.fractals, [](const FractalStudy& study) {
+    const auto apart = rough::column(studies.fractals, [](const FractalStudy& study) {
         return relative_gap(area_against_pressure(study.whole_response),
                             area_against_pressure(study.reduced_response));
     });
     return {"Figure 3", "So do their A(p).",
-            "On the same profiles the dominant bands' A is off by " + percent(median(apart), 2) +
+            "On the same profiles the dominant bands' A is off by " + percent(rough::median(apart), 2) +
                 " in the median (" + range_of(apart, 100, 2) + " %).",
-            "At most 10 % reproduces it.", decided_on_a_stand_in(median(apart) <= 0.1)};
+            "At most 10 % reproduces it.", decided_on_a_stand_in(rough::median(apart) <= 0.1)};
 }
 
 /// Figure 4, of one part of the pressures.
@@ -149,7 +150,7 @@ Claim even_pairs(const PaperRun& run) {
         gamma = (gamma - run.layout.gamma_from) / (run.layout.gamma_to - run.layout.gamma_from);
     }
     const double sobol = discrepancy(pairs);
-    ga::Stream random(ga::fold(run.seed, "pairs"));
+    ga::Stream random(ga::fold(run.origin.seed, "pairs"));
     constexpr int draws = 1000;
     int above = 0;
     for (int draw = 0; draw < draws; ++draw) {
@@ -187,7 +188,7 @@ Claim trend(const PaperRun& run) {
 }
 
 Claim pressures(const PaperRun& run) {
-    const auto own = column(run.database, [&](const Answered& member) {
+    const auto own = rough::column(run.database, [&](const Answered& member) {
         return run.max_pressure / std::abs(member.genome.scale);
     });
     const auto [least, most] = std::minmax_element(own.begin(), own.end());

@@ -4,7 +4,6 @@
 #include "apps/prompt/scan_settings.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/curve.hpp"
-#include "ga/parallel.hpp"
 
 #include <limits>
 
@@ -65,9 +64,6 @@ void take_target_files(const Settings& settings, PaperRun& run) {
 
 std::vector<Setting> paper_settings() {
     const std::vector<Setting> settings{
-        {"experiment.kind", "paper", "paper, variants or accuracy"},
-        {"experiment.seed", "1", "seed of everything random"},
-        {"experiment.threads", "0", "threads; 0 takes all"},
         {"target.file", "", "target curve (CSV)"},
         {"target.profile", "", "measured profile whose response is the target, in place of target.file"},
         {"heldout.file", "", "second target curve (CSV)"},
@@ -99,8 +95,9 @@ std::vector<Setting> paper_settings() {
         {settings, scan_settings("target."), model_settings("model."), {accuracy_setting("model.")}});
 }
 
-PaperRun paper_from(const Settings& settings) {
+PaperRun paper_from(const Settings& settings, const Origin& origin) {
     PaperRun run;
+    run.origin = origin;
     if (settings.has("target.profile"))
         take_measured_target(settings, run);
     else
@@ -112,8 +109,6 @@ PaperRun paper_from(const Settings& settings) {
     run.layout = layout_from(settings, run.model);
     run.dominance =
         static_cast<rough::DominanceReading>(settings.one_of("paper.dominance", {"pressure", "step"}));
-    run.seed = settings.seed("experiment.seed");
-    run.threads = ga::thread_count(settings.threads("experiment.threads"));
     return run;
 }
 

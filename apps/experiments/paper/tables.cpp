@@ -1,9 +1,13 @@
 #include "apps/experiments/paper/tables.hpp"
 
 #include "apps/report/csv.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/result.hpp"
 #include "domain/text/atomic_file.hpp"
 
 namespace app {
+
+namespace {
 
 void write_database_table(const PaperRun& run, const std::filesystem::path& folder) {
     Csv table("id,H,gamma,phase_column,chromosomes,amplitude_after_rescaling");
@@ -47,6 +51,33 @@ void write_target_tables(const TargetRun& target, const std::filesystem::path& f
         thresholds.row(row.p_bar, row.variant, row.u1, row.u2, row.at_least_used, row.children,
                        row.share_above, row.best_child, row.similarity);
     rough::write_atomically(folder / "thresholds.csv", thresholds.text());
+}
+
+} // namespace
+
+rough::Goal goal_of(const rough::Target& target) {
+    rough::Goal goal;
+    goal.name = target.name;
+    goal.x = target.pressure;
+    goal.y = target.stiffness;
+    return goal;
+}
+
+void write_paper(const PaperRun& run, const std::filesystem::path& folder) {
+    for (const TargetRun& target : run.targets) {
+        const auto place = &target == &run.targets.front() ? folder : folder / "heldout";
+        std::filesystem::create_directories(place);
+        write_target_tables(target, place);
+        nlohmann::json result = result_json({run.origin,
+                                             run.searched,
+                                             {run.searched},
+                                             run.max_pressure,
+                                             goal_of(target.target),
+                                             target.variants});
+        result["threshold_MPa"] = target.p_bar;
+        write_json(place / "result.json", result);
+    }
+    write_database_table(run, folder);
 }
 
 } // namespace app

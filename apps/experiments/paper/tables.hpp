@@ -6,9 +6,12 @@
 
 namespace app {
 
-/// Writes the run's tables beside its result.json: genomes.csv (the database), and for each target a folder
-/// or the top one with scores.csv, stages.csv, thresholds.csv and curves.csv (the answers' responses).
-void write_database_table(const PaperRun& run, const std::filesystem::path& folder);
-void write_target_tables(const TargetRun& target, const std::filesystem::path& folder);
+/// The target as result files tell it.
+rough::Goal goal_of(const rough::Target& target);
+
+/// Writes the run: genomes.csv (the database) and, for the first target to the folder and for the second to
+/// `heldout` in it, result.json, scores.csv, stages.csv, thresholds.csv and curves.csv (the answers'
+/// responses).
+void write_paper(const PaperRun& run, const std::filesystem::path& folder);
 
 } // namespace app

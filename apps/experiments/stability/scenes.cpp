@@ -1,6 +1,7 @@
 #include "apps/experiments/stability/scenes.hpp"
 
 #include "domain/contact/kernel.hpp"
+#include "domain/mwm/test_surfaces.hpp"
 
 #include <cmath>
 #include <functional>
@@ -20,16 +21,12 @@ using rough::Profile;
 constexpr double length = 0.84942;
 constexpr Index usual_nodes = 128;
 
-/// A self-affine profile: waves n of amplitude 1.5^(-0.8 n), phases by the golden angle, down to four nodes.
+/// A self-affine profile that repeats, its waves down to four nodes.
 VectorXd rough_heights(Index nodes) {
-    VectorXd heights = VectorXd::Zero(nodes);
-    double wave = 1, amplitude = 0.05;
-    for (int n = 0; wave < static_cast<double>(nodes) / 4; ++n, wave *= 1.5, amplitude *= std::pow(1.5, -0.8))
-        for (Index i = 0; i < nodes; ++i)
-            heights[i] += amplitude * std::cos(2 * std::numbers::pi * std::floor(wave) *
-                                                   static_cast<double>(i) / static_cast<double>(nodes) +
-                                               2.399963 * n);
-    return heights;
+    const rough::Grid grid{nodes, length, true};
+    const int waves = static_cast<int>(std::ceil(std::log(static_cast<double>(nodes) / 4) / std::log(1.5)));
+    const auto all = rough::self_affine_waves(length, 0.05, 0.8, 1.5, waves, true);
+    return sampled(grid, [&](double x) { return height_at(all, x); }).heights;
 }
 
 VectorXd by_node(Index nodes, const std::function<double(Index)>& height) {

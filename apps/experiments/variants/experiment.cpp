@@ -1,12 +1,13 @@
-#include "apps/experiments/variants/experiment.hpp"
+#include "apps/experiments/experiment.hpp"
 
-#include "apps/experiments/statistics.hpp"
+#include "apps/experiments/variants/run.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/target_files.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/recorder.hpp"
 #include "apps/report/result.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
 #include "ga/parallel.hpp"
@@ -74,8 +75,9 @@ class ParentsWatch {
     std::map<ga::Identity, double> similarity_;
 };
 
-RaceRun run_once(const RaceTarget& target, const rough::SearchOptions& options) {
-    RaceRun run{options.seed, {}, {}, {}};
+RaceRun run_once(const RaceTarget& target, const std::string& name, const rough::SearchOptions& options) {
+    RaceRun run{options.seed, {}, {}};
+    std::vector<StageRecord> stages;
     double best = -HUGE_VAL;
     ParentsWatch parents(run);
     const auto watch = [&](const ga::Event<rough::Genome>& event) {
@@ -86,9 +88,9 @@ RaceRun run_once(const RaceTarget& target, const rough::SearchOptions& options) 
         parents(event);
     };
     const ga::Stopwatch clock;
-    run.found = rough::search(target.setup, options, {recorder(run.stages), watch});
-    run.seconds = clock.seconds();
-    run.history.push_back({run.found.counters.asked, run.seconds, std::max(best, run.found.best.similarity)});
+    const rough::SearchResult found = rough::search(target.setup, options, {recorder(stages), watch});
+    run.run = variant_run(name, found, std::move(stages), clock.seconds());
+    run.history.push_back({found.counters.asked, run.run.seconds, std::max(best, run.run.similarity)});
     return run;
 }
 
@@ -102,33 +104,34 @@ double median_when(const RaceVariant& variant, Reached reached) {
                 best = spent.similarity;
         values.push_back(std::isnan(best) ? -1 : best);
     }
-    return median(values);
+    return rough::median(values);
 }
 
 json race_json(const Race& race, const RaceTarget& target) {
-    json result = head_json(target.setup.model, {race.version, race.command, race.seed, race.threads});
+    const rough::DesignSetup& setup = target.setup;
+    Record record{race.origin,        setup.model,         loaded_models(setup),
+                  setup.max_pressure, setup.goals.front(), {}};
+    for (const RaceVariant& variant : target.variants)
+        if (!variant.runs.empty())
+            record.variants.push_back(variant.median_run().run);
+    json result = result_json(record);
     result["budget"] = race.budget;
-    result["max_pressure_MPa"] = target.setup.max_pressure ? json(*target.setup.max_pressure) : json();
-    const rough::Goal& goal = target.setup.goals.front();
-    result["target"] = target_json({goal.name, goal.x, goal.y});
     for (const RaceVariant& variant : target.variants) {
         if (variant.runs.empty())
             continue;
-        const RaceRun& middle = variant.median_run();
-        const VariantRun shown = variant_run(variant.name, middle.found, middle.stages, middle.seconds);
-        json one = variant_json(shown, loaded_models(target.setup));
-        one["pipeline"] = middle.found.pipeline;
+        json& one = result["variants"][variant.name];
         one["median_judged"] = variant.median_judged();
-        for (const RaceRun& run : variant.runs)
-            one["runs"].push_back({{"seed", run.seed},
-                                   {"similarity", run.found.best.similarity},
-                                   {"similarity_refined", run.found.best.similarity_refined},
+        for (const RaceRun& race_run : variant.runs) {
+            const VariantRun& run = race_run.run;
+            one["runs"].push_back({{"seed", race_run.seed},
+                                   {"similarity", run.similarity},
+                                   {"similarity_refined", run.similarity_refined},
                                    {"seconds", run.seconds},
-                                   {"curves", run.found.counters.evaluations},
-                                   {"gradients", run.found.counters.gradients},
-                                   {"crossed", run.crossed},
-                                   {"better_than_parents", run.better}});
-        result["variants"][variant.name] = std::move(one);
+                                   {"curves", run.curves},
+                                   {"gradients", run.gradients},
+                                   {"crossed", race_run.crossed},
+                                   {"better_than_parents", race_run.better}});
+        }
     }
     return result;
 }
@@ -136,19 +139,15 @@ json race_json(const Race& race, const RaceTarget& target) {
 } // namespace
 
 double RaceVariant::median_judged() const {
-    std::vector<double> values;
-    for (const RaceRun& run : runs)
-        values.push_back(run.found.best.judged());
-    return median(values);
+    return rough::median(rough::column(runs, [](const RaceRun& one) { return one.run.judged(); }));
 }
 
 const RaceRun& RaceVariant::median_run() const {
     std::vector<const RaceRun*> order;
-    for (const RaceRun& run : runs)
-        order.push_back(&run);
-    std::stable_sort(order.begin(), order.end(), [](const RaceRun* a, const RaceRun* b) {
-        return a->found.best.judged() < b->found.best.judged();
-    });
+    for (const RaceRun& one : runs)
+        order.push_back(&one);
+    std::stable_sort(order.begin(), order.end(),
+                     [](const RaceRun* a, const RaceRun* b) { return a->run.judged() < b->run.judged(); });
     return *order[(order.size() - 1) / 2];
 }
 
@@ -160,12 +159,11 @@ double RaceVariant::median_at_seconds(double seconds) const {
     return median_when(*this, [&](const Spent& spent) { return spent.seconds <= seconds; });
 }
 
+namespace {
+
 std::vector<Setting> variants_settings() {
     const std::vector<Setting> settings{
-        {"experiment.kind", "", "paper, variants or accuracy"},
-        {"experiment.seed", "1", "first seed"},
         {"experiment.seeds", "3", "runs of each way"},
-        {"experiment.threads", "0", "threads; 0 takes all"},
         {"experiment.budget", "3000", "curves and gradients each run may ask for"},
         {"targets.files", "", "target curves (CSV), with commas between"},
         {"targets.max-pressure", "", "p_max of Eq. 11, MPa [amplitude is a gene]"},
@@ -175,37 +173,35 @@ std::vector<Setting> variants_settings() {
     return joined({settings, model_settings("model."), {accuracy_setting("model.")}});
 }
 
-Race run_race(const Settings& settings, Progress& progress, const std::atomic<bool>& stop) {
-    const ga::Stopwatch clock;
+Race raced(const Settings& settings, const Conditions& conditions) {
     Race race;
     race.targets = targets_from(settings);
-    race.seed = settings.seed("experiment.seed");
+    race.origin = conditions.origin;
     race.budget = settings.whole("experiment.budget", 1, 1000000000);
-    race.threads = ga::thread_count(settings.threads("experiment.threads"));
     const long seeds = settings.whole("experiment.seeds", 1, 1000);
     for (RaceTarget& target : race.targets)
         for (const std::string& name : settings.names_under("variants.")) {
             const std::string way(rough::trim(settings.text("variants." + name)));
             const bool named = rough::design_variants().count(way) > 0;
             RaceVariant variant{name, way, {}};
-            for (long i = 0; i < seeds && !stop.load(); ++i) {
-                progress.show(target.setup.goals[0].name + ": " + name + ", run " + std::to_string(i + 1) +
-                              " of " + std::to_string(seeds));
+            for (long i = 0; i < seeds && !conditions.stop; ++i) {
+                conditions.progress.show(target.setup.goals[0].name + ": " + name + ", run " +
+                                         std::to_string(i + 1) + " of " + std::to_string(seeds));
                 rough::SearchOptions options;
                 (named ? options.variant : options.pipeline) = way;
-                options.seed = race.seed + static_cast<std::uint64_t>(i);
-                options.threads = race.threads;
+                options.seed = race.origin.seed + static_cast<std::uint64_t>(i);
+                options.threads = race.origin.threads;
                 options.evaluations = race.budget;
-                options.stop = &stop;
+                options.stop = &conditions.stop;
                 variant.runs.push_back(
-                    read_at(settings, "variants." + name, [&] { return run_once(target, options); }));
+                    read_at(settings, "variants." + name, [&] { return run_once(target, name, options); }));
             }
             target.variants.push_back(std::move(variant));
         }
-    race.seconds = clock.seconds();
     return race;
 }
 
+/// result.json (further targets' in a folder of their name) and variants.csv.
 void write_race(const Race& race, const std::filesystem::path& folder) {
     Csv table("target,variant,seed,curves_and_gradients,seconds,similarity");
     for (const RaceTarget& target : race.targets) {
@@ -220,6 +216,22 @@ void write_race(const Race& race, const std::filesystem::path& folder) {
                               spent.similarity);
     }
     rough::write_atomically(folder / "variants.csv", table.text());
+}
+
+Findings run_variants(const Settings& settings, const Conditions& conditions) {
+    const auto race = std::make_shared<Race>(raced(settings, conditions));
+    return {[race, folder = conditions.folder] { write_race(*race, folder); },
+            [race] { return race_page(*race); }};
+}
+
+} // namespace
+
+Experiment variants_experiment() {
+    return {.kind = "variants",
+            .summary = "ways to search, on the same targets with the same budget and seeds",
+            .settings = variants_settings(),
+            .files = {"variants.csv"},
+            .run = run_variants};
 }
 
 } // namespace app

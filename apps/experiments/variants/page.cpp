@@ -1,6 +1,6 @@
 #include "apps/report/page.hpp"
 
-#include "apps/experiments/variants/experiment.hpp"
+#include "apps/experiments/variants/run.hpp"
 #include "apps/report/units.hpp"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ void add_target(Page& page, const Race& race, const RaceTarget& target, std::siz
     double longest = 0.1;
     for (const auto& variant : target.variants)
         for (const auto& run : variant.runs)
-            longest = std::max(longest, run.seconds);
+            longest = std::max(longest, run.run.seconds);
     page.figure(
         {"race-" + std::to_string(number),
          "Figure " + std::to_string(number) + ". Who is how near, when.",
@@ -74,14 +74,13 @@ void add_target(Page& page, const Race& race, const RaceTarget& target, std::siz
         return a->median_judged() > b->median_judged();
     });
     for (const RaceVariant* variant : order) {
-        const RaceRun& run = variant->median_run();
+        const VariantRun& run = variant->median_run().run;
         long crossed = 0, better = 0;
         for (const auto& each : variant->runs)
             crossed += each.crossed, better += each.better;
         table.rows.push_back(
             {variant->name, readable(variant->median_judged(), 4), readable(run.seconds),
-             std::to_string(run.found.counters.evaluations), std::to_string(run.found.counters.gradients),
-             std::to_string(crossed),
+             std::to_string(run.curves), std::to_string(run.gradients), std::to_string(crossed),
              crossed > 0 ? percent(static_cast<double>(better) / static_cast<double>(crossed)) : "–"});
     }
     page.table(table);
@@ -99,8 +98,8 @@ std::string race_page(const Race& race) {
     page.section("The ways");
     for (const RaceVariant& variant : race.targets.front().variants)
         if (!variant.runs.empty())
-            page.code(variant.name + " = " + variant.runs.front().found.pipeline);
-    page.code(race.command);
+            page.code(variant.name + " = " + variant.runs.front().run.pipeline);
+    page.code(race.origin.command);
     return page.html();
 }
 

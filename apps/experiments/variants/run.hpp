@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/report/variant_run.hpp"
-#include "domain/design/search.hpp"
+#include "apps/report/record.hpp"
+#include "domain/design/problem.hpp"
 
 #include <string>
 #include <vector>
@@ -19,9 +19,7 @@ struct Spent {
 struct RaceRun {
     std::uint64_t seed;
     std::vector<Spent> history; ///< after each stage
-    rough::SearchResult found;
-    std::vector<StageRecord> stages;
-    double seconds = 0;
+    VariantRun run;
     long crossed = 0, better = 0; ///< children of two scored parents, and those above the better parent
 };
 
@@ -42,11 +40,11 @@ struct RaceTarget {
 
 struct Race {
     std::vector<RaceTarget> targets;
-    std::uint64_t seed = 1;
-    int threads = 1;
+    Origin origin; ///< its seed is the first
     long budget = 0;
-    double seconds = 0;
-    std::string version, command;
 };
+
+/// The report as a web page.
+std::string race_page(const Race& race);
 
 } // namespace app

@@ -1,7 +1,5 @@
 #include "apps/experiments/paper/claims.hpp"
 #include "apps/experiments/paper/lookup.hpp"
-#include "apps/experiments/statistics.hpp"
-#include "domain/numerics/statistics.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -154,10 +152,4 @@ TEST_CASE("curves are compared where both can be read") {
     CHECK(relative_gap(line, half) == Approx(0.5));
     CHECK(gap(line, half) == Approx(1));
     CHECK(std::isnan(gap(line, {Eigen::Vector2d(4, 5), Eigen::Vector2d(1, 1), 4, 5})));
-    CHECK(median({3, std::nan(""), 1}) == 2);
-    CHECK(std::isnan(median({})));
-    CHECK(std::isnan(slope(Eigen::VectorXd(1), Eigen::VectorXd(1))));
-    CHECK(slope(Eigen::Vector3d(0, 1, 2), Eigen::Vector3d(5, 3, 1)) == Approx(-2));
-    CHECK(rough::pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(2, 4, 6)) == Approx(1));
-    CHECK(std::isnan(rough::pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(7, 7, 7))));
 }

@@ -1,15 +1,23 @@
 #pragma once
 
-#include "domain/mwm/genome.hpp"
-#include "domain/response/response.hpp"
+#include "domain/accuracy/respond.hpp"
+#include "domain/target/goal.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
-/// How a variant came to its answer, as result files, pages and experiments read it. An unknown number is
-/// NaN.
+/// The record of a run, which result files, pages and experiments read. An unknown number is NaN.
 namespace app {
+
+/// What it takes to repeat a run.
+struct Origin {
+    std::string version, command; ///< the command as it was typed
+    std::uint64_t seed = 1;
+    int threads = 1;
+};
 
 /// A genome and what it answers: its scale is Eq. 11's, so that the response's last pressure is p_max.
 struct Answered {
@@ -33,6 +41,7 @@ struct StageRecord {
 /// One algorithm's way to its answer.
 struct VariantRun {
     std::string name;                ///< e.g. sog-minimax
+    std::string pipeline;            ///< as it was run; "" for those composed in code
     std::vector<StageRecord> stages; ///< in order; what stands before the first "refine" is GCMMA (0)
     std::vector<std::string> notes;  ///< the engine's remarks, e.g. that a threshold took its "at least"
     Answered answer;
@@ -40,6 +49,19 @@ struct VariantRun {
     double similarity_refined = 0; ///< of the same genome at 4(N-1)+1 nodes, Eq. 11 anew
     double seconds = 0;            ///< wall time
     long curves = 0, gradients = 0;
+
+    /// What an answer is judged by: it must survive refinement of the grid.
+    double judged() const { return std::min(similarity, similarity_refined); }
+};
+
+/// What one or several variants found for one target.
+struct Record {
+    Origin origin;
+    rough::Model model;                 ///< of the search
+    std::vector<rough::Model> loaded;   ///< the same, one for each way in which the target is loaded
+    std::optional<double> max_pressure; ///< MPa, of Eq. 11; none: amplitude is a gene
+    rough::Goal target;
+    std::vector<VariantRun> variants;
 };
 
 } // namespace app

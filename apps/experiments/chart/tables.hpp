@@ -11,4 +11,10 @@ Table fastest_by_grid(const ChartData& data);
 /// The fastest setting of each scene that keeps an error below levels.
 Table fastest_by_error(const ChartData& data, const ErrorKind& kind);
 
+/// What of the plan was not tried: a row a method and reason.
+Table left_out_table(const ChartData& data);
+
+/// The same in one line, for the end; "" where all was tried.
+std::string left_out_in_a_line(const ChartData& data);
+
 } // namespace app

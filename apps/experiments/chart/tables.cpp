@@ -1,4 +1,4 @@
-#include "apps/experiments/chart/fastest.hpp"
+#include "apps/experiments/chart/tables.hpp"
 
 #include "apps/experiments/chart/words.hpp"
 #include "apps/prompt/model_settings.hpp"
@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace app {
 
@@ -51,21 +52,32 @@ std::string setting_words(const ChartRun& run) {
            (setting.tolerance > 0 ? ", " + tolerance_word(setting.tolerance) : "") + "</span>";
 }
 
-/// The coarsest grid from which on active-set was always faster than nested.
-std::string overtaken_at(const ChartData& data, std::size_t scene) {
-    Index from = 0, both = 0;
-    for (const Index nodes : data.grids()) {
-        const ChartRun *nested = data.solved(usual_setting(scene, Solver::nested, nodes)),
-                       *active = data.solved(usual_setting(scene, Solver::active_set, nodes));
-        if (!nested || !active)
-            continue;
-        both = nodes;
-        if (active->seconds >= nested->seconds)
-            from = 0;
-        else if (from == 0)
-            from = nodes;
+struct Share {
+    Index from = 0; ///< the coarsest grid of these
+    std::size_t settings = 0;
+};
+
+/// What was left out, by reason and method.
+std::map<std::pair<LeftOutFor, Solver>, Share> left_out(const ChartData& data) {
+    std::map<std::pair<LeftOutFor, Solver>, Share> all;
+    for (const LeftOut& each : data.left_out) {
+        Share& share = all[{each.why, each.setting.method}];
+        share.from = share.settings++ == 0 ? each.setting.nodes : std::min(share.from, each.setting.nodes);
     }
-    return from > 0 ? "N = " + std::to_string(from) : both > 0 ? "beyond N = " + std::to_string(both) : "–";
+    return all;
+}
+
+std::string why(const ChartData& data, LeftOutFor reason) {
+    switch (reason) {
+    case LeftOutFor::limit:
+        return "one curve takes more than " + brief(data.limit, 3) + " s";
+    case LeftOutFor::unsolved:
+        return "refused or not converged on a coarser grid";
+    case LeftOutFor::time:
+        return "the chart's time was over";
+    default:
+        return "interrupted";
+    }
 }
 
 } // namespace
@@ -83,7 +95,6 @@ Table fastest_by_grid(const ChartData& data) {
                 {false, true}};
     for (const Index nodes : grids)
         table.header.push_back("N = " + std::to_string(nodes));
-    table.header.push_back("Active-set overtakes at");
     for (std::size_t scene = 0; scene < data.scenes.size(); ++scene) {
         std::vector<std::string> row{data.scenes[scene].name, share_words(data.contact(scene))};
         for (const Index nodes : grids) {
@@ -98,7 +109,6 @@ Table fastest_by_grid(const ChartData& data) {
             }
             row.push_back(cell);
         }
-        row.push_back(overtaken_at(data, scene));
         table.rows.push_back(row);
     }
     return table;
@@ -126,6 +136,23 @@ Table fastest_by_error(const ChartData& data, const ErrorKind& kind) {
         table.rows.push_back(row);
     }
     return table;
+}
+
+Table left_out_table(const ChartData& data) {
+    Table table{"", {"Method", "Settings left out", "From the grid", "Why"}, {}, {false, true, false, false}};
+    for (const auto& [key, share] : left_out(data))
+        table.rows.push_back({name_of(key.second), std::to_string(share.settings),
+                              "N = " + std::to_string(share.from), why(data, key.first)});
+    return table;
+}
+
+std::string left_out_in_a_line(const ChartData& data) {
+    std::string line;
+    for (const auto& [key, share] : left_out(data))
+        line += (line.empty() ? std::to_string(data.left_out.size()) + " left out: " : ", ") +
+                name_of(key.second) + " from N = " + std::to_string(share.from) + " (" +
+                why(data, key.first) + ")";
+    return line;
 }
 
 } // namespace app

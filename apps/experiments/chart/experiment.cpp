@@ -1,0 +1,90 @@
+#include "apps/experiments/experiment.hpp"
+
+#include "apps/experiments/chart/course.hpp"
+#include "apps/experiments/chart/tables.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/result.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "ga/stopwatch.hpp"
+
+namespace app {
+
+namespace {
+
+/// chart.csv as it grows, every few seconds.
+class GrowingTable {
+  public:
+    explicit GrowingTable(std::filesystem::path file) : file_(std::move(file)) {}
+    void grow(const ChartData& data) {
+        if (data.runs.empty() || written_.seconds() < 3)
+            return;
+        rough::write_atomically(file_, chart_table(data).text());
+        written_ = ga::Stopwatch();
+    }
+
+  private:
+    std::filesystem::path file_;
+    ga::Stopwatch written_;
+};
+
+void write_chart(const ChartData& data, const Origin& origin, const std::filesystem::path& folder) {
+    const Csv table = chart_table(data);
+    rough::write_atomically(folder / "chart.csv", table.text());
+    nlohmann::json result = origin_json(origin);
+    result["runs"] = table.rows();
+    write_json(folder / "result.json", result);
+}
+
+void draw_chart(const ChartData& data, const std::filesystem::path& folder) {
+    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene) {
+        const auto draw = [&](const std::string& what, const Plot& plot) {
+            rough::write_atomically(folder / (data.scenes[scene].name + "-" + what + ".svg"), svg_file(plot));
+        };
+        for (const ErrorKind& kind : error_kinds)
+            draw(kind.name, error_plot(data, scene, kind));
+        draw("time", time_plot(data, scene));
+    }
+}
+
+Findings run_chart_experiment(const Settings& settings, const Conditions& conditions) {
+    const std::filesystem::path folder = conditions.folder;
+    GrowingTable table(folder / "chart.csv");
+    const auto data = std::make_shared<const ChartData>(
+        charted(chart_scenes(), settings.is_on("chart.quick") ? quick_extent() : whole_extent(),
+                {60 * settings.positive("chart.minutes"), [&] { return conditions.stop.load(); },
+                 [&](const ChartData& so_far, const std::string& where) {
+                     conditions.progress.show(where);
+                     table.grow(so_far);
+                 }}));
+    if (data->runs.empty())
+        return {};
+    const std::string left_out = left_out_in_a_line(*data);
+    return {[=, origin = conditions.origin] { write_chart(*data, origin, folder); },
+            [=] {
+                draw_chart(*data, folder);
+                return chart_page(*data);
+            },
+            std::to_string(data->runs.size()) + " settings charted" +
+                (left_out.empty() ? "" : "; " + left_out)};
+}
+
+} // namespace
+
+Experiment chart_experiment() {
+    return {
+        .kind = "chart",
+        .summary =
+            "Charts the time of a pressure curve against its error for every contact solver, grid, "
+            "number of load steps and tolerance, on scenes with a known or a refined solution: from "
+            "coarse grids to fine, so that a chart that ends early has the same of every scene. Writes "
+            "chart.csv (as it goes), pictures (SVG) and a page that says which method to take when, and "
+            "what was left out and why. Ctrl-C ends it with what there is.",
+        .settings = {{"chart.minutes", "10",
+                      "begin nothing that would not end within so many; the coarsest grid is always done"},
+                     {"chart.quick", "", "fewer and smaller grids: under a minute", true}},
+        .files = {"chart.csv", "*.svg"},
+        .run = run_chart_experiment,
+        .examples = {"chart --quick --out out/chart", "chart --minutes 3 --out out/chart"}};
+}
+
+} // namespace app

@@ -1,0 +1,70 @@
+#include "apps/experiments/experiment.hpp"
+
+#include "apps/prompt/interrupt.hpp"
+#include "apps/prompt/voice.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/units.hpp"
+#include "domain/errors.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "ga/parallel.hpp"
+#include "ga/stopwatch.hpp"
+
+namespace app {
+
+const std::vector<Experiment>& experiments() {
+    static const std::vector<Experiment> all{paper_experiment(), variants_experiment(), accuracy_experiment(),
+                                             chart_experiment(), stability_experiment()};
+    return all;
+}
+
+std::vector<Setting> Experiment::all_settings() const {
+    return joined({{{"experiment.kind", "paper", "paper, variants, accuracy, chart or stability"},
+                    {"experiment.seed", "1", "seed of everything random; of the variants, the first seed"},
+                    {"experiment.threads", "0", "threads, where no time is measured; 0 takes all"}},
+                   settings});
+}
+
+int carry_out(const Experiment& experiment, const Settings& settings, const Request& request) {
+    const ga::Stopwatch clock;
+    if (request.resume && !experiment.resumes)
+        throw rough::InputError("--resume: given with an experiment of kind " + experiment.kind +
+                                ", which keeps no checkpoints");
+    if (request.resume && request.out.empty())
+        throw rough::InputError(
+            "--resume: given without --out, expected the folder of the run to go on with");
+    std::vector<std::string> names = experiment.files;
+    names.insert(names.end(), {"result.json", request.page});
+    if (experiment.resumes)
+        names.emplace_back("checkpoints");
+    const OutputFolder output(request.out, request.name,
+                              {names, request.inputs, request.force, request.resume});
+    const std::filesystem::path& folder = output.path();
+    if (request.resume && says_finished(folder, "checkpoints"))
+        return 0;
+
+    const Interrupt interrupt;
+    Findings found;
+    {
+        Progress progress;
+        const Origin origin{RUGOSA_VERSION, request.command, settings.seed("experiment.seed"),
+                            ga::thread_count(settings.threads("experiment.threads"))};
+        found = experiment.run(settings, {origin, progress, interrupt.flag(), folder, request.resume});
+        if (found.write)
+            found.write();
+        const bool goes_on = interrupt.asked() && experiment.resumes;
+        if (found.write && request.pictures && !goes_on) {
+            progress.show("report");
+            rough::write_atomically(folder / request.page, found.page());
+        }
+        if (experiment.resumes && !goes_on)
+            std::filesystem::remove_all(folder / "checkpoints");
+    }
+    say(folder.string() + ": " +
+        (!found.write ? "interrupted before anything was found, nothing written"
+         : interrupt.asked() && experiment.resumes
+             ? "interrupted; what was found is in result.json; --resume goes on"
+             : (found.summary.empty() ? "" : found.summary + "; ") + readable(clock.seconds()) + " s"));
+    return interrupt.asked() ? exit_interrupted : found.code;
+}
+
+} // namespace app

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "apps/prompt/progress.hpp"
+#include "apps/prompt/settings.hpp"
+#include "apps/report/record.hpp"
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+namespace app {
+
+/// Under what an experiment runs.
+struct Conditions {
+    Origin origin;
+    Progress& progress;
+    const std::atomic<bool>& stop; ///< somebody asks it to end, with what was found so far
+    std::filesystem::path folder;  ///< its results go there
+    bool resume = false;           ///< go on from the checkpoints that are there
+};
+
+/// What an experiment found, to be written once it has ended.
+struct Findings {
+    std::function<void()> write;       ///< result.json and tables to the folder; none: nothing was found
+    std::function<std::string()> page; ///< the report, other pictures beside it. Needs gnuplot
+    std::string summary = "";          ///< in one line, for the end
+    int code = 0;                      ///< exit code of the program
+};
+
+/// A kind of experiment.
+struct Experiment {
+    std::string kind; ///< as in `experiment.kind = paper`
+    std::string summary;
+    std::vector<Setting> settings;  ///< its keys, without the common ones
+    std::vector<std::string> files; ///< that it writes beside result.json and its page
+    Findings (*run)(const Settings& settings, const Conditions& conditions);
+    bool resumes = false;                   ///< it keeps checkpoints in the folder `checkpoints`
+    std::vector<std::string> examples = {}; ///< flags of its short name, where it has one
+
+    std::vector<Setting> all_settings() const; ///< with the common keys of the section [experiment]
+};
+
+Experiment paper_experiment();
+Experiment variants_experiment();
+Experiment accuracy_experiment();
+Experiment chart_experiment();
+Experiment stability_experiment();
+
+/// Every kind.
+const std::vector<Experiment>& experiments();
+
+/// How a run was asked for.
+struct Request {
+    std::string command;                       ///< as it was typed
+    std::string out, name;                     ///< --out or, without it, the name of a folder in out/
+    std::vector<std::filesystem::path> inputs; ///< files that are not to be written over
+    std::string page;                          ///< its file's name
+    bool pictures = true, force = false, resume = false;
+};
+
+/// Runs an experiment and writes what it finds; returns the program's exit code.
+int carry_out(const Experiment& experiment, const Settings& settings, const Request& request);
+
+} // namespace app
