@@ -9,8 +9,7 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// Angles that never repeat and fill the turn evenly: the golden angle times squares.
-double golden_phase(int n) { return 2.399963 * n * n; }
+constexpr double golden_angle = 2.399963; // its multiples fill the turn evenly and never repeat
 
 double drawn(const Uniform& uniform, double from, double to) { return from < to ? uniform(from, to) : from; }
 
@@ -41,7 +40,7 @@ std::vector<Wave> self_affine_waves(double length, double amplitude, double hurs
     for (int n = 0; n < count; ++n) {
         const double number = std::pow(ratio, n);
         waves.push_back({-amplitude * std::pow(ratio, -n * hurst),
-                         turn * (periodic ? std::floor(number) : number) / length, golden_phase(n), 0});
+                         turn * (periodic ? std::floor(number) : number) / length, golden_angle * n, 0});
     }
     return waves;
 }
@@ -49,8 +48,8 @@ std::vector<Wave> self_affine_waves(double length, double amplitude, double hurs
 std::vector<Wave> brownian_waves(double length, double amplitude, double hurst, int count) {
     std::vector<Wave> waves;
     for (int n = 1; n <= count; ++n)
-        waves.push_back(
-            {-amplitude * std::pow(n, -(hurst + 0.5)), turn * n / length, golden_phase(n - 1), 0});
+        waves.push_back({-amplitude * std::pow(n, -(hurst + 0.5)), turn * n / length,
+                         golden_angle * (n - 1) * (n - 1), 0}); // squares: the crests meet nowhere
     return waves;
 }
 

@@ -33,7 +33,7 @@ std::vector<Wave> self_affine_waves(double length, double amplitude, double hurs
 
 /// Waves of a fractional-Brownian profile: 1 to `count` to the length (mm), the n-th of amplitude `amplitude`
 /// n^-(hurst + 1/2) (mm), so that the power spectral density is ~ k^-(1 + 2 hurst); phases by the golden
-/// angle.
+/// angle times squares, as those of evenly spaced waves must not grow evenly: their crests would meet.
 std::vector<Wave> brownian_waves(double length, double amplitude, double hurst, int count);
 
 /// A sum of waves at x, both in mm, without their offsets.

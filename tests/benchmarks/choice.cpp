@@ -4,6 +4,7 @@
 #include "domain/contact/solvers/problem.hpp"
 #include "tests/benchmarks/measure.hpp"
 #include "tests/domain/contact/scenes.hpp"
+#include "tests/domain/random_genome.hpp"
 
 #include <Eigen/QR>
 
@@ -42,12 +43,10 @@ struct Measured {
 };
 
 Profile random_profile(std::mt19937_64& random, Index nodes, double shortest, bool periodic) {
-    std::uniform_real_distribution<double> uniform(0, 1);
-    const double length = 0.84942, H = 0.5 + uniform(random), gamma = 1.4 + 0.6 * uniform(random);
-    nlohmann::json series{{"A", 1}, {"H", H}, {"gamma", gamma}, {"lambda", length}};
-    for (int n = 1; std::pow(gamma, 1 - n) >= shortest; ++n)
-        series["chromosomes"].push_back({{"n", n}, {"phases", {6.283185 * uniform(random)}}});
-    return scenes::profile_of({{"series", {series}}}, nodes, length, periodic);
+    const double length = 0.84942;
+    const auto uniform = [&](double from, double to) { return testing::uniform(random, from, to); };
+    return sample(random_genome(uniform, 1, 1, length, shortest * length, {.A_from = 1, .A_to = 1}),
+                  {nodes, length, periodic});
 }
 
 Measured measured(const Profile& profile, Kernel kernel, int steps, double reach) {

@@ -166,6 +166,28 @@ TEST_CASE("without --out a run finds a free folder, and a result is not written 
     CHECK(rugosa(quick + " --out out/paper --force", folder.path()).code == 0);
 }
 
+TEST_CASE("chart and stability are experiments too, and their files are those of their short names") {
+    const Folder folder;
+    const std::string spike = " --set stability.scene=spike";
+    const Ended ended =
+        rugosa("run '" RUGOSA_SOURCE "/experiments/stability.ini'" + spike + " --pictures off --out s",
+               folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    CHECK(std::filesystem::exists(folder / "s/stability.csv"));
+    CHECK_FALSE(std::filesystem::exists(folder / "s/report.html"));
+    const json result = result_in(folder / "s");
+    REQUIRE(result["runs"].size() == 15); // three kernels, five methods
+    for (const json& row : result["runs"])
+        CHECK(row["scene"] == "spike");
+    REQUIRE(rugosa("run '" RUGOSA_SOURCE "/experiments/chart.ini' --set chart.quick=on --set "
+                   "chart.minutes=1e-9 --out c",
+                   folder.path())
+                .code == 0);
+    CHECK(std::filesystem::exists(folder / "c/chart.csv"));
+    CHECK(std::filesystem::exists(folder / "c/report.html"));
+}
+
 TEST_CASE("bad input to an experiment gets one line and exit code 2, and leaves no folder") {
     const Folder folder;
     const auto target_of = [&](const std::string& name, const std::string& points) {
@@ -177,6 +199,8 @@ TEST_CASE("bad input to an experiment gets one line and exit code 2, and leaves 
     folder.write("section.ini", "[modle]\nnodes = 512\n");
     folder.write("broken.ini", "[model\nnodes 512\n");
     folder.write("twice.ini", "[model]\nnodes = 512\nnodes = 256\n");
+    folder.write("kind.ini", "[experiment]\n\nkind = chrat\n");
+    folder.write("other.ini", "[experiment]\nkind = stability\n[chart]\nminutes = 3\n");
     folder.write("file", "");
     const std::vector<std::pair<std::string, std::string>> cases{
         {"run", "no experiment given"},
@@ -185,6 +209,11 @@ TEST_CASE("bad input to an experiment gets one line and exit code 2, and leaves 
         {"run section.ini", "section.ini:2: unknown key 'modle.nodes'"},
         {"run broken.ini", "broken.ini"},
         {"run twice.ini", "model.nodes: given twice"},
+        {"run kind.ini", "kind.ini:3: experiment.kind: \"chrat\" given; did you mean 'chart'?"},
+        {"run other.ini", "other.ini:4: unknown key 'chart.minutes'"},
+        {"run other.ini --set chart.minutes= --nodes 64", "unknown key"},
+        {"run '" RUGOSA_SOURCE "/experiments/chart.ini' --resume --out file", "keeps no checkpoints"},
+        {"chart --minutes -1", "--minutes: -1 given"},
         {paper + " --set nodes", "--set"},
         {paper + " --set model.nodez=5", "did you mean"},
         {paper + " --set model.nodes=1", "model.nodes: 1 given"},

@@ -1,9 +1,7 @@
 #include "apps/experiments/chart/course.hpp"
-#include "apps/experiments/chart/growth.hpp"
-#include "apps/experiments/chart/left_out.hpp"
-#include "apps/experiments/chart/pace.hpp"
-#include "apps/experiments/chart/page.hpp"
+#include "apps/experiments/chart/tables.hpp"
 #include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -17,17 +15,18 @@ using rough::Solver;
 
 namespace {
 
-const ChartExtent small{{32, 64, 128}, {64}, {5}, {64}, {0.2}, {1e-3, 1e-6}, 2049, 10};
+const ChartExtent small{{32, 64, 128}, {64}, {5}, {1e-3, 1e-6}, 2049, 10};
 
 ChartSetting nested(Index nodes, int steps) { return {0, Solver::nested, nodes, steps}; }
 
 /// What a chart has of a scene, besides the scene.
-std::set<std::tuple<Solver, Index, int, double, double>> settings_of(const ChartData& data,
-                                                                     std::size_t scene) {
-    std::set<std::tuple<Solver, Index, int, double, double>> settings;
+std::set<ChartSetting> settings_of(const ChartData& data, std::size_t scene) {
+    std::set<ChartSetting> settings;
     for (const ChartRun& run : data.runs)
-        if (const ChartSetting& s = run.setting; s.scene == scene)
-            settings.insert({s.method, s.nodes, s.steps, s.tolerance, s.share});
+        if (ChartSetting setting = run.setting; setting.scene == scene) {
+            setting.scene = 0;
+            settings.insert(setting);
+        }
     return settings;
 }
 
@@ -78,58 +77,15 @@ TEST_CASE("no error is told of a grid that the reference does not resolve") {
     CHECK(run_chart(scene, truth, nested(1024, 5), 10)->error_pressure == ChartRun::unknown);
 }
 
-TEST_CASE("the growth of cost is found again: powers of an iterative method, terms of a direct one") {
-    std::vector<ChartRun> runs;
-    for (const Index nodes : {600, 2000, 5000})
-        for (const double fraction : {0.1, 0.3}) {
-            const double n = static_cast<double>(nodes), m = fraction * n;
-            ChartRun run;
-            run.contact_fraction = fraction;
-            run.setting = usual_setting(0, Solver::active_set, nodes);
-            run.seconds = 2e-9 * std::pow(n, 1.3) * std::pow(fraction, 0.2);
-            runs.push_back(run);
-            run.setting = usual_setting(0, Solver::nested, nodes);
-            run.seconds = 3e-8 * n * std::log2(2 * n) + 1e-11 * m * m * m;
-            runs.push_back(run);
-        }
-    const Growth active_set = fitted_growth(Solver::active_set, runs),
-                 direct = fitted_growth(Solver::nested, runs);
-    CHECK(active_set.coefficients[0] == Approx(2e-9));
-    CHECK(active_set.coefficients[1] == Approx(1.3));
-    CHECK(active_set.coefficients[2] == Approx(0.2));
-    CHECK(active_set.spread == Approx(1));
-    CHECK(direct.coefficients[0] == Approx(3e-8));
-    CHECK(direct.coefficients[1] == Approx(1e-11));
-    CHECK(direct.law == "30 ns N log<sub>2</sub> 2N + 0.01 ns m<sup>3</sup>");
-    CHECK(fitted_growth(Solver::nnls, runs).coefficients.size() == 0);
-}
-
-TEST_CASE("a chart is planned from coarse grids to fine, each setting over all scenes before the next") {
+TEST_CASE("a chart is planned from coarse grids to fine, and tries nothing twice") {
     for (const ChartExtent* extent : {&quick_extent(), &whole_extent()}) {
-        const auto plan = chart_plan(*extent, 5);
-        REQUIRE(plan.size() % 5 == 0);
-        for (std::size_t k = 1; k < plan.size(); ++k) {
+        const auto plan = chart_plan(*extent);
+        for (std::size_t k = 1; k < plan.size(); ++k)
             CHECK(plan[k].nodes >= plan[k - 1].nodes);
-            CHECK(plan[k].scene == k % 5);
-            CHECK(differ_by_scene(plan[k - 1], plan[k]) == (k % 5 != 0));
-        }
         for (const Solver method : {Solver::nested, Solver::nnls})
-            CHECK(std::count(plan.begin(), plan.end(), usual_setting(4, method, 512)) == 1);
-        for (std::size_t k = 0; k < plan.size(); ++k)
-            CHECK(std::count(plan.begin(), plan.end(), plan[k]) == 1);
+            CHECK(std::count(plan.begin(), plan.end(), usual_setting(0, method, 512)) == 1);
+        CHECK(std::set<ChartSetting>(plan.begin(), plan.end()).size() == plan.size());
     }
-}
-
-TEST_CASE("a finer grid is expected to take what the growth between the last two says") {
-    ChartPace pace;
-    pace.note(usual_setting(0, Solver::nnls, 100), 0.01);
-    pace.note(usual_setting(0, Solver::nnls, 200), 0.04);
-    CHECK(pace.expected(usual_setting(0, Solver::nnls, 800)) == Approx(0.64));
-    pace.note(usual_setting(0, Solver::nnls, 400), 4); // beyond what the methods can grow
-    CHECK(pace.expected(usual_setting(0, Solver::nnls, 800)) == Approx(32));
-    ChartSetting more = usual_setting(0, Solver::nnls, 400);
-    more.steps = 80;
-    CHECK(pace.expected(more) == Approx(16));
 }
 
 TEST_CASE("a chart without time left has the coarsest grid of every scene, and says what it left out") {
@@ -143,14 +99,14 @@ TEST_CASE("a chart without time left has the coarsest grid of every scene, and s
         CHECK(run.setting.nodes == 32);
     for (std::size_t scene = 1; scene < 5; ++scene)
         CHECK(settings_of(data, scene) == settings_of(data, 0));
-    CHECK(data.runs.size() + data.left_out.size() == chart_plan(small, 5).size());
+    CHECK(data.runs.size() + data.left_out.size() == 5 * chart_plan(small).size());
     for (const LeftOut& each : data.left_out) {
         CHECK(each.setting.nodes > 32);
         CHECK(each.why == LeftOutFor::time);
     }
     CHECK_THAT(left_out_in_a_line(data), Catch::Contains("nested from N = 64"));
     const std::string page = chart_page(data);
-    CHECK_THAT(page, Catch::Contains("N = 64 and 128 on every scene"));
+    CHECK_THAT(page, Catch::Contains("N = 64"));
     CHECK_THAT(page, Catch::Contains("the chart's time was over"));
     CHECK_THAT(page, Catch::Contains("<b>This chart ended early</b>, on grids of 64 nodes"));
     CHECK_THAT(words.back(), Catch::StartsWith(std::to_string(data.runs.size()) + " of "));
@@ -162,10 +118,10 @@ TEST_CASE("a chart with time tries its whole plan, with the same errors each tim
     const ChartData one = charted(scenes, small, bounds), other = charted(scenes, small, bounds);
     CHECK(one.left_out.empty());
     CHECK(left_out_in_a_line(one).empty());
-    REQUIRE(one.runs.size() == chart_plan(small, 1).size());
+    REQUIRE(one.runs.size() == chart_plan(small).size());
     REQUIRE(other.runs.size() == one.runs.size());
     for (std::size_t k = 0; k < one.runs.size(); ++k) {
-        CHECK(one.runs[k].setting == chart_plan(small, 1)[k]);
+        CHECK(one.runs[k].setting == chart_plan(small)[k]);
         CHECK(one.runs[k].error_pressure == other.runs[k].error_pressure);
         CHECK(one.runs[k].error_stiffness == other.runs[k].error_stiffness);
         CHECK(one.runs[k].iterations == other.runs[k].iterations);
@@ -179,7 +135,10 @@ TEST_CASE("a method that was too slow on a grid is not tried on finer ones, and 
     for (const ChartRun& run : data.runs) {
         CHECK(run.outcome == Outcome::not_converged);
         CHECK(run.late);
-        CHECK(run.setting.nodes == 32);
+        ChartSetting coarser = run.setting;
+        coarser.nodes = 32;
+        CHECK((run.setting == coarser || run.setting.steps == 5)); // the first grid with other steps
+        CHECK(run.setting.nodes <= 64);
     }
     CHECK_FALSE(data.left_out.empty());
     for (const LeftOut& each : data.left_out)
@@ -195,7 +154,7 @@ TEST_CASE("an interrupted chart keeps what there is") {
                                         solved = static_cast<int>(so_far.runs.size());
                                     }});
     CHECK(data.runs.size() == 12);
-    CHECK(data.runs.size() + data.left_out.size() == chart_plan(small, 5).size());
+    CHECK(data.runs.size() + data.left_out.size() == 5 * chart_plan(small).size());
     for (const LeftOut& each : data.left_out)
         CHECK(each.why == LeftOutFor::interrupt);
     CHECK_THAT(left_out_in_a_line(data), Catch::Contains("(interrupted)"));
@@ -210,7 +169,7 @@ TEST_CASE("the chart's page says which method to take, and its table has a row a
     for (const Index nodes : {64, 512})
         for (const auto method : {Solver::nested, Solver::nnls})
             data.runs.push_back(*run_chart(scene, truth, usual_setting(0, method, nodes), 10));
-    const std::string table = chart_csv(data);
+    const std::string table = chart_table(data).text();
     CHECK(
         table.rfind(
             "scene,kernel,method,nodes,steps,tolerance,seconds,error_pressure,error_stiffness,error_contact,"
@@ -219,7 +178,7 @@ TEST_CASE("the chart's page says which method to take, and its table has a row a
     CHECK(std::count(table.begin(), table.end(), '\n') == 5);
     const std::string page = chart_page(data);
     CHECK_THAT(page, Catch::Contains("<b>If in doubt take auto</b>"));
-    CHECK_THAT(page, Catch::Contains("times as long as nested at N = 512."));
+    CHECK_THAT(page, Catch::Contains("Fastest method for a curve of 20 steps"));
     CHECK_THAT(page, !Catch::Contains("ended early"));
     CHECK_THAT(page, Catch::Contains("<svg"));
 }
@@ -230,7 +189,7 @@ TEST_CASE("rugosa chart ends in time, complete over its scenes, and says in one 
     CHECK(ended.code == 0);
     CHECK(ended.err.empty());
     CHECK_THAT(ended.out, Catch::Contains("left out: "));
-    CHECK(std::count(ended.out.begin(), ended.out.end(), '\n') == 2);
+    CHECK(std::count(ended.out.begin(), ended.out.end(), '\n') == 1);
     std::istringstream table(rough::read_whole(folder / "r" / "chart.csv"));
     std::map<std::string, int> rows;
     std::string line;
@@ -241,7 +200,8 @@ TEST_CASE("rugosa chart ends in time, complete over its scenes, and says in one 
     for (const auto& [scene, count] : rows)
         CHECK(count == 7); // auto, nested, NNLS and two tolerances of the iterative methods
     CHECK(std::filesystem::exists(folder / "r" / "chart.html"));
-    CHECK(std::filesystem::exists(folder / "r" / "growth.csv"));
+    CHECK(app::testing::result_in(folder / "r")["runs"].size() == 35);
+    CHECK(std::filesystem::exists(folder / "r" / "hertz-time.svg"));
 }
 
 TEST_CASE("rugosa chart refuses a folder that holds a chart") {

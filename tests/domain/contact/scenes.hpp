@@ -1,13 +1,12 @@
 #pragma once
 
 #include "domain/contact/solve.hpp"
+#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/sobol.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <fstream>
-#include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -23,28 +22,10 @@ struct Reference {
     std::vector<int> contact_nodes;
 };
 
-/// Heights by Eq. 1-3 as printed, ridge by ridge.
+/// Heights of a genome as the data files have it.
 inline rough::Profile profile_of(const nlohmann::json& genome, rough::Index nodes, double length,
                                  bool periodic) {
-    rough::Profile profile{Eigen::VectorXd::Zero(nodes),
-                           length / static_cast<double>(periodic ? nodes : nodes - 1)};
-    for (const auto& series : genome["series"])
-        for (const auto& chromosome : series["chromosomes"]) {
-            const double n = chromosome["n"], gamma = series["gamma"], H = series["H"];
-            const double base = 2 * std::numbers::pi / series["lambda"].get<double>();
-            const auto phases = chromosome["phases"].get<std::vector<double>>();
-            const double amplitude = series["A"].get<double>() *
-                                     std::sqrt(std::log10(gamma) / static_cast<double>(phases.size())) *
-                                     std::pow(base, -H) * std::pow(gamma, -(n - 1) * H);
-            const double wave_number = base * std::pow(gamma, n - 1);
-            for (const double phase : phases)
-                for (rough::Index i = 0; i < nodes; ++i)
-                    profile.heights[i] +=
-                        amplitude *
-                        (std::cos(phase) -
-                         std::cos(wave_number * static_cast<double>(i) * profile.spacing + phase));
-        }
-    return profile;
+    return sample(rough::genome_from_json(genome, "scene"), {nodes, length, periodic});
 }
 
 inline std::vector<Reference> reference_curves() {
@@ -72,36 +53,13 @@ inline std::vector<Reference> reference_curves() {
     return scenes;
 }
 
-/// The 100 one-series genomes of tests/data/database.csv: lambda = L = 0.84942 mm, A = 1, M = 1, waves down
-/// to L/511 whatever the number of nodes.
+/// The paper's database of 100 one-series genomes: lambda = L = 0.84942 mm, A = 1, M = 1, waves down to L/511
+/// whatever the number of nodes.
 inline std::vector<rough::Profile> database(rough::Index nodes) {
-    std::ifstream file(std::string(RUGOSA_TEST_DATA) + "/database.csv");
-    std::vector<std::vector<double>> pairs, phases;
-    std::string line;
-    std::getline(file, line); // the header
-    while (std::getline(file, line)) {
-        std::istringstream cells(line);
-        std::string kind, cell;
-        std::getline(cells, kind, ',');
-        std::getline(cells, cell, ',');
-        std::vector<double> values;
-        while (std::getline(cells, cell, ',') && !cell.empty())
-            values.push_back(std::stod(cell));
-        if (kind == "pair_H_gamma")
-            pairs.push_back(values);
-        else
-            phases.push_back(values);
-    }
-    const double length = 0.84942;
     std::vector<rough::Profile> profiles;
-    for (const auto& pair : pairs)
-        for (std::size_t column = 0; column < 5; ++column) {
-            nlohmann::json series{{"A", 1}, {"H", pair[0]}, {"gamma", pair[1]}, {"lambda", length}};
-            for (std::size_t n = 1;
-                 n <= phases.size() && std::pow(pair[1], 1.0 - double(n)) >= (1 - 1e-12) / 511; ++n)
-                series["chromosomes"].push_back({{"n", n}, {"phases", {phases[n - 1][column]}}});
-            profiles.push_back(profile_of({{"series", {series}}}, nodes, length, false));
-        }
+    const double length = rough::DatabaseLayout().lambda;
+    for (const rough::Genome& genome : rough::sobol_database({.shortest = length / 511}))
+        profiles.push_back(sample(genome, {nodes, length}));
     return profiles;
 }
 
