@@ -2,13 +2,20 @@
 #include "apps/prompt/settings.hpp"
 #include "apps/prompt/voice.hpp"
 #include "domain/errors.hpp"
-#include "domain/text/lines.hpp"
 #include "ga/errors.hpp"
 #include "ga/text/nearest.hpp"
 
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
+#include <stdexcept>
+#include <system_error>
 
 namespace {
 
@@ -56,34 +63,69 @@ int dispatch(app::Words words) {
 
 /// One line whatever is in it: what was read from a file may hold anything.
 void complain(const std::string& message) {
-    std::string line;
-    for (const std::string& part : rough::text_lines(message, ""))
-        line += (line.empty() ? "" : " ") + part;
+    std::string line = message;
     for (char& c : line)
-        if ((c >= 0 && c < ' ') || c == '\x7f')
+        if (c == '\n' || c == '\r' || c == '\t')
+            c = ' ';
+        else if ((c >= 0 && c < ' ') || c == '\x7f')
             c = '?';
     std::cerr << app::error_mark() << line << "\n";
+}
+
+/// The message and the exit code of the exception that is handled now.
+int told() {
+    try {
+        throw;
+    } catch (const rough::NotConverged& error) {
+        complain(error.what());
+        return 3;
+    } catch (const rough::InputError& error) {
+        complain(error.what());
+    } catch (const ga::UsageError& error) {
+        complain(error.what());
+    } catch (const std::bad_alloc&) {
+        complain("out of memory, expected fewer nodes, a smaller population or --solver active-set");
+    } catch (const std::length_error&) {
+        complain("out of memory: more was asked for than any machine holds, expected less");
+    } catch (const std::filesystem::filesystem_error& error) {
+        complain(error.path1().string() + ": " + error.code().message() +
+                 ", expected a file or folder that can be used");
+    } catch (const std::system_error& error) { // no thread to be had
+        complain(std::string("the system refused: ") + error.what());
+    } catch (const std::exception& error) {
+        complain(std::string("internal error: ") + error.what());
+        return 1;
+    }
+    return 2;
+}
+
+/// An exception that no caller can catch, thrown on one of many threads: the same message and exit code.
+[[noreturn]] void end_at_once() {
+    int code = 1;
+    if (std::current_exception())
+        code = told();
+    std::_Exit(code);
+}
+
+/// What was said must have arrived: a full disk behind standard output is no success.
+int flushed(int code) {
+    std::cout.flush();
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout)
+        return code;
+    complain(std::string("standard output: cannot be written") +
+             (errno ? std::string(" (") + std::strerror(errno) + ")" : "") +
+             ", expected room for what is said");
+    return code == 0 ? 2 : code;
 }
 
 } // namespace
 
 int main(int count, char** values) {
+    std::set_terminate(end_at_once);
+    std::signal(SIGPIPE, SIG_IGN); // a reader that goes ends no work
     try {
-        return dispatch({values + 1, values + count});
-    } catch (const rough::InputError& error) {
-        complain(error.what());
-        return 2;
-    } catch (const ga::UsageError& error) {
-        complain(error.what());
-        return 2;
-    } catch (const rough::NotConverged& error) {
-        complain(error.what());
-        return 3;
-    } catch (const std::bad_alloc&) {
-        complain("not enough memory for this grid, expected fewer nodes or --solver active-set");
-        return 2;
-    } catch (const std::exception& error) {
-        complain(std::string("internal error: ") + error.what());
-        return 1;
+        return flushed(dispatch({values + 1, values + count}));
+    } catch (...) {
+        return told();
     }
 }

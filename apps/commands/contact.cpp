@@ -95,19 +95,18 @@ int contact(const Words& words) {
     if (!settings.has("out"))
         throw rough::InputError("contact: --out is missing, expected the curve file to write");
     expect_common(settings);
-    expect_writable(settings.text("out"), settings);
+    const std::filesystem::path out = expect_writable(settings.text("out"), settings);
 
     // A device or a pipe has nothing beside it.
-    const bool has_account = !std::filesystem::exists(settings.text("out")) ||
-                             std::filesystem::is_regular_file(settings.text("out"));
-    const std::filesystem::path account = account_beside(settings.text("out"));
+    const bool has_account = !std::filesystem::exists(out) || std::filesystem::is_regular_file(out);
+    std::filesystem::path account = account_beside(settings.text("out"));
     if (has_account)
-        expect_writable(account, settings);
+        account = expect_writable(account, settings);
 
     const rough::AccountedResponse result =
         settings.has("genome") ? computed_response(settings) : measured_response(settings);
     const rough::Response& response = result.response;
-    rough::write_atomically(settings.text("out"), csv(response));
+    rough::write_atomically(out, csv(response));
     if (has_account)
         write_json(account, account_json(result.account));
     for (const auto& note : without_effect(settings))

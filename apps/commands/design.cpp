@@ -143,7 +143,7 @@ int design(const Words& words) {
         run.seconds = schedule.spent();
         write_design_result(run, folder);
         if (pictures && schedule.has_time_for_page())
-            rough::write_atomically(folder / "report.html", design_page(run));
+            rough::write_atomically(folder / "report.html", design_page(run, schedule.for_drawing()));
         else if (pictures)
             say("note: no time was left for report.html; expected more --seconds for it");
     }

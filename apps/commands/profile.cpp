@@ -26,6 +26,7 @@ namespace {
 
 constexpr const char* numbers_file = "profile.json";
 constexpr rough::Index fewest_nodes = 10; ///< that roughness can be told of
+constexpr rough::Index most_solid_nodes = 1'000'000;
 
 std::vector<Setting> profile_settings() {
     const std::vector<Setting> settings{
@@ -126,7 +127,7 @@ std::pair<Eigen::VectorXd, Eigen::VectorXd> columns(const std::vector<rough::Spe
     return {k, power};
 }
 
-std::string profile_picture(const rough::Profile& profile) {
+Plot profile_plot(const rough::Profile& profile) {
     const Eigen::VectorXd heights = profile.heights.array() - profile.heights.mean();
     const Unit across = length_unit(profile.spacing * static_cast<double>(profile.nodes() - 1));
     const Unit up = length_unit(heights.cwiseAbs().maxCoeff());
@@ -137,17 +138,17 @@ std::string profile_picture(const rough::Profile& profile) {
     plot.series.push_back({"", across.factor * positions(profile), up.factor * heights});
     plot.series.back().width = 1.2;
     plot.height = 220;
-    return svg_file(plot);
+    return plot;
 }
 
-std::string spectrum_picture(const rough::Spectrum& spectrum) {
+Plot spectrum_plot(const rough::Spectrum& spectrum) {
     Plot plot;
     plot.alt = "Power spectral density of the profile against wave number";
     plot.x = {"Wave number q (rad/mm)", true};
     plot.y = {"Power spectral density C (mm³)", true};
     plot.series.push_back({"", spectrum.wave_number, spectrum.density});
     plot.series.back().width = 1.2;
-    return svg_file(plot);
+    return plot;
 }
 
 void tell_roughness(const rough::Roughness& r) {
@@ -191,7 +192,8 @@ int profile(const Words& words) {
     const Shape shape = settings.has("genome") ? shape_of_genome(settings) : shape_of_scan(settings);
     const rough::Roughness roughness = rough::roughness(shape.profile);
     const rough::Spectrum spectrum = continuous_spectrum(shape.profile);
-    const std::string solid = binary_stl(shape.profile, extrusion);
+    const bool has_solid = shape.profile.nodes() <= most_solid_nodes;
+    const std::string solid = has_solid ? binary_stl(shape.profile, extrusion) : "";
 
     const std::filesystem::path source = settings.text(settings.has("genome") ? "genome" : "profile");
     const OutputFolder out(settings.text("out"), source.stem().string(),
@@ -203,7 +205,10 @@ int profile(const Words& words) {
         rough::write_atomically(out.path() / name, content);
     };
     write("heights.csv", csv({"x_mm", "height_mm"}, {positions(shape.profile), shape.profile.heights}));
-    write("profile.stl", solid);
+    if (has_solid)
+        write("profile.stl", solid);
+    else
+        say("note: profile.stl is left out, as a solid of more than 1e6 nodes is of no use to any printer");
     write("spectrum.csv",
           csv({"wave_number_rad_per_mm", "density_mm3"}, {spectrum.wave_number, spectrum.density}));
     if (!shape.lines.empty()) {
@@ -211,8 +216,8 @@ int profile(const Words& words) {
         write("lines.csv", csv({"wave_number_rad_per_mm", "power_mm2"}, {k, power}));
     }
     if (pictures) {
-        write("profile.svg", profile_picture(shape.profile));
-        write("spectrum.svg", spectrum_picture(spectrum));
+        write_picture(out.path() / "profile.svg", profile_plot(shape.profile));
+        write_picture(out.path() / "spectrum.svg", spectrum_plot(spectrum));
     }
     write_json(out.path() / numbers_file, numbers_of(shape, roughness));
     say(shape.account);

@@ -123,7 +123,7 @@ int target(const Words& words) {
     }
     if (!settings.has("out"))
         throw rough::InputError("target: --out is missing, expected the target file to write");
-    expect_writable(settings.text("out"), settings);
+    const std::filesystem::path out = expect_writable(settings.text("out"), settings);
     Made made = made_target(settings);
     if (settings.has("band")) {
         const double part = settings.number("band", 0, 1);
@@ -132,7 +132,7 @@ int target(const Words& words) {
     }
     made.goal.recorded = recorded_model(made.model);
     validate(made.goal);
-    rough::write_atomically(settings.text("out"), to_csv(made.goal));
+    rough::write_atomically(out, to_csv(made.goal));
     for (const auto& note : without_effect(settings))
         say(note);
     return report(made.goal, made.model);

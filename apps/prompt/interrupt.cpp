@@ -1,32 +1,39 @@
 #include "apps/prompt/interrupt.hpp"
 
+#include <array>
 #include <csignal>
 
 namespace app {
 
 namespace {
 
-std::atomic<bool> stop_asked = false; // lock-free, so a signal handler may set it
+std::atomic<bool> asked_to_stop = false; // lock-free, so a signal handler may set it
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 void ask(int signal) {
-    stop_asked = true;
+    asked_to_stop = true;
     std::signal(signal, SIG_DFL);
 }
+
+constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
 
 } // namespace
 
 Interrupt::Interrupt() {
-    stop_asked = false;
-    std::signal(SIGINT, ask);
-    std::signal(SIGTERM, ask);
+    asked_to_stop = false;
+    for (const int signal : signals)
+        if (std::signal(signal, ask) == SIG_IGN)
+            std::signal(signal, SIG_IGN);
 }
 
 Interrupt::~Interrupt() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (const int signal : signals)
+        if (std::signal(signal, SIG_DFL) == SIG_IGN)
+            std::signal(signal, SIG_IGN);
 }
 
-const std::atomic<bool>& Interrupt::flag() const { return stop_asked; }
+const std::atomic<bool>& Interrupt::flag() const { return asked_to_stop; }
+
+bool stop_asked() { return asked_to_stop; }
 
 } // namespace app

@@ -1,5 +1,7 @@
 #include "apps/prompt/settings.hpp"
 
+#include "domain/text/atomic_file.hpp"
+#include "domain/text/lines.hpp"
 #include "domain/text/words.hpp"
 #include "ga/text/nearest.hpp"
 #include "ga/text/number.hpp"
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <set>
@@ -22,6 +23,7 @@ using rough::InputError;
 namespace {
 
 constexpr const char* too_many = "words too many";
+constexpr std::size_t most_ini_bytes = 1'000'000;
 
 std::vector<std::string> names_of(const std::vector<Setting>& known, const std::string& mark = "") {
     std::vector<std::string> names;
@@ -64,14 +66,12 @@ struct Ini {
 
 /// Read by Boost line by line, each below its section's, so that a message can name it.
 Ini parsed_ini(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    if (!in || std::filesystem::is_directory(file))
-        throw InputError(file.string() + ": cannot be read, expected an experiment (.ini)");
     Ini ini;
-    std::string line, section;
-    for (int number = 1; std::getline(in, line); ++number) {
-        if (number == 1 && line.starts_with("\xEF\xBB\xBF"))
-            line.erase(0, 3);
+    std::string section;
+    int number = 0;
+    for (const std::string& line :
+         rough::text_lines(rough::read_whole(file, most_ini_bytes), file.string())) {
+        ++number;
         const std::string_view text = rough::trim(line);
         const std::string place = file.string() + ":" + std::to_string(number) + ": ";
         std::istringstream one(section + "\n" + line);

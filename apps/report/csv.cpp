@@ -2,15 +2,38 @@
 
 #include "domain/text/words.hpp"
 
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
 namespace app {
+
+namespace {
+
+/// Whether a spreadsheet would run a cell: text that begins like a formula and is no number.
+bool runs(const std::string& word) {
+    double value = 0;
+    const char* const end = word.data() + word.size();
+    const auto parsed = std::from_chars(word.data() + word.starts_with('+'), end, value);
+    return !word.empty() && std::string_view("=+-@\t\r").find(word.front()) != std::string_view::npos &&
+           !(parsed.ec == std::errc() && parsed.ptr == end);
+}
+
+void put_number(std::ostream& out, double number) {
+    if (!std::isnan(number))
+        out << number;
+}
+
+} // namespace
 
 Csv::Csv(const std::string& header, int digits) : names_(rough::listed(header)) {
     text_.precision(digits);
     text_ << header << "\n";
 }
 
-void Csv::put(const std::string& word) {
-    if (word.find_first_of(",\"\n") == std::string::npos) {
+void Csv::put(const std::string& given) {
+    const std::string word = (runs(given) ? "'" : "") + given;
+    if (word == given && word.find_first_of(",\"\r\n") == std::string::npos) {
         text_ << word;
         return;
     }
@@ -20,6 +43,8 @@ void Csv::put(const std::string& word) {
     text_ << '"';
 }
 
+void Csv::put(double number) { put_number(text_, number); }
+
 std::string csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns) {
     std::ostringstream out;
     out.precision(17);
@@ -28,7 +53,7 @@ std::string csv(const std::vector<std::string>& header, const std::vector<Eigen:
     out << "\n";
     for (Eigen::Index row = 0; row < columns.front().size(); ++row) {
         for (std::size_t c = 0; c < columns.size(); ++c)
-            out << (c ? "," : "") << columns[c][row];
+            put_number(out << (c ? "," : ""), columns[c][row]);
         out << "\n";
     }
     return out.str();

@@ -12,8 +12,9 @@
 
 namespace app {
 
-/// A table row by row, as CSV, header first, and as JSON. Words are quoted where they need to be; a number
-/// that is not there leaves its cell empty.
+/// A table row by row, as CSV, header first, and as JSON. Words are quoted where they need to be, and one
+/// that a spreadsheet would run begins with an apostrophe; a number that is not there, or not known (NaN),
+/// leaves its cell empty.
 class Csv {
   public:
     /// `digits`: significant digits of its numbers, 17 for all there are; what was measured has no more
@@ -40,10 +41,11 @@ class Csv {
     void put(const std::string& word);
     void put(const std::optional<double>& number) {
         if (number)
-            text_ << *number;
+            put(*number);
     }
+    void put(double number);
     template <class Number>
-    requires std::is_arithmetic_v<Number>
+    requires std::is_integral_v<Number>
     void put(Number number) { text_ << number; }
 
     static nlohmann::json in_json(const std::optional<double>& number) {
@@ -59,7 +61,7 @@ class Csv {
     nlohmann::json rows_ = nlohmann::json::array();
 };
 
-/// Columns of equal length as CSV, 17 significant digits.
+/// Columns of equal length as CSV, 17 significant digits; NaN is an empty cell.
 std::string csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns);
 
 /// A response as `rugosa contact` writes it, a row a load step.

@@ -8,6 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <set>
+#include <sys/file.h>
+#include <unistd.h>
 
 namespace app {
 
@@ -15,13 +20,6 @@ namespace fs = std::filesystem;
 using rough::InputError;
 
 namespace {
-
-fs::path first_free(const fs::path& wanted) {
-    fs::path path = wanted;
-    for (int number = 2; fs::exists(path); ++number)
-        path = wanted.string() + "-" + std::to_string(number);
-    return path;
-}
 
 bool is_among(const fs::path& file, const std::vector<fs::path>& files) {
     std::error_code error;
@@ -38,7 +36,7 @@ std::vector<fs::path> present(const fs::path& folder, const std::vector<std::str
             for (const auto& entry : fs::directory_iterator(folder, error))
                 if (entry.path().extension() == name.substr(1))
                     all.push_back(entry.path());
-        } else if (fs::exists(folder / name, error)) {
+        } else if (fs::exists(fs::symlink_status(folder / name, error))) { // a link to nothing too
             all.push_back(folder / name);
         }
     return all;
@@ -47,40 +45,99 @@ std::vector<fs::path> present(const fs::path& folder, const std::vector<std::str
 } // namespace
 
 OutputFolder::OutputFolder(const std::string& given, const std::string& name, const Writing& writing)
-    : path_(given.empty() ? first_free(fs::path("out") / name) : fs::path(given)) {
+    : OutputFolder() {
+    make(given, name);
+    lock();
+    expect_free(writing);
     std::error_code error;
+    for (const fs::path& file : present(path_, writing.names))
+        if (fs::is_symlink(file, error))
+            fs::remove(file, error);
+}
+
+void OutputFolder::expect_free(const Writing& writing) const {
+    std::error_code error;
+    const std::string begins = "--out: " + path_.string();
     for (const fs::path& file : present(path_, writing.names)) {
         if (is_among(file, writing.inputs))
             throw InputError("--out: " + file.string() +
                              " would be written over, and is read here; expected another folder");
+        if (fs::is_symlink(file, error) && !writing.force)
+            throw InputError("--out: " + file.string() +
+                             " is a link, expected another folder, or --force to take it away");
         if (writing.force || writing.resume)
             continue;
         if (file.stem() == "checkpoint" || file.stem() == "checkpoints")
-            throw InputError("--out: " + given +
+            throw InputError(begins +
                              " holds a run to go on with, expected --resume, another folder or --force");
-        throw InputError("--out: " + given + " holds " + file.filename().string() +
+        throw InputError(begins + " holds " + file.filename().string() +
                          " already, expected another folder or --force");
     }
-    for (fs::path missing = path_; !missing.empty() && !fs::exists(missing, error);
-         missing = missing.parent_path())
-        made_.push_back(missing);
-    fs::create_directories(path_, error);
-    if (error || !fs::is_directory(path_))
+}
+
+void OutputFolder::make(const std::string& given, const std::string& name) {
+    std::error_code error;
+    const auto make_all = [&](const fs::path& folder) {
+        for (fs::path missing = folder; !missing.empty() && !fs::exists(missing, error);
+             missing = missing.parent_path())
+            made_.push_back(missing);
+        fs::create_directories(folder, error);
+    };
+    if (!given.empty()) {
+        path_ = given;
+        make_all(path_);
+    } else {
+        if (name.empty() || name == "." || name == "..")
+            throw InputError("--out: not given, and '" + name + "' names no folder; expected one");
+        make_all("out");
+        // Who makes a folder has it: two runs that begin at once take two.
+        path_ = fs::path("out") / name;
+        for (int number = 2; !fs::create_directory(path_, error) && !error; ++number)
+            path_ = "out/" + name + "-" + std::to_string(number);
+        if (!error)
+            made_.insert(made_.begin(), path_);
+    }
+    if (error || !fs::is_directory(path_, error))
         throw InputError("--out: " + path_.string() +
                          " cannot be made, expected a folder that can be written");
-    const fs::path probe = path_ / ".writable";
-    try {
-        rough::write_atomically(probe, "");
-    } catch (const InputError&) {
+    if (access(path_.c_str(), W_OK | X_OK) != 0)
         throw InputError("--out: " + path_.string() + " cannot be written, expected a folder that can be");
-    }
-    fs::remove(probe, error);
+}
+
+/// The kernel's lock on the folder itself: nothing is written, and it ends with the process whatever ends it.
+void OutputFolder::lock() {
+    locked_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (locked_ >= 0 && flock(locked_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        throw InputError("--out: " + path_.string() +
+                         " is in use by another run, expected another folder, or to wait for its end");
 }
 
 OutputFolder::~OutputFolder() {
+    if (locked_ >= 0)
+        close(locked_);
     std::error_code not_empty;
     for (const fs::path& folder : made_)
         fs::remove(folder, not_empty);
+}
+
+fs::path subfolder(const fs::path& folder, const std::string& name) {
+    const fs::path path = folder / name;
+    std::error_code error;
+    if (!fs::is_symlink(path, error))
+        fs::create_directory(path, error);
+    if (fs::is_symlink(path, error) || !fs::is_directory(path, error))
+        throw InputError(path.string() + ": is no folder of its own, expected one or nothing there");
+    return path;
+}
+
+void expect_distinct(const std::vector<std::string>& names, const std::vector<std::string>& written,
+                     const std::string& where) {
+    std::set<std::string> seen(written.begin(), written.end());
+    seen.insert({"", ".", ".."});
+    for (const std::string& name : names)
+        if (!seen.insert(name).second)
+            throw InputError(where + ": '" + name +
+                             "' given as a name, expected each once and none that the run itself takes");
 }
 
 bool says_finished(const fs::path& folder, const std::string& checkpoint) {
@@ -90,11 +147,19 @@ bool says_finished(const fs::path& folder, const std::string& checkpoint) {
     return true;
 }
 
+void write_picture(const fs::path& file, const Plot& plot) {
+    const Drawing drawing = draw({plot});
+    if (drawing.missing.empty())
+        rough::write_atomically(file, svg_file(drawing.pictures.front()));
+    else
+        say("note: " + file.filename().string() + " is left out: " + drawing.missing);
+}
+
 void write_json(const fs::path& file, const nlohmann::json& content) {
     rough::write_atomically(file, rough::json_text(content) + "\n");
 }
 
-void expect_writable(const fs::path& file, const Settings& settings) {
+fs::path expect_writable(const fs::path& file, const Settings& settings) {
     std::error_code error;
     if (fs::is_directory(file, error))
         throw InputError("--out: " + file.string() + " is a folder, expected a file");
@@ -106,6 +171,7 @@ void expect_writable(const fs::path& file, const Settings& settings) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, error))
         throw InputError("--out: there is no folder " + folder.string() + ", expected one that exists");
+    return fs::exists(file, error) && !fs::is_regular_file(file, error) ? file : rough::without_links(file);
 }
 
 } // namespace app

@@ -11,17 +11,19 @@ namespace {
 
 const std::string next_figure = "\x01";
 
-std::string with_panels(const Figure& figure, const std::vector<std::string>& pictures, std::size_t first) {
+std::string with_panels(const Figure& figure, const Drawing& drawing, std::size_t first) {
     const std::size_t count = figure.panels.size();
     const std::size_t columns = count % 3 == 0 ? 3 : std::min<std::size_t>(count, 2);
     std::string html =
         "<figure id=\"" + figure.id + "\"><div class=\"panels of-" + std::to_string(columns) + "\">\n";
     for (std::size_t i = 0; i < count; ++i) {
         const std::string& title = figure.panels[i].title;
-        html += "<div>" + (title.empty() ? "" : "<p>" + escaped(title) + "</p>") + pictures[first + i] +
+        const std::string& picture = drawing.pictures[first + i];
+        html += "<div>" + (title.empty() ? "" : "<p>" + escaped(title) + "</p>") +
+                (picture.empty() ? "<p>No picture: " + escaped(drawing.missing) + ".</p>" : picture) +
                 "</div>\n";
     }
-    return html + "</div><figcaption><b>" + figure.title + "</b> " + figure.caption +
+    return html + "</div><figcaption><b>" + escaped(figure.title) + "</b> " + figure.caption.markup() +
            "</figcaption></figure>\n";
 }
 
@@ -33,7 +35,7 @@ void Page::section(const std::string& heading) {
     blocks_.push_back("<h2 id=\"" + id + "\">" + escaped(heading) + "</h2>\n");
 }
 
-void Page::prose(const std::string& html) { blocks_.push_back("<p>" + html + "</p>\n"); }
+void Page::prose(const Html& text) { blocks_.push_back("<p>" + text.markup() + "</p>\n"); }
 
 void Page::code(const std::string& text) {
     blocks_.push_back("<pre><code>" + escaped(text) + "</code></pre>\n");
@@ -45,12 +47,13 @@ void Page::figure(Figure figure) {
 }
 
 void Page::table(const Table& table) {
-    const auto cell = [&](const std::string& tag, std::size_t column, const std::string& content) {
+    const auto cell = [&](const std::string& tag, std::size_t column, const Html& content) {
         const bool numeric = column < table.numeric.size() && table.numeric[column];
-        return "<" + tag + (tag == "th" ? " scope=\"col\"" : " data-label=\"" + table.header[column] + "\"") +
-               (numeric ? " class=\"number\">" : ">") + content + "</" + tag + ">";
+        return "<" + tag +
+               (tag == "th" ? " scope=\"col\"" : " data-label=\"" + escaped(table.header[column]) + "\"") +
+               (numeric ? " class=\"number\">" : ">") + content.markup() + "</" + tag + ">";
     };
-    const auto row = [&](const std::string& tag, const std::vector<std::string>& cells) {
+    const auto row = [&](const std::string& tag, const std::vector<Html>& cells) {
         if (cells.size() != table.header.size())
             throw std::logic_error("table '" + table.title + "': a row of " + std::to_string(cells.size()) +
                                    " cells under a header of " + std::to_string(table.header.size()));
@@ -60,8 +63,9 @@ void Page::table(const Table& table) {
         return html + "</tr>\n";
     };
     std::string html = "<div class=\"table" + std::string(table.stacks ? " stacks" : "") + "\"><table>" +
-                       (table.title.empty() ? "" : "<caption>" + table.title + "</caption>") + "<thead>" +
-                       row("th", table.header) + "</thead><tbody>\n";
+                       (table.title.empty() ? "" : "<caption>" + escaped(table.title) + "</caption>") +
+                       "<thead>" + row("th", {table.header.begin(), table.header.end()}) +
+                       "</thead><tbody>\n";
     for (const auto& cells : table.rows)
         html += row("td", cells);
     blocks_.push_back(html + "</tbody></table></div>\n");
@@ -70,15 +74,15 @@ void Page::table(const Table& table) {
 void Page::tiles(const std::vector<std::pair<std::string, std::string>>& tiles) {
     std::string html = "<dl class=\"tiles\">";
     for (const auto& [what, value] : tiles)
-        html += "<div><dt>" + what + "</dt><dd>" + value + "</dd></div>";
+        html += "<div><dt>" + escaped(what) + "</dt><dd>" + escaped(value) + "</dd></div>";
     blocks_.push_back(html + "</dl>\n");
 }
 
-std::string Page::html() const {
+std::string Page::html(double seconds) const {
     std::vector<Plot> plots;
     for (const Figure& figure : figures_)
         plots.insert(plots.end(), figure.panels.begin(), figure.panels.end());
-    const std::vector<std::string> pictures = plots.empty() ? std::vector<std::string>{} : svg(plots);
+    const Drawing drawing = draw(plots, "plot", seconds);
 
     std::string contents;
     for (const auto& [id, heading] : sections_)
@@ -87,7 +91,7 @@ std::string Page::html() const {
     std::size_t figure = 0, picture = 0;
     for (const std::string& block : blocks_)
         if (block == next_figure) {
-            body += with_panels(figures_[figure], pictures, picture);
+            body += with_panels(figures_[figure], drawing, picture);
             picture += figures_[figure++].panels.size();
         } else {
             body += block;
@@ -97,8 +101,9 @@ std::string Page::html() const {
            "<meta name=\"color-scheme\" content=\"light dark\">\n"
            "<link rel=\"icon\" href=\"data:,\">\n<title>" +
            escaped(title_) + "</title>\n<style>" + page_style + plot_style() +
-           "</style>\n</head>\n<body>\n<header><h1>" + escaped(title_) + "</h1>\n<p class=\"lead\">" + lead_ +
-           "</p>\n" + (contents.empty() ? "" : "<nav aria-label=\"Contents\">" + contents + "</nav>") +
+           "</style>\n</head>\n<body>\n<header><h1>" + escaped(title_) + "</h1>\n<p class=\"lead\">" +
+           lead_.markup() + "</p>\n" +
+           (contents.empty() ? "" : "<nav aria-label=\"Contents\">" + contents + "</nav>") +
            "</header>\n<main>\n" + body + "</main>\n</body>\n</html>\n";
 }
 

@@ -1,57 +1,24 @@
 #include "apps/report/plot.hpp"
 
+#include "apps/report/gnuplot.hpp"
 #include "apps/report/plot_svg.hpp"
 #include "domain/errors.hpp"
+#include "ga/stopwatch.hpp"
 
+#include <boost/property_tree/exceptions.hpp>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace app {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A folder of its own that goes when it is left.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "rugosa-XXXXXX").string();
-        if (!mkdtemp(name.data()))
-            throw rough::InputError(fs::temp_directory_path().string() +
-                                    ": cannot make a folder for pictures, "
-                                    "expected one that can be written");
-        path_ = name;
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    fs::path operator/(const std::string& name) const { return path_ / name; }
-
-  private:
-    fs::path path_;
-};
-
-std::string content(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::string quoted(const std::string& text) {
-    std::string result = "'";
-    for (char c : text)
-        result += c == '\'' ? std::string("''") : std::string(1, c == '\n' ? ' ' : c);
-    return result + "'";
-}
-
 void write_axis(std::ostream& out, const char* which, const Axis& axis) {
-    out << "set " << which << "label " << quoted(axis.label) << " noenhanced"
+    out << "set " << which << "label " << gnuplot_text(axis.label) << " noenhanced"
         << (which[0] == 'x' ? " offset 0,0.3" : "") << "\n";
     out << (axis.logarithmic ? "set" : "unset") << " logscale " << which << "\n";
     out << "set format " << which << " " << (axis.logarithmic ? "'10^{%T}'" : "'%g'") << "\n";
@@ -61,12 +28,12 @@ void write_axis(std::ostream& out, const char* which, const Axis& axis) {
     out << "set " << which << "range [";
     end(axis.from) << ":";
     end(axis.to) << "]\n";
-    out << "set " << which << "tics autofreq";
+    out << "set " << which << "tics autofreq enhanced";
     if (!axis.ticks.empty()) {
         out << "\nset " << which << "tics (";
         for (std::size_t i = 0; i < axis.ticks.size(); ++i)
-            out << (i ? ", " : "") << quoted(axis.ticks[i].second) << " " << axis.ticks[i].first;
-        out << ")";
+            out << (i ? ", " : "") << gnuplot_text(axis.ticks[i].second) << " " << axis.ticks[i].first;
+        out << ") noenhanced";
     }
     out << "\n";
 }
@@ -104,6 +71,41 @@ bool is_drawable(const Series& series) {
     return ((series.x.array().isFinite() && series.y.array().isFinite())).any();
 }
 
+/// Of a line through more points than a picture can show, those that can be seen: the lowest and the highest
+/// of each run of points that fall on one of `columns` places along the axis.
+Series thinned(const Series& line, bool logarithmic) {
+    constexpr Eigen::Index most = 4000;
+    constexpr double columns = 1000;
+    if (line.style != Style::line || line.x.size() <= most)
+        return line;
+    const auto along = [&](double x) { return logarithmic ? std::log(x) : x; };
+    double from = HUGE_VAL, to = -HUGE_VAL;
+    for (const double x : line.x)
+        if (const double place = along(x); std::isfinite(place))
+            from = std::min(from, place), to = std::max(to, place);
+    std::vector<Eigen::Index> kept;
+    const auto column = [&](Eigen::Index i) {
+        return std::floor((along(line.x[i]) - from) / (to - from) * columns);
+    };
+    for (Eigen::Index i = 0, end = 0; i < line.x.size(); i = end) {
+        Eigen::Index low = i, high = i;
+        for (end = i + 1; end < line.x.size() && column(end) == column(i); ++end) {
+            // A gap is neither lower nor higher than anything: it is kept where it begins a run.
+            if (line.y[end] < line.y[low] || std::isnan(line.y[low]))
+                low = end;
+            if (line.y[end] > line.y[high] || std::isnan(line.y[high]))
+                high = end;
+        }
+        kept.push_back(std::min(low, high));
+        if (low != high)
+            kept.push_back(std::max(low, high));
+    }
+    Series result = line;
+    result.x = Eigen::VectorXd(line.x(kept));
+    result.y = Eigen::VectorXd(line.y(kept));
+    return result;
+}
+
 /// A series' numbers as a block of the script; a number that is none ends a line's run.
 void write_block(std::ostream& out, const Series& series, const std::string& block) {
     out << block << " << EOD\n";
@@ -115,20 +117,19 @@ void write_block(std::ostream& out, const Series& series, const std::string& blo
     out << "EOD\n";
 }
 
-void write_plot(std::ostream& out, const Plot& plot, const fs::path& picture) {
+void write_plot(std::ostream& out, const Plot& plot) {
     std::string drawings;
     for (std::size_t s = 0; s < plot.series.size(); ++s) {
         const Series& series = plot.series[s];
         if (!is_drawable(series))
             continue;
         const std::string block = "$d" + std::to_string(s);
-        write_block(out, series, block);
+        write_block(out, thinned(series, plot.x.logarithmic), block);
         drawings += (drawings.empty() ? "" : ", ") + block + " using 1:2" +
                     (series.style == Style::bars ? ":3" : "") + " with " + drawn(series) +
-                    (series.label.empty() ? " notitle" : " title " + quoted(series.label));
+                    (series.label.empty() ? " notitle" : " title " + gnuplot_text(series.label));
     }
-    out << "set terminal svg size 480," << plot.height << " dynamic rounded enhanced font 'Arial,14'\n"
-        << "set output " << quoted(picture.string()) << "\n";
+    out << "set terminal svg size 480," << plot.height << " dynamic rounded enhanced font 'Arial,14'\n";
     write_axis(out, "x", plot.x);
     write_axis(out, "y", plot.y);
     out << "set key noenhanced Left reverse samplen 1.6 spacing 1.1 width 2 " << plot.key << "\n";
@@ -138,39 +139,74 @@ void write_plot(std::ostream& out, const Plot& plot, const fs::path& picture) {
             << (guide.across ? " to graph 1, first " : ", graph 0 to first ") << guide.at
             << (guide.across ? "" : ", graph 1") << " nohead lw 1 dt 2 lc rgb '"
             << gnuplot_colour(Colour::faint) << "'\n";
-    out << (drawings.empty() ? "unset logscale\nplot [0:1] [0:1] NaN notitle" : "plot " + drawings)
-        << "\nunset output\n";
+    out << (drawings.empty() ? "unset logscale\nplot [0:1] [0:1] NaN notitle" : "plot " + drawings) << "\n";
+}
+
+constexpr const char* document = "<?xml";
+
+/// gnuplot's documents; in their texts '<' is escaped.
+std::vector<std::string> documents_of(const std::string& text) {
+    std::vector<std::string> documents;
+    for (std::size_t at = text.find(document); at != std::string::npos;) {
+        const std::size_t next = text.find(document, at + 1);
+        documents.push_back(text.substr(at, next - at));
+        at = next;
+    }
+    return documents;
+}
+
+/// Pictures of all plots by one process; none of them and a reason where it fails.
+Drawing drawn_together(const std::vector<Plot>& plots, const std::string& name, double seconds) {
+    std::ostringstream script;
+    script.precision(6);
+    script << "set encoding utf8\nset minussign\nset border 3\nset tics nomirror out scale 0.4\nset "
+              "grid\nset samples 2\n";
+    for (const Plot& plot : plots)
+        write_plot(script, plot);
+    const Drawn drawn = run_gnuplot(script.str(), seconds);
+    const std::vector<std::string> documents = documents_of(drawn.pictures);
+    Drawing result{{}, drawn.failure};
+    if (result.missing.empty() && documents.size() != plots.size())
+        result.missing = "it drew " + std::to_string(documents.size()) + " of " +
+                         std::to_string(plots.size()) + " pictures";
+    if (!result.missing.empty())
+        return result;
+    try {
+        for (std::size_t i = 0; i < plots.size(); ++i)
+            result.pictures.push_back(tidy_svg(documents[i], plots[i], name + std::to_string(i)));
+    } catch (const boost::property_tree::ptree_error& error) {
+        return {{}, std::string("its picture cannot be read: ") + error.what()};
+    }
+    return result;
 }
 
 } // namespace
 
+Drawing draw(const std::vector<Plot>& plots, const std::string& name, double seconds) {
+    if (plots.empty())
+        return {};
+    const ga::Stopwatch clock;
+    Drawing all = drawn_together(plots, name, seconds);
+    if (all.missing.empty())
+        return all;
+    all.pictures.assign(plots.size(), "");
+    // One that cannot be drawn must not cost the others.
+    for (std::size_t i = 0; plots.size() > 1 && i < plots.size() && clock.seconds() < seconds; ++i) {
+        const Drawing one =
+            drawn_together({plots[i]}, name + std::to_string(i) + "-", seconds - clock.seconds());
+        if (one.missing.empty())
+            all.pictures[i] = one.pictures.front();
+    }
+    all.missing = "gnuplot, which draws the pictures, failed (" + all.missing +
+                  "), expected the Debian package gnuplot-nox to be installed";
+    return all;
+}
+
 std::vector<std::string> svg(const std::vector<Plot>& plots, const std::string& name) {
-    const TemporaryFolder folder;
-    const auto picture = [&](std::size_t i) { return folder / (std::to_string(i) + ".svg"); };
-    {
-        std::ofstream script(folder / "script");
-        script.precision(6);
-        script << "set encoding utf8\nset minussign\nset border 3\nset tics nomirror out scale 0.4\nset "
-                  "grid\nset samples 2\n";
-        for (std::size_t i = 0; i < plots.size(); ++i)
-            write_plot(script, plots[i], picture(i));
-    }
-    const std::string command =
-        "gnuplot '" + (folder / "script").string() + "' >/dev/null 2>'" + (folder / "errors").string() + "'";
-    const int status = std::system(command.c_str());
-    if (status != 0) {
-        std::istringstream errors(content(folder / "errors"));
-        std::string line, told;
-        while (std::getline(errors, line))
-            if (line.find_first_not_of(" ^\t") != std::string::npos)
-                told = line;
-        throw rough::InputError("gnuplot, which draws the pictures, failed (" + told +
-                                "), expected the Debian package gnuplot-nox to be installed");
-    }
-    std::vector<std::string> result;
-    for (std::size_t i = 0; i < plots.size(); ++i)
-        result.push_back(tidy_svg(content(picture(i)), plots[i], name + std::to_string(i)));
-    return result;
+    Drawing drawing = draw(plots, name);
+    if (!drawing.missing.empty())
+        throw rough::InputError(drawing.missing);
+    return std::move(drawing.pictures);
 }
 
 Series bundle(const std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>>& curves, Series look) {

@@ -57,13 +57,23 @@ struct Plot {
     double height = 300;                         ///< of 480 units wide
 };
 
-/// Draws plots by gnuplot, all in one process: an <svg> element each, to stand in a page next to others
-/// (nothing in it has an id that another one has; its colours are the classes of `plot_style`). `name` begins
-/// the ids. Throws rough::InputError when gnuplot is missing or refuses.
+/// Pictures, each empty where it could not be drawn, and why.
+struct Drawing {
+    std::vector<std::string> pictures;
+    std::string missing; ///< "" where none is
+};
+
+/// Draws plots by gnuplot, all in one process of at most so many seconds: an <svg> element each, to stand in
+/// a page next to others (nothing in it has an id that another one has; its colours are the classes of
+/// `plot_style`). `name` begins the ids. A line of more points than can be seen is drawn through those that
+/// can.
+Drawing draw(const std::vector<Plot>& plots, const std::string& name = "plot", double seconds = 60);
+
+/// The pictures alone. Throws rough::InputError where one is missing.
 std::vector<std::string> svg(const std::vector<Plot>& plots, const std::string& name = "plot");
 
-/// The same as a file of its own.
-std::string svg_file(const Plot& plot);
+/// One of them as a file of its own.
+std::string svg_file(std::string picture);
 
 /// CSS for the pictures, light and dark.
 const std::string& plot_style();

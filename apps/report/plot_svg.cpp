@@ -175,7 +175,7 @@ class Tidy {
 
 } // namespace
 
-std::string escaped(const std::string& text) {
+std::string escaped(std::string_view text) {
     std::string result;
     for (char c : text)
         switch (c) {
@@ -227,8 +227,7 @@ const std::string& plot_style() {
     return style;
 }
 
-std::string svg_file(const Plot& plot) {
-    std::string picture = svg({plot}).front();
+std::string svg_file(std::string picture) {
     picture.insert(picture.find('>') + 1, "<style>" + plot_style() + "</style>");
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + picture + "\n";
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/report/html.hpp"
 #include "apps/report/plot.hpp"
 
 namespace app {
@@ -10,8 +11,5 @@ std::string gnuplot_colour(Colour colour);
 /// gnuplot's SVG as a small element for a page: empty groups and fonts taken out, coordinates to a tenth,
 /// colours as classes, markers under ids that begin with `id`.
 std::string tidy_svg(const std::string& raw, const Plot& plot, const std::string& id);
-
-/// Text for HTML and SVG: &, <, > and quotes escaped.
-std::string escaped(const std::string& text);
 
 } // namespace app

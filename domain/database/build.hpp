@@ -2,6 +2,7 @@
 
 #include "domain/database/store.hpp"
 
+#include <atomic>
 #include <functional>
 
 namespace rough {
@@ -13,6 +14,8 @@ struct BuildOptions {
     int threads = 0;                 ///< 0: all
     /// told after every batch how many genomes are stored; the build ends when it returns false
     std::function<bool(std::uint64_t stored)> go_on = [](std::uint64_t) { return true; };
+    /// where it becomes true, the build ends without the batch that it is at
+    const std::atomic<bool>* stop = nullptr;
 };
 
 /// Computes and stores the missing genomes of the store's law, batch by batch. A genome's numbers depend on

@@ -27,6 +27,13 @@ void validate(const GenomeLaw& law) {
            law.gamma_from, " to ", law.gamma_to, ", expected a range above 1");
     expect(law.shortest > 0 && law.shortest <= law.lambda && std::isfinite(law.lambda), "waves from ",
            law.shortest, " to ", law.lambda, " mm, expected a range above 0");
+    expect(most_phases(law) <= 1e6, "up to ", most_phases(law),
+           " phases a genome, expected 1e6 at most (fewer series or ridges, or longer waves)");
+}
+
+double most_phases(const GenomeLaw& law) {
+    const double chromosomes = 1 + std::floor(std::log(law.lambda / law.shortest) / std::log(law.gamma_from));
+    return law.series * static_cast<double>(law.ridges) * chromosomes;
 }
 
 Genome drawn(const GenomeLaw& law, std::uint64_t index) {

@@ -21,8 +21,12 @@ struct GenomeLaw {
     std::uint64_t seed = 1;   ///< genome i depends on it and on i alone
 };
 
-/// Throws InputError on ranges in the wrong order, gamma <= 1, or no wave between shortest and lambda.
+/// Throws InputError on ranges in the wrong order, gamma <= 1, no wave between shortest and lambda, or
+/// genomes of more than a million phases.
 void validate(const GenomeLaw& law);
+
+/// The most phases that a genome of the law can have.
+double most_phases(const GenomeLaw& law);
 
 /// Genome number `index` of a law: it depends on nothing else.
 Genome drawn(const GenomeLaw& law, std::uint64_t index);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 
 namespace rough {
@@ -108,6 +109,13 @@ DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
     read("lambda_mm", law.lambda);
     read("shortest_wave_mm", law.shortest);
     read("seed", law.seed);
+    const bool sound = model.grid.nodes >= 2 && model.grid.nodes <= 10'000'000 && model.grid.length > 0 &&
+                       std::isfinite(model.grid.length) && model.body.effective_modulus > 0 &&
+                       std::isfinite(model.body.effective_modulus) && model.loading.steps >= 1 &&
+                       model.loading.steps <= 1'000'000 && model.loading.reach > 0 &&
+                       model.loading.reach <= 1;
+    if (!sound)
+        throw InputError(where + ": a set-up that no contact can have, expected a genome database");
     return setup;
 }
 

@@ -4,6 +4,8 @@
 
 #include <sqlite3.h>
 
+#include <utility>
+
 namespace rough {
 
 void Sqlite::Close::operator()(sqlite3* handle) const { sqlite3_close(handle); }
@@ -12,12 +14,23 @@ void Statement::Finalise::operator()(sqlite3_stmt* statement) const { sqlite3_fi
 Sqlite::Sqlite(std::filesystem::path file, Access access) : file_(std::move(file)) {
     // A file that may not be written is opened for reading all the same.
     const int flags = SQLITE_OPEN_READWRITE | (access == Access::create ? SQLITE_OPEN_CREATE : 0);
+    if (const std::string name = file_.string();
+        name.empty() || name == ":memory:" || name.starts_with("file:"))
+        throw InputError((name.empty() ? "database" : name) + ": names no file, expected a database file");
     sqlite3* handle = nullptr;
     const int result = sqlite3_open_v2(file_.c_str(), &handle, flags, nullptr);
     handle_.reset(handle);
     if (result != SQLITE_OK)
         fail();
     sqlite3_busy_timeout(handle, 120'000); // another builder's batch is written in far less
+    // The file may be a stranger's: nothing that its schema says is run, and no cell is larger than any of
+    // ours.
+    for (const auto& [option, on] : {std::pair(SQLITE_DBCONFIG_DEFENSIVE, 1),
+                                     {SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
+                                     {SQLITE_DBCONFIG_ENABLE_TRIGGER, 0},
+                                     {SQLITE_DBCONFIG_ENABLE_VIEW, 0}})
+        sqlite3_db_config(handle, option, on, nullptr);
+    sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, 100'000'000);
 }
 
 void Sqlite::fail() const {

@@ -4,31 +4,49 @@
 #include "domain/errors.hpp"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace rough {
 namespace {
 
 // SQLite's own marks of whose file it is and in which form.
 constexpr std::int64_t application = 0x52554741; // "RUGA"
-constexpr std::int64_t form = 1;
+constexpr std::int64_t form = 2;
 
 std::int64_t as_key(std::uint64_t index) { return static_cast<std::int64_t>(index); }
 std::uint64_t as_index(std::int64_t key) { return static_cast<std::uint64_t>(key); }
 
-/// Blobs in tables of their own, so that scoring reads the pressures alone.
+/// Blobs in tables of their own, so that scoring reads the pressures alone; each row with its checksum.
+const std::vector<std::string>& schema() {
+    static const std::vector<std::string> statements = [] {
+        std::vector<std::string> all{"CREATE TABLE setup(name TEXT PRIMARY KEY, value TEXT NOT NULL)",
+                                     "CREATE TABLE batch(first INTEGER PRIMARY KEY, count INTEGER NOT NULL)",
+                                     "CREATE TABLE taken(first INTEGER PRIMARY KEY)"};
+        for (const char* table : {"pressure", "contact", "genome"})
+            all.push_back(std::string("CREATE TABLE ") + table +
+                          "(first INTEGER PRIMARY KEY, numbers BLOB NOT NULL, checksum INTEGER NOT NULL)");
+        std::sort(all.begin(), all.end());
+        return all;
+    }();
+    return statements;
+}
+
 void make_tables(Sqlite& sqlite) {
     sqlite.run("PRAGMA application_id = " + std::to_string(application));
     sqlite.run("PRAGMA user_version = " + std::to_string(form));
-    sqlite.run("CREATE TABLE setup(name TEXT PRIMARY KEY, value TEXT NOT NULL)");
-    sqlite.run("CREATE TABLE batch(first INTEGER PRIMARY KEY, count INTEGER NOT NULL)");
-    for (const char* table : {"pressure", "contact", "genome"})
-        sqlite.run(std::string("CREATE TABLE ") + table +
-                   "(first INTEGER PRIMARY KEY, numbers BLOB NOT NULL)");
-    sqlite.run("CREATE TABLE taken(first INTEGER PRIMARY KEY)");
+    for (const std::string& statement : schema())
+        sqlite.run(statement);
 }
 
 bool holds_anything(Sqlite& sqlite) { return sqlite.number("SELECT count(*) FROM sqlite_master") > 0; }
 
+[[noreturn]] void refuse_changed(const Sqlite& sqlite, const std::string& what) {
+    throw InputError(sqlite.file().string() + ": " + what +
+                     ", expected a file that nothing else has changed");
+}
+
+/// Ours is what this program writes and nothing beside it: no view, no trigger, no other column.
 void expect_ours(Sqlite& sqlite) {
     if (sqlite.number("PRAGMA application_id") != application)
         throw InputError(sqlite.file().string() +
@@ -36,15 +54,62 @@ void expect_ours(Sqlite& sqlite) {
     const std::int64_t version = sqlite.number("PRAGMA user_version");
     if (version != form)
         throw InputError(sqlite.file().string() + ": a genome database of form " + std::to_string(version) +
-                         ", expected form " + std::to_string(form));
+                         ", expected form " + std::to_string(form) + " (build it anew)");
+    std::vector<std::string> there;
+    Statement rows(sqlite,
+                   "SELECT sql FROM sqlite_master WHERE name <> 'sqlite_autoindex_setup_1' ORDER BY sql");
+    while (rows.step())
+        there.emplace_back(rows.bytes(0));
+    if (there != schema())
+        refuse_changed(sqlite, "holds other tables than a genome database");
+    if (sqlite.number("SELECT count(*) FROM batch WHERE typeof(count) <> 'integer' OR count < 1 OR count > "
+                      "1000000 OR first < 0") > 0)
+        refuse_changed(sqlite, "a batch of an impossible size");
 }
 
+std::uint64_t checksum_of(const Fields& fields) {
+    std::string text;
+    for (const auto& [name, value] : fields)
+        text += name + "=" + value + "\n";
+    return checksum(text);
+}
+
+/// The set-up and the version, as they were written.
 Fields stored_fields(Sqlite& sqlite) {
     Fields fields;
-    Statement rows(sqlite, "SELECT name, value FROM setup");
+    std::string sum;
+    Statement rows(sqlite, "SELECT name, value FROM setup ORDER BY name");
     while (rows.step())
-        fields.emplace_back(rows.bytes(0), rows.bytes(1));
+        if (rows.bytes(0) == "checksum")
+            sum = rows.bytes(1);
+        else
+            fields.emplace_back(rows.bytes(0), rows.bytes(1));
+    if (sum != std::to_string(checksum_of(fields)))
+        refuse_changed(sqlite, "its set-up was altered");
     return fields;
+}
+
+/// A batch's checksum is that of its table, its place and its numbers.
+std::int64_t checksum_of(const std::string& table, const Span& span, std::string_view numbers) {
+    const std::uint64_t place = checksum(table, span.first * 0x9E3779B97F4A7C15ULL + span.count);
+    return as_key(checksum(numbers, place));
+}
+
+/// The numbers of a row (…, first, count, numbers, checksum) from `column` on.
+std::vector<double> checked_numbers(const Sqlite& sqlite, const Statement& row, int column,
+                                    const char* table) {
+    const Span span{as_index(row.number(column)), as_index(row.number(column + 1))};
+    const std::string_view bytes = row.bytes(column + 2);
+    if (row.number(column + 3) != checksum_of(table, span, bytes))
+        refuse_changed(sqlite, std::string("the ") + table + " of genomes " + std::to_string(span.first) +
+                                   " to " + std::to_string(span.first + span.count - 1) + " was altered");
+    return unpacked(bytes);
+}
+
+void expect_size(const Sqlite& sqlite, const std::vector<double>& values, std::uint64_t wanted) {
+    if (values.size() != wanted)
+        refuse_changed(sqlite, "a batch of " + std::to_string(values.size()) + " numbers in place of " +
+                                   std::to_string(wanted));
 }
 
 /// The gaps below `end`, cut at the multiples of `batch`.
@@ -79,6 +144,7 @@ GenomeStore::GenomeStore(Sqlite sqlite) : sqlite_(std::move(sqlite)) {
     expect_ours(sqlite_);
     const Fields fields = stored_fields(sqlite_);
     setup_ = setup_from(fields, file().string());
+    validate(setup_.law);
     for (const auto& [name, value] : fields)
         if (name == "version")
             version_ = value;
@@ -93,6 +159,8 @@ GenomeStore GenomeStore::create(const std::filesystem::path& file, const Databas
         make_tables(sqlite);
         Fields named = wanted;
         named.emplace_back("version", RUGOSA_VERSION);
+        std::sort(named.begin(), named.end());
+        named.emplace_back("checksum", std::to_string(checksum_of(named)));
         Statement insert(sqlite, "INSERT INTO setup VALUES(?, ?)");
         for (const auto& [name, value] : named) {
             insert.bind_text(name).bind_text(value).step();
@@ -120,9 +188,7 @@ bool GenomeStore::begun(const std::filesystem::path& file) {
     return holds_anything(sqlite);
 }
 
-std::uint64_t GenomeStore::stored() const {
-    return as_index(sqlite_.number("SELECT total(count) FROM batch"));
-}
+std::uint64_t GenomeStore::stored() const { return as_index(sqlite_.number("SELECT sum(count) FROM batch")); }
 
 std::optional<Span> GenomeStore::take(std::uint64_t end, std::uint64_t batch) {
     Transaction transaction(sqlite_);
@@ -164,9 +230,11 @@ void GenomeStore::add(const Span& span, const std::vector<Genome>& genomes,
             .bind(as_key(span.count))
             .step();
         const auto put = [&](const char* table, const std::vector<double>& values) {
-            Statement(sqlite_, std::string("INSERT INTO ") + table + " VALUES(?, ?)")
+            const std::string bytes = packed(values);
+            Statement(sqlite_, std::string("INSERT INTO ") + table + " VALUES(?, ?, ?)")
                 .bind(as_key(span.first))
-                .bind_blob(packed(values))
+                .bind_blob(bytes)
+                .bind(checksum_of(table, span, bytes))
                 .step();
         };
         put("pressure", pressure);
@@ -180,28 +248,34 @@ void GenomeStore::add(const Span& span, const std::vector<Genome>& genomes,
 StoredCurves GenomeStore::curves(bool with_fractions) const {
     const auto steps = static_cast<std::size_t>(setup_.model.loading.steps);
     StoredCurves curves;
-    const std::uint64_t all = stored();
-    curves.index.reserve(all);
-    curves.range.reserve(all);
-    curves.pressure.reserve(all * steps);
     const auto append = [&](std::vector<double>& list, const double* values) {
         list.insert(list.end(), values, values + steps);
     };
-    Statement rows(sqlite_, with_fractions
-                                ? "SELECT first, pressure.numbers, contact.numbers FROM pressure JOIN "
-                                  "contact USING(first) ORDER BY first"
-                                : "SELECT first, numbers FROM pressure ORDER BY first");
+    Statement rows(sqlite_,
+                   with_fractions
+                       ? "SELECT first, count, pressure.numbers, pressure.checksum, first, count, "
+                         "contact.numbers, contact.checksum FROM batch JOIN pressure USING(first) JOIN "
+                         "contact USING(first) ORDER BY first"
+                       : "SELECT first, count, numbers, checksum FROM batch JOIN pressure USING(first) "
+                         "ORDER BY first");
     while (rows.step()) {
-        const auto values = unpacked(rows.bytes(1));
-        const auto contact = with_fractions ? unpacked(rows.bytes(2)) : std::vector<double>{};
-        for (std::size_t g = 0; (g + 1) * (steps + 1) <= values.size(); ++g) {
-            curves.index.push_back(as_index(rows.number(0)) + g);
+        const std::uint64_t first = as_index(rows.number(0)), count = as_index(rows.number(1));
+        const auto values = checked_numbers(sqlite_, rows, 0, "pressure");
+        expect_size(sqlite_, values, count * (steps + 1));
+        const auto contact =
+            with_fractions ? checked_numbers(sqlite_, rows, 4, "contact") : std::vector<double>{};
+        if (with_fractions)
+            expect_size(sqlite_, contact, count * 2 * steps);
+        for (std::size_t g = 0; g < count; ++g) {
+            curves.index.push_back(first + g);
             curves.range.push_back(values[g * (steps + 1)]);
             append(curves.pressure, &values[g * (steps + 1) + 1]);
             if (with_fractions)
                 append(curves.fraction, &contact[g * 2 * steps]);
         }
     }
+    if (curves.index.size() != stored())
+        refuse_changed(sqlite_, "a batch without its curves");
     return curves;
 }
 
@@ -209,14 +283,17 @@ namespace {
 
 struct Place {
     std::vector<double> numbers;
-    std::size_t within; ///< of the batch
+    std::size_t within, count; ///< of the batch
 };
 
 Place look_up(Sqlite& sqlite, const char* table, std::uint64_t index) {
-    Statement row(sqlite, std::string("SELECT batch.first, count, numbers FROM batch JOIN ") + table +
+    Statement row(sqlite, std::string("SELECT batch.first, count, numbers, checksum FROM batch JOIN ") +
+                              table +
                               " USING(first) WHERE batch.first <= ? ORDER BY batch.first DESC LIMIT 1");
     if (row.bind(as_key(index)).step() && index < as_index(row.number(0)) + as_index(row.number(1)))
-        return {unpacked(row.bytes(2)), static_cast<std::size_t>(index - as_index(row.number(0)))};
+        return {checked_numbers(sqlite, row, 0, table),
+                static_cast<std::size_t>(index - as_index(row.number(0))),
+                static_cast<std::size_t>(row.number(1))};
     throw InputError(sqlite.file().string() + ": genome " + std::to_string(index) + " is not stored");
 }
 
@@ -224,12 +301,19 @@ Place look_up(Sqlite& sqlite, const char* table, std::uint64_t index) {
 
 Genome GenomeStore::genome(std::uint64_t index) const {
     const Place place = look_up(sqlite_, "genome", index);
-    return genomes_from(place.numbers).at(place.within);
+    std::vector<Genome> genomes = genomes_from(place.numbers);
+    if (genomes.size() != place.count)
+        refuse_changed(sqlite_, "a batch of " + std::to_string(genomes.size()) + " genomes in place of " +
+                                    std::to_string(place.count));
+    validate(genomes[place.within], file().string() + ": genome " + std::to_string(index));
+    return std::move(genomes[place.within]);
 }
 
 Response GenomeStore::response(std::uint64_t index) const {
     const Index steps = setup_.model.loading.steps;
     const Place pressure = look_up(sqlite_, "pressure", index), contact = look_up(sqlite_, "contact", index);
+    expect_size(sqlite_, pressure.numbers, pressure.count * static_cast<std::size_t>(steps + 1));
+    expect_size(sqlite_, contact.numbers, contact.count * static_cast<std::size_t>(2 * steps));
     const double* p = pressure.numbers.data() + pressure.within * static_cast<std::size_t>(steps + 1);
     const double* c = contact.numbers.data() + contact.within * static_cast<std::size_t>(2 * steps);
     Response response;

@@ -1,13 +1,13 @@
 #include "domain/mwm/genome_json.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <initializer_list>
 
 namespace rough {
@@ -15,6 +15,8 @@ namespace rough {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t most_genome_bytes = 16'000'000; // half a million phases in full digits
 
 std::string shown(const json& value) {
     std::string text = json_text(value, true);
@@ -99,17 +101,7 @@ Genome genome_from_json(const json& value, const std::string& where) {
 }
 
 GenomeFile read_genome_file(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    if (!in || std::filesystem::is_directory(file))
-        throw InputError(file.string() + ": cannot be read, expected a genome file (JSON)");
-    json value;
-    try {
-        value = json::parse(in);
-    } catch (const json::exception& error) {
-        std::string detail = error.what();
-        std::replace(detail.begin(), detail.end(), '\n', ' ');
-        throw InputError(file.string() + ": not JSON: " + detail.substr(detail.find(']') + 2));
-    }
+    json value = parsed_json(read_whole(file, most_genome_bytes), file.string());
     GenomeFile read;
     if (value.is_object() && value.contains("length_mm")) {
         read.length = number(value, "length_mm", file.string());

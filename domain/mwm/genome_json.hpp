@@ -27,7 +27,7 @@ struct GenomeFile {
     double length = standard_length; ///< mm, > 0
 };
 
-/// Reads and validates a genome file. Throws InputError that begins with the file's name.
+/// Reads and validates a genome file of at most 16 MB. Throws InputError that begins with the file's name.
 GenomeFile read_genome_file(const std::filesystem::path& file);
 /// The genome alone.
 Genome read_genome(const std::filesystem::path& file);

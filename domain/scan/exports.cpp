@@ -19,7 +19,7 @@ class Reader {
     bool done() const { return at_ == lines_.size(); }
     const std::string& text() const { return text_; }
     int line() const { return static_cast<int>(at_) + 1; }
-    void next() { ++at_, settle(); }
+    void next() { at_ += !done(), settle(); }
     std::vector<std::string_view> words() const { return split(text_, Dialect::Separator::blanks); }
     bool starts(std::string_view start) const { return !done() && text_.starts_with(start); }
 
@@ -34,6 +34,13 @@ class Reader {
             refuse(what + " above 0");
         return value->value;
     }
+    long count(std::string_view word) const {
+        constexpr double most = 1e9;
+        const double value = positive(word, "a count");
+        if (value > most)
+            refuse("a count up to 1e9");
+        return std::lround(value);
+    }
     LengthUnit unit(std::string_view word) const {
         const auto unit = length_unit(word);
         if (!unit)
@@ -43,6 +50,7 @@ class Reader {
 
   private:
     void settle() {
+        text_.clear();
         for (; !done(); ++at_) {
             text_ = lines_[at_];
             std::replace_if(
@@ -90,8 +98,8 @@ NamedProfile surface_data_file(Reader in) {
         else if (key == "zscale")
             profile.height_factor = in.positive(value, "a factor");
         else if (key == "numpoints")
-            profile.announced = std::lround(in.positive(value, "a count"));
-        else if (key == "numprofiles" && in.positive(value, "a count") != 1)
+            profile.announced = in.count(value);
+        else if (key == "numprofiles" && in.count(value) != 1)
             in.refuse("a line scan of 1 profile");
         else if (key == "datatype") // 16 and 32 bit integers keep one value for "not measured"
             for (const auto& [type, mark] : {std::pair("1", 65535.), std::pair("2", 4294967295.),
@@ -112,14 +120,15 @@ NamedProfile surface_data_file(Reader in) {
 struct Axis {
     std::vector<std::string_view> words;
     LengthUnit unit;
-    double factor, count;
+    double factor;
+    long count;
 };
 
 Axis axis(const Reader& in, std::string_view name) {
     const auto words = in.words();
     if (words.size() < 6 || words[0] != name)
         in.refuse("the axis '" + std::string(name) + "' with type, count, unit, factor and number type");
-    return {words, in.unit(words[3]), in.positive(words[4], "a factor"), in.positive(words[2], "a count")};
+    return {words, in.unit(words[3]), in.positive(words[4], "a factor"), in.count(words[2])};
 }
 
 /// ISO 5436-2: four records that each end with ETX: what it is and its axes, notes, the heights, a check sum.
@@ -136,7 +145,7 @@ NamedProfile softgauge(Reader in) {
     in.next();
     const Axis z = axis(in, "CZ");
     profile.height_unit = z.unit, profile.height_factor = z.factor;
-    profile.announced = std::lround(z.count);
+    profile.announced = z.count;
     for (int record = 1; record <= 2; ++record) {
         while (!in.done() && !in.starts("\x03"))
             in.next();
@@ -157,7 +166,7 @@ NamedProfile talysurf(Reader in) {
     in.next();
     const Axis z = axis(in, "CZ");
     profile.height_unit = z.unit, profile.height_factor = z.factor;
-    profile.announced = std::lround(z.count);
+    profile.announced = z.count;
     in.next();
     if (!in.starts("EOR"))
         in.refuse("EOR");
@@ -194,7 +203,7 @@ NamedProfile ptb(Reader in) {
         in.refuse("a resolution");
     NamedProfile profile{"PTB's PR", 0, {"µm", 1e-3}, 1, {}, {}, -1};
     profile.spacing = 1 / in.positive(name[1], "a resolution");
-    profile.announced = std::lround(in.positive(words.back(), "a count"));
+    profile.announced = in.count(words.back());
     in.next();
     read_heights(profile, in, "");
     return profile;
@@ -209,7 +218,7 @@ NamedProfile sigma_surf(Reader in) {
         if (in.starts("SPACING_UM"))
             profile.spacing = in.positive(after(in.text(), ':'), "a spacing") * 1e-3;
         else if (in.starts("NUMBER_OF_POINTS"))
-            profile.announced = std::lround(in.positive(after(in.text(), ':'), "a count"));
+            profile.announced = in.count(after(in.text(), ':'));
     }
     if (!(profile.spacing > 0))
         in.refuse("SPACING_UM before the heights");
@@ -239,7 +248,8 @@ std::optional<NamedProfile> named_profile(const std::vector<std::string>& lines,
     Reader third = second;
     if (!third.done())
         third.next();
-    if (!second.done() && second.words().back() == "PRF" && third.starts("CX"))
+    const auto words = second.words();
+    if (!words.empty() && words.back() == "PRF" && third.starts("CX"))
         return talysurf(in);
     return std::nullopt;
 }

@@ -148,7 +148,7 @@ bool holds_number(std::string_view line) {
 std::vector<std::string> words_with_units(std::string_view line) {
     std::vector<std::string> cells;
     for (std::string_view word : split(line, Dialect::Separator::blanks)) {
-        const bool unit = word.front() == '[' || word.front() == '(';
+        const bool unit = word.starts_with('[') || word.starts_with('(');
         if (unit && !cells.empty() && cells.back().find_first_of("[(") == std::string::npos)
             cells.back() += " " + std::string(word);
         else

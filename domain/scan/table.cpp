@@ -101,7 +101,8 @@ Guess best_guess(const std::vector<std::string>& lines, bool one_column) {
 /// A lone count of points before the rows: of a wider table, or of as many single heights as follow.
 bool is_count(const Table& table, const std::vector<Number>& row, std::size_t rows_left) {
     if (table.rows() > 0 || row.size() != 1 || table.announced >= 0 || !(row[0].value >= 1) ||
-        row[0].value != std::floor(row[0].value) || row[0].last_digit != 1)
+        row[0].value != std::floor(row[0].value) || row[0].last_digit != 1 ||
+        row[0].value > static_cast<double>(most_rows))
         return false;
     return table.columns > 1 || row[0].value == static_cast<double>(rows_left);
 }
@@ -112,6 +113,8 @@ Table read_table(const std::vector<std::string>& lines, const std::string& file,
     const Guess guess = best_guess(lines, one_column);
     if (guess.rows == 0)
         throw InputError(file + ": holds no numbers, expected lines of x and height");
+    if (guess.columns > most_cells)
+        throw InputError(file + ": more than 1e7 numbers in a line");
     Table table;
     table.dialect = guess.dialect;
     table.columns = guess.columns;

@@ -12,6 +12,8 @@ namespace rough {
 
 namespace {
 
+constexpr std::size_t most_target_bytes = 16'000'000;
+
 using Separator = Dialect::Separator;
 
 Separator separator_of(const std::string& header) {
@@ -54,7 +56,7 @@ TargetTable read_target_table(const std::filesystem::path& file) {
     TargetTable table;
     Separator separator = Separator::comma;
     int number = 0;
-    for (const std::string& whole : text_lines(read_whole(file), file.string())) {
+    for (const std::string& whole : text_lines(read_whole(file, most_target_bytes), file.string())) {
         ++number;
         const std::string line(trim(whole));
         if (line.empty())

@@ -42,7 +42,7 @@ std::vector<std::string_view> split(std::string_view line, Dialect::Separator se
         cells.push_back(cell);
     };
     std::size_t start = 0;
-    while (start < line.size()) {
+    while (start < line.size() && cells.size() <= most_cells) {
         std::size_t end = start;
         std::size_t next = start;
         if (separator == blanks) {
@@ -102,7 +102,7 @@ std::optional<Number> number(std::string_view cell, const Dialect& dialect) {
         std::from_chars(first, end, power);
     }
     const int decimals = point < exponent ? static_cast<int>(exponent - point - 1) : 0;
-    result.last_digit = std::pow(10., power - decimals);
+    result.last_digit = std::pow(10., static_cast<double>(power) - decimals);
     return result;
 }
 

@@ -20,7 +20,11 @@ struct Dialect {
     bool decimal_comma = false;              ///< "0,5" is a half
 };
 
+/// A line has no more cells that anything reads.
+constexpr std::size_t most_cells = 10'000'000;
+
 /// The cells of a line, trimmed and without quotes; empty ones are kept, but those at the line's end are not.
+/// Of a line with more than `most_cells` the first of them and one more are given.
 std::vector<std::string_view> split(std::string_view line, Dialect::Separator separator);
 
 /// A cell's number, NaN where the cell says that the value is missing ("", NaN, BAD, --, …), and the value of

@@ -10,6 +10,8 @@
 namespace rough {
 namespace {
 
+constexpr std::size_t most_lines = 12'000'000; // a table of 1e7 rows and its header
+
 void append_utf8(std::string& text, std::uint32_t code) {
     if (code == 0xA0 || code == 0x202F)
         code = ' ';
@@ -41,9 +43,14 @@ std::string from_utf16(const std::string& bytes, bool big_endian) {
     for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
         std::uint32_t code = unit(i);
         if (code >= 0xD800 && code < 0xDC00 && i + 3 < bytes.size()) {
-            code = 0x10000 + ((code - 0xD800) << 10) + (unit(i + 2) - 0xDC00);
-            i += 2;
+            const std::uint32_t second = unit(i + 2);
+            if (second >= 0xDC00 && second < 0xE000) {
+                code = 0x10000 + ((code - 0xD800) << 10) + (second - 0xDC00);
+                i += 2;
+            }
         }
+        if (code >= 0xD800 && code < 0xE000)
+            code = 0xFFFD; // half a pair
         append_utf8(text, code);
     }
     return text;
@@ -68,8 +75,12 @@ std::size_t sequence(const std::string& bytes, std::size_t i, std::uint32_t& cod
     return length;
 }
 
+bool is_utf16(const std::string& bytes) {
+    return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+}
+
 std::string to_utf8(const std::string& bytes) {
-    if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+    if (is_utf16(bytes))
         return from_utf16(bytes, bytes[0] == '\xFE');
     std::string text;
     text.reserve(bytes.size());
@@ -101,20 +112,30 @@ std::string kind_of(const std::string& bytes) {
     return "";
 }
 
+[[noreturn]] void refuse_binary(const std::string& bytes, const std::string& file) {
+    throw InputError(file + ": holds binary data" + kind_of(bytes) +
+                     ", expected a text file of x and height (export as text or CSV)");
+}
+
 } // namespace
 
 std::string at(const std::string& file, int line) { return file + ", line " + std::to_string(line); }
 
 std::vector<std::string> text_lines(const std::string& bytes, const std::string& file) {
+    // A large file of another kind is refused before it is copied.
+    const std::string_view head = std::string_view(bytes).substr(0, 4096);
+    if (!is_utf16(bytes) && !bytes.starts_with("ISO 5436") && head.find('\0') != head.npos)
+        refuse_binary(bytes, file);
     std::string text = to_utf8(bytes);
     if (text.starts_with("ISO 5436")) // softgauges end their fields with it
         std::replace(text.begin(), text.end(), '\0', ' ');
     if (text.find('\0') != std::string::npos)
-        throw InputError(file + ": holds binary data" + kind_of(bytes) +
-                         ", expected a text file of x and height (export as text or CSV)");
+        refuse_binary(bytes, file);
     std::vector<std::string> lines;
     for (std::size_t start = 0; start < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());
+        if (lines.size() == most_lines)
+            throw InputError(file + ": more than " + std::to_string(most_lines) + " lines, expected fewer");
         lines.push_back(text.substr(start, end - start));
         std::size_t next = end;
         while (next < text.size() && text[next] == '\r')

@@ -102,6 +102,7 @@ int database_build(const Words& words) {
                       duration_words(left) + " left");
         return !interrupt.asked();
     };
+    options.stop = &interrupt.flag();
     rough::build(store, options);
     const std::uint64_t stored = store.stored();
     say(store.file().string() + ": " + std::to_string(stored) + " genomes stored, " +

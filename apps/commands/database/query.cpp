@@ -61,8 +61,9 @@ int database_query(const Words& words) {
     const Settings settings = read_command_line(words, query_settings(), {"file"});
     if (!settings.has("file") || !settings.has("target"))
         throw rough::InputError("database query: expected a genome database and --target");
+    std::filesystem::path out;
     if (settings.has("out"))
-        expect_writable(settings.text("out"), settings);
+        out = expect_writable(settings.text("out"), settings);
     rough::ScreenOptions options;
     if (settings.has("max-pressure"))
         options.max_pressure = settings.pressure("max-pressure");
@@ -88,8 +89,7 @@ int database_query(const Words& words) {
                     static_cast<unsigned long long>(match.index), match.similarity, finer, match.scale);
         if (rank == 0 && settings.has("out")) {
             genome.scale *= match.scale;
-            rough::write_atomically(settings.text("out"),
-                                    rough::genome_file_text(genome, store.setup().model.grid.length));
+            rough::write_atomically(out, rough::genome_file_text(genome, store.setup().model.grid.length));
         }
     }
     return 0;

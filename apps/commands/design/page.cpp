@@ -2,7 +2,6 @@
 
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/page.hpp"
-#include "apps/report/plot_svg.hpp"
 #include "apps/report/units.hpp"
 
 #include <algorithm>
@@ -75,27 +74,6 @@ Plot misfit_plot(const DesignRun& run, std::size_t g) {
     return plot;
 }
 
-/// A line through so many points that most fall on one another: of each stretch of 1/500 the lowest and the
-/// highest.
-Series thinned(Series line) {
-    constexpr Eigen::Index most = 1000;
-    if (line.y.size() <= 2 * most)
-        return line;
-    std::vector<Eigen::Index> kept;
-    for (Eigen::Index bin = 0; bin < most / 2; ++bin) {
-        const Eigen::Index from = bin * line.y.size() / (most / 2),
-                           to = (bin + 1) * line.y.size() / (most / 2);
-        Eigen::Index low = 0, high = 0;
-        line.y.segment(from, to - from).minCoeff(&low);
-        line.y.segment(from, to - from).maxCoeff(&high);
-        kept.push_back(from + std::min(low, high));
-        kept.push_back(from + std::max(low, high));
-    }
-    line.x = Eigen::VectorXd(line.x(kept));
-    line.y = Eigen::VectorXd(line.y(kept));
-    return line;
-}
-
 Plot scan_plot(const rough::Profile& scan) {
     const double length = scan.spacing * static_cast<double>(scan.nodes() - 1);
     const Eigen::VectorXd z = scan.heights.array() - scan.heights.maxCoeff();
@@ -105,9 +83,9 @@ Plot scan_plot(const rough::Profile& scan) {
     plot.title = "The scan";
     plot.x = {"x (mm)", false, 0, length};
     plot.y = {"Height under the highest point (" + unit.name + ")"};
-    plot.series.push_back(thinned({"scan, " + std::to_string(scan.nodes()) + " points",
-                                   Eigen::VectorXd::LinSpaced(z.size(), 0, length), unit.factor * z,
-                                   Colour::text, Style::line, 1.2}));
+    plot.series.push_back({"scan, " + std::to_string(scan.nodes()) + " points",
+                           Eigen::VectorXd::LinSpaced(z.size(), 0, length), unit.factor * z, Colour::text,
+                           Style::line, 1.2});
     return plot;
 }
 
@@ -184,10 +162,11 @@ void add_front(Page& page, const DesignRun& run) {
     page.prose("Of the genomes found these " + std::to_string(run.found.front.size()) +
                " are left than which no other is better in every target; the answer above is the one whose "
                "worst similarity is best.");
-    page.figure({"front",
-                 "The front.",
-                 "Each point is a genome, all of which are in result.json under <code>front</code>.",
-                 {front_plot(run)}});
+    page.figure(
+        {"front",
+         "The front.",
+         Html::raw("Each point is a genome, all of which are in result.json under <code>front</code>."),
+         {front_plot(run)}});
 }
 
 void add_alternatives(Page& page, const DesignRun& run) {
@@ -245,12 +224,12 @@ void add_trust(Page& page, const rough::Trust& trust) {
         page.prose("Nothing strains the model: rms slope " + readable(trust.rms_slope) + ", shortest wave " +
                    readable(trust.shortest_wave_nodes) + " nodes.");
     for (const auto& flag : trust.flags)
-        page.prose("<strong>Note:</strong> " + flag + ".");
+        page.prose(Html::raw("<strong>Note:</strong> ") + flag + ".");
 }
 
 } // namespace
 
-std::string design_page(const DesignRun& run) {
+std::string design_page(const DesignRun& run, double seconds) {
     Page page("A surface by design", run.verdict);
     page.tiles({{"similarity", readable(run.found.best.similarity, 5)},
                 {"on a finer grid", readable(run.found.best.similarity_refined, 5)},
@@ -258,7 +237,7 @@ std::string design_page(const DesignRun& run) {
                  std::to_string(run.found.counters.evaluations + run.found.counters.gradients)},
                 {"seconds", readable(run.seconds)}});
     for (const auto& reason : run.out_of_reach)
-        page.prose("<strong>Out of reach:</strong> " + reason.reason + ". No profile " +
+        page.prose(Html::raw("<strong>Out of reach:</strong> ") + reason.reason + ". No profile " +
                    (reason.on_this_grid ? "on this grid " : "") + "has a similarity above " +
                    readable(reason.bound, 4) + ".");
     add_answer(page, run);
@@ -269,7 +248,7 @@ std::string design_page(const DesignRun& run) {
         add_trust(page, *run.trust);
     page.section("How it was found");
     for (const auto& account : run.accounts)
-        page.prose(escaped(account) + ".");
+        page.prose(account + ".");
     page.code(run.origin.command);
     const rough::Model& model = run.setup.model;
     page.prose(
@@ -283,7 +262,7 @@ std::string design_page(const DesignRun& run) {
         page.prose("The search ended early: " + run.found.stopped + ".");
     for (const auto& note : run.found.notes)
         page.prose(note);
-    return page.html();
+    return page.html(seconds);
 }
 
 } // namespace app

@@ -49,7 +49,7 @@ Schedule::Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& 
     if (pictures && limit >= 5) {
         Plot target;
         target.series.push_back({"", setup.goals[0].x, setup.goals[0].y, Colour::text, Style::points, 2});
-        page_ = 4 * seconds_of(0, [&] { svg({target}); }) + longer * 2 * both_;
+        page_ = 4 * seconds_of(0, [&] { draw({target}, "plot", look); }) + longer * 2 * both_;
     }
 }
 

@@ -3,6 +3,8 @@
 #include "domain/design/problem.hpp"
 #include "ga/stopwatch.hpp"
 
+#include <algorithm>
+
 namespace app {
 
 /// How a design shares out its wall time: the search gets what picking an answer, verifying it and drawing
@@ -22,6 +24,8 @@ class Schedule {
     /// Seconds from now on that verifying may take; what is not verified by then is left out.
     double for_trust() const;
     bool has_time_for_page() const { return spent() + page_ < limit_; }
+    /// Seconds from now on that drawing the report may take, an hour where there is no limit.
+    double for_drawing() const { return std::min(3600., limit_ - spent()); }
 
   private:
     double picking() const;

@@ -38,7 +38,7 @@ void write_chart(const ChartData& data, const Origin& origin, const std::filesys
 void draw_chart(const ChartData& data, const std::filesystem::path& folder) {
     for (std::size_t scene = 0; scene < data.scenes.size(); ++scene) {
         const auto draw = [&](const std::string& what, const Plot& plot) {
-            rough::write_atomically(folder / (data.scenes[scene].name + "-" + what + ".svg"), svg_file(plot));
+            write_picture(folder / (data.scenes[scene].name + "-" + what + ".svg"), plot);
         };
         for (const ErrorKind& kind : error_kinds)
             draw(kind.name, error_plot(data, scene, kind));

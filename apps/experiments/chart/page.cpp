@@ -1,7 +1,6 @@
 #include "apps/experiments/chart/tables.hpp"
 #include "apps/experiments/chart/words.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/plot_svg.hpp"
 #include "apps/report/units.hpp"
 #include "domain/numerics/statistics.hpp"
 
@@ -50,24 +49,25 @@ void add_early_end(Page& page, const ChartData& data) {
         return each.why == LeftOutFor::time || each.why == LeftOutFor::interrupt;
     });
     if (first != data.left_out.end())
-        page.prose("<b>This chart ended early</b>, on grids of " + std::to_string(first->setting.nodes) +
-                   " nodes, as " +
-                   (first->why == LeftOutFor::time ? "its time was over" : "it was interrupted") +
-                   ". What follows holds for what was measured.");
+        page.prose(Html::raw("<b>This chart ended early</b>, on grids of " +
+                             std::to_string(first->setting.nodes) + " nodes, as " +
+                             (first->why == LeftOutFor::time ? "its time was over" : "it was interrupted") +
+                             ". What follows holds for what was measured."));
 }
 
 void add_advice(Page& page, const ChartData& data) {
     page.section("Which method when");
-    page.prose("<b>If in doubt take auto</b>, which is what you get without a word. It takes nested or "
-               "active-set by a fixed model of cost and memory, and says which." +
-               losses_of_auto(data));
     page.prose(
+        Html::raw("<b>If in doubt take auto</b>, which is what you get without a word. It takes nested or "
+                  "active-set by a fixed model of cost and memory, and says which." +
+                  losses_of_auto(data)));
+    page.prose(Html::raw(
         "<b>nested</b> gives the exact solution of the grid, with every step's tangent. Its factor takes "
         "4 bytes for each pair of contact nodes, and its cost is that of contact: take it where few "
         "nodes touch, or on coarse grids. <b>active-set</b> needs no factor and keeps to its "
         "tolerance: take it where many nodes touch on a fine grid. <b>nnls</b> adds one node at a time "
         "and finds the same solution as nested: it is there as an independent check. "
-        "<b>polonsky-keer</b> needs no factor either and takes a load as well as a displacement.");
+        "<b>polonsky-keer</b> needs no factor either and takes a load as well as a displacement."));
     page.table(fastest_by_grid(data));
     page.prose(words_of_failures(data));
     page.section("How fine");
@@ -121,8 +121,8 @@ std::string chart_page(const ChartData& data) {
     add_left_out(page, data);
     page.section("What was measured");
     for (const ChartedScene& scene : data.scenes)
-        page.prose("<b>" + scene.name + "</b>: " + escaped(scene.words) + "; measured against " +
-                   escaped(scene.reference) + ".");
+        page.prose(Html::raw("<b>") + scene.name + Html::raw("</b>: ") + scene.words + "; measured against " +
+                   scene.reference + ".");
     page.prose(
         "Errors are root mean squares: of the relative error of the pressure over the load steps, at the "
         "same displacement; of the relative error of the tangent stiffness at 20 pressures, linear "

@@ -44,12 +44,12 @@ std::vector<const ChartRun*> ranked(const ChartData& data, std::size_t scene, In
 }
 
 /// "nested, 0.2 ms", and on a line of its own the grid and what else was chosen.
-std::string setting_words(const ChartRun& run) {
+Html setting_words(const ChartRun& run) {
     const ChartSetting& setting = run.setting;
     return name_of(setting.method) + ", " + time_words(run.seconds) +
-           "<span class=\"rule\">N = " + std::to_string(setting.nodes) + ", " +
-           std::to_string(setting.steps) + " steps" +
-           (setting.tolerance > 0 ? ", " + tolerance_word(setting.tolerance) : "") + "</span>";
+           Html::raw("<span class=\"rule\">N = " + std::to_string(setting.nodes) + ", " +
+                     std::to_string(setting.steps) + " steps" +
+                     (setting.tolerance > 0 ? ", " + tolerance_word(setting.tolerance) : "") + "</span>");
 }
 
 struct Share {
@@ -96,16 +96,17 @@ Table fastest_by_grid(const ChartData& data) {
     for (const Index nodes : grids)
         table.header.push_back("N = " + std::to_string(nodes));
     for (std::size_t scene = 0; scene < data.scenes.size(); ++scene) {
-        std::vector<std::string> row{data.scenes[scene].name, share_words(data.contact(scene))};
+        std::vector<Html> row{data.scenes[scene].name, share_words(data.contact(scene))};
         for (const Index nodes : grids) {
             const auto runs = ranked(data, scene, nodes);
-            std::string cell = runs.empty() ? "not tried" : "";
+            Html cell = runs.empty() ? "not tried" : "";
             if (!runs.empty())
                 cell = name_of(runs[0]->setting.method) + ", " + time_words(runs[0]->seconds);
             if (runs.size() > 1) {
                 const double longer = runs[1]->seconds / runs[0]->seconds;
-                cell += "<span class=\"rule\">" + name_of(runs[1]->setting.method) +
-                        (longer < same_time ? " alike" : " " + brief(longer) + " times") + "</span>";
+                cell += Html::raw("<span class=\"rule\">") + name_of(runs[1]->setting.method) +
+                        (longer < same_time ? " alike" : " " + brief(longer) + " times") +
+                        Html::raw("</span>");
             }
             row.push_back(cell);
         }
@@ -123,7 +124,7 @@ Table fastest_by_error(const ChartData& data, const ErrorKind& kind) {
     for (const double level : levels)
         table.header.push_back(share_words(level));
     for (std::size_t scene = 0; scene < data.scenes.size(); ++scene) {
-        std::vector<std::string> row{data.scenes[scene].name};
+        std::vector<Html> row{data.scenes[scene].name};
         for (const double level : levels) {
             std::vector<const ChartRun*> runs;
             for (const ChartRun& run : data.runs) // auto stands for what it takes
@@ -131,7 +132,7 @@ Table fastest_by_error(const ChartData& data, const ErrorKind& kind) {
                     kind.compares(run) && run.*kind.value <= level)
                     runs.push_back(&run);
             fastest_first(runs);
-            row.push_back(runs.empty() ? "none of the settings tried" : setting_words(*runs.front()));
+            row.push_back(runs.empty() ? Html("none of the settings tried") : setting_words(*runs.front()));
         }
         table.rows.push_back(row);
     }

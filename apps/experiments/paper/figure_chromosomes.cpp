@@ -22,12 +22,13 @@ Plot chromosome_plot(const ChromosomeExample& example) {
 } // namespace
 
 Figure chromosomes_figure(std::uint64_t seed) {
-    Figure figure{"figure-1",
-                  "Figure 1. A chromosome is one wave.",
-                  "Two chromosomes of one series (M = 8, γ = 1.5, L = λ<sub>1</sub> = 100 µm) and the eight "
+    Figure figure{
+        "figure-1",
+        "Figure 1. A chromosome is one wave.",
+        Html::raw("Two chromosomes of one series (M = 8, γ = 1.5, L = λ<sub>1</sub> = 100 µm) and the eight "
                   "cosines each is the sum of. However many ridges, the sum is a single cosine of the same "
-                  "wave length: 100 µm for n = 1, 66.7 µm for n = 2.",
-                  {}};
+                  "wave length: 100 µm for n = 1, 66.7 µm for n = 2."),
+        {}};
     for (int n : {1, 2})
         figure.panels.push_back(chromosome_plot(chromosome_example(n, seed)));
     return figure;

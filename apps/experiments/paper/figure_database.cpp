@@ -61,11 +61,11 @@ Figure parts_figure(const PaperRun& run) {
     Figure figure{"figure-4", "Figure 4. Good in one part.", "", {}};
     for (const TargetRun& target : run.targets) {
         figure.panels.push_back(parts_plot(run, target));
-        figure.caption += part_words(target);
+        figure.caption += Html::raw(part_words(target));
     }
-    figure.caption +=
+    figure.caption += Html::raw(
         "The dashed line is the threshold <i>p̄</i>. Genomes with s ≤ 0.95 over all pressures, the best over "
-        "each part. The cross-over adds the profiles of two such parents.";
+        "each part. The cross-over adds the profiles of two such parents.");
     return figure;
 }
 
@@ -114,13 +114,14 @@ Figure database_figure(const PaperRun& run) {
         plot.series.back().colour = colours[t % 2];
         plot.series.back().style = Style::line_points;
     }
-    return {"figure-6",
-            "Figure 6. The database and the targets.",
-            "K(p) of the " + std::to_string(run.database.size()) +
-                " genomes, rescaled by Eq. 11 to p<sub>max</sub>, and the targets. A stiffness curve never "
-                "falls and never "
-                "exceeds that of full contact.",
-            {plot}};
+    return {
+        "figure-6",
+        "Figure 6. The database and the targets.",
+        Html::raw("K(p) of the " + std::to_string(run.database.size()) +
+                  " genomes, rescaled by Eq. 11 to p<sub>max</sub>, and the targets. A stiffness curve never "
+                  "falls and never "
+                  "exceeds that of full contact."),
+        {plot}};
 }
 
 } // namespace app

@@ -51,13 +51,14 @@ double highest_share(const TargetRun& target) {
 } // namespace
 
 Figure thresholds_figure(const PaperRun& run) {
-    Figure figure{"figure-8",
-                  "Figure 8. The threshold's part.",
-                  "A: best similarity against the threshold (thin: the best child before GCMMA). B: how many "
+    Figure figure{
+        "figure-8",
+        "Figure 8. The threshold's part.",
+        Html::raw("A: best similarity against the threshold (thin: the best child before GCMMA). B: how many "
                   "children there are, |U<sub>3</sub>| = |U<sub>1</sub>| |U<sub>2</sub>|, and which share of "
                   "the distinct ones has s above 0.95. Where U<sub>1</sub> or U<sub>2</sub> held fewer than "
-                  "three genomes above 0.95 the three best were taken.",
-                  {}};
+                  "three genomes above 0.95 the three best were taken."),
+        {}};
     for (const TargetRun& target : run.targets) {
         Plot best = threshold_plot("A", "Best similarity s", target);
         Plot size = threshold_plot("B", "Children |U₃|", target);

@@ -4,7 +4,6 @@
 #include "apps/experiments/paper/figures.hpp"
 #include "apps/experiments/paper/lookup.hpp"
 #include "apps/experiments/paper/readings_section.hpp"
-#include "apps/report/plot_svg.hpp"
 #include "apps/report/units.hpp"
 
 #include <algorithm>
@@ -15,9 +14,9 @@ namespace {
 
 const char* const verdict_names[] = {"reproduced", "contradicted", "undecidable"};
 
-std::string badge(Verdict verdict) {
+Html badge(Verdict verdict) {
     const std::string name = verdict_names[static_cast<int>(verdict)];
-    return "<span class=\"badge " + name + "\">" + name + "</span>";
+    return Html::raw("<span class=\"badge " + name + "\">" + name + "</span>");
 }
 
 std::string count_of(const std::vector<Claim>& claims, Verdict verdict) {
@@ -26,18 +25,18 @@ std::string count_of(const std::vector<Claim>& claims, Verdict verdict) {
 }
 
 /// "Figure 8A" as a link to Figure 8
-std::string linked(const std::string& place) {
+Html linked(const std::string& place) {
     if (!place.starts_with("Figure "))
         return place;
     const std::string number = place.substr(7, place.find_first_not_of("0123456789", 7) - 7);
-    return "<a href=\"#figure-" + number + "\">" + place + "</a>";
+    return Html::raw("<a href=\"#figure-" + number + "\">") + place + Html::raw("</a>");
 }
 
 Table claims_table(const std::vector<Claim>& claims) {
     Table table{"", {"Where", "The paper says", "Measured here", "Verdict"}, {}, {}, true};
     for (const Claim& claim : claims)
-        table.rows.push_back({linked(claim.place), claim.says,
-                              claim.measured + "<span class=\"rule\">" + claim.rule + "</span>",
+        table.rows.push_back({linked(claim.place), Html::raw(claim.says),
+                              Html::raw(claim.measured + "<span class=\"rule\">" + claim.rule + "</span>"),
                               badge(claim.verdict)});
     return table;
 }
@@ -61,7 +60,7 @@ Table runs_table(const TargetRun& target) {
                 {false, true, true, true, true, true, true, true}};
     for (const VariantRun& variant : target.variants) {
         const auto candidates = refinements(variant);
-        table.rows.push_back({escaped(shown_name(variant.name)), readable(variant.similarity, 4),
+        table.rows.push_back({shown_name(variant.name), readable(variant.similarity, 4),
                               readable(variant.similarity_refined, 4),
                               candidates.empty() ? "–" : readable(candidates.front().similarity[0], 4),
                               descent_of(variant), std::to_string(variant.curves),
@@ -106,7 +105,7 @@ void add_repeat(Page& page, const PaperRun& run) {
     page.prose("The same seed gives the same bits, whatever the number of threads.");
     page.code(run.origin.command);
     page.prose(
-        "rugosa " + escaped(run.origin.version) + ", seed " + std::to_string(run.origin.seed) + ", " +
+        "rugosa " + run.origin.version + ", seed " + std::to_string(run.origin.seed) + ", " +
         std::to_string(run.model.grid.nodes) + " nodes over " + readable(run.model.grid.length, 5) + " mm, " +
         std::to_string(run.model.loading.steps) +
         " load steps. After J. Cinat, G. Gnecco and M. Paggi (2020), "

@@ -69,11 +69,12 @@ void add_readings(Page& page, const PaperRun& run, const Readings& readings) {
     table.rows.push_back(
         {"Correlation of Algorithm 1", dominance_words(run, readings, run.dominance),
          dominance_words(run, readings, run.dominance == same_pressure ? same_step : same_pressure)});
-    table.rows.push_back({"Units of p̄ and p<sub>max</sub>",
-                          "p̄ as a share of p<sub>max</sub> = " + readable(run.max_pressure, 2) +
-                              " MPa, to which every genome is rescaled by Eq. 11.",
-                          "Stiffness does not depend on amplitude, so similarities are the same for any "
-                          "p<sub>max</sub>."});
+    table.rows.push_back(
+        {Html::raw("Units of p̄ and p<sub>max</sub>"),
+         Html::raw("p̄ as a share of p<sub>max</sub> = ") + readable(run.max_pressure, 2) +
+             " MPa, to which every genome is rescaled by Eq. 11.",
+         Html::raw("Stiffness does not depend on amplitude, so similarities are the same for any "
+                   "p<sub>max</sub>.")});
     table.rows.push_back(
         {"Target",
          "The paper's is not published; one is drawn in its spirit (the smoothed median of the database).",
@@ -83,9 +84,10 @@ void add_readings(Page& page, const PaperRun& run, const Readings& readings) {
         {"Shortest wave", "The grid's spacing (Eq. 4).",
          "Waves under eight nodes are poorly resolved: see “on the fine grid” in the runs."});
     page.table(table);
-    page.prose("Slips in the paper's text that we read as follows: in SOG, “determined by Algorithm 2” means "
-               "Algorithm 1; in section 4.5, “GCO … smaller set” means CCO; the number of chromosomes is "
-               "n<sub>f</sub> − n<sub>s</sub> + 1, one more than its third line.");
+    page.prose(Html::raw(
+        "Slips in the paper's text that we read as follows: in SOG, “determined by Algorithm 2” means "
+        "Algorithm 1; in section 4.5, “GCO … smaller set” means CCO; the number of chromosomes is "
+        "n<sub>f</sub> − n<sub>s</sub> + 1, one more than its third line."));
 }
 
 } // namespace app

@@ -65,8 +65,7 @@ rough::Goal goal_of(const rough::Target& target) {
 
 void write_paper(const PaperRun& run, const std::filesystem::path& folder) {
     for (const TargetRun& target : run.targets) {
-        const auto place = &target == &run.targets.front() ? folder : folder / "heldout";
-        std::filesystem::create_directories(place);
+        const auto place = &target == &run.targets.front() ? folder : subfolder(folder, "heldout");
         write_target_tables(target, place);
         nlohmann::json result = result_json({run.origin,
                                              run.searched,

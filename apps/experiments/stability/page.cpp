@@ -2,7 +2,6 @@
 
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/page.hpp"
-#include "apps/report/plot_svg.hpp"
 #include "apps/report/units.hpp"
 
 #include <algorithm>
@@ -30,7 +29,7 @@ Table by_method(const std::vector<StabilityCell>& cells) {
     table.header.emplace_back("unsolved though there is a solution");
     table.numeric.push_back(true);
     for (const std::string& method : solver_names()) {
-        std::vector<std::string> row{method};
+        std::vector<Html> row{method};
         for (const Outcome outcome : outcomes)
             row.push_back(std::to_string(count(cells, method, outcome)));
         row.push_back(
@@ -48,11 +47,12 @@ Table by_scene(const std::vector<StabilityCell>& cells) {
     for (const std::string& method : solver_names())
         table.header.push_back(method);
     for (std::size_t first = 0; first < cells.size(); first += solver_names().size()) {
-        std::vector<std::string> row{cells[first].scene, cells[first].kernel};
+        std::vector<Html> row{cells[first].scene, cells[first].kernel};
         for (std::size_t k = first; k < first + solver_names().size(); ++k) {
             const ContactTrial& trial = cells[k].trial;
-            row.push_back(trial.outcome == Outcome::solved ? brief(1000 * trial.seconds) + " ms"
-                                                           : "<b>" + name_of(trial.outcome) + "</b>");
+            row.push_back(trial.outcome == Outcome::solved
+                              ? Html(brief(1000 * trial.seconds) + " ms")
+                              : Html::raw("<b>" + name_of(trial.outcome) + "</b>"));
         }
         table.rows.push_back(row);
     }
@@ -68,8 +68,8 @@ Table complaints(const std::vector<StabilityCell>& cells) {
         const auto [entry, is_new] =
             known.emplace(cell.scene + "\n" + cell.kernel + "\n" + cell.trial.message, table.rows.size());
         if (is_new)
-            table.rows.push_back({cell.scene, cell.kernel, cell.method, name_of(cell.trial.outcome),
-                                  escaped(cell.trial.message)});
+            table.rows.push_back(
+                {cell.scene, cell.kernel, cell.method, name_of(cell.trial.outcome), cell.trial.message});
         else
             table.rows[entry->second][2] += ", " + cell.method;
     }

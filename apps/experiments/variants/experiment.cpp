@@ -37,6 +37,10 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
             shortest_wave_from(settings, "targets.shortest-wave", target.setup.model.grid);
         targets.push_back(std::move(target));
     }
+    std::vector<std::string> names;
+    for (const RaceTarget& target : targets)
+        names.push_back(target.setup.goals[0].name);
+    expect_distinct(names, {"result.json", "variants.csv", "report.html"}, settings.place("targets.files"));
     return targets;
 }
 
@@ -206,8 +210,7 @@ void write_race(const Race& race, const std::filesystem::path& folder) {
     Csv table("target,variant,seed,curves_and_gradients,seconds,similarity");
     for (const RaceTarget& target : race.targets) {
         const bool first = &target == &race.targets.front();
-        const auto place = first ? folder : folder / target.setup.goals[0].name;
-        std::filesystem::create_directories(place);
+        const auto place = first ? folder : subfolder(folder, target.setup.goals[0].name);
         write_json(place / "result.json", race_json(race, target));
         for (const RaceVariant& variant : target.variants)
             for (const RaceRun& run : variant.runs)

@@ -7,9 +7,9 @@
 using namespace app;
 
 TEST_CASE("a page holds what was put into it, in order, and shows no mark-up that was meant as text") {
-    Page page("R < 1 & more", "A <em>lead</em>.");
+    Page page("R < 1 & more", Html::raw("A <em>lead</em>."));
     page.section("One & two");
-    page.prose("<i>K</i>");
+    page.prose(Html::raw("<i>K</i>"));
     page.figure({"figure-a", "Title.", "Caption.", {}});
     page.table({"Runs", {"name", "value"}, {{"a", "1"}, {"b", "2"}}, {false, true}});
     page.code("rugosa run x --set a.b=<c>");

@@ -86,7 +86,7 @@ TEST_CASE("logarithmic axes, bars, steps and named ticks draw without complaint"
 }
 
 TEST_CASE("a picture as a file brings its own colours") {
-    const std::string file = svg_file(plot_of(Eigen::Vector3d(1, 2, 3)));
+    const std::string file = svg_file(svg({plot_of(Eigen::Vector3d(1, 2, 3))}).front());
     require_well_formed(file);
     CHECK(file.find("<style>") != std::string::npos);
     CHECK(file.find(".plot .red{color:") != std::string::npos);
