@@ -131,20 +131,15 @@ Drawn run_gnuplot(const std::string& script, double seconds) {
 
 std::string gnuplot_text(const std::string& text) {
     std::string result = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        const bool plain =
-            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || byte >= 0x80;
-        if (byte < ' ' || c == '\x7f') {
+    for (const char c : text)
+        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f')
             result += ' ';
-        } else if (plain || c == ' ') {
+        else if (c == '"' || c == '\\')
+            result += std::string("\\") + c;
+        else if (c == '`')
+            result += "\\140\".\""; // by its number, which a digit behind it would change
+        else
             result += c;
-        } else {
-            std::array<char, 5> number;
-            std::snprintf(number.data(), number.size(), "\\%03o", byte);
-            result += number.data();
-        }
-    }
     return result + "\"";
 }
 

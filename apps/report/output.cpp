@@ -78,10 +78,10 @@ void OutputFolder::expect_free(const Writing& writing) const {
 void OutputFolder::make(const std::string& given, const std::string& name) {
     std::error_code error;
     const auto make_all = [&](const fs::path& folder) {
-        for (fs::path missing = folder; !missing.empty() && !fs::exists(missing, error);
-             missing = missing.parent_path())
-            made_.push_back(missing);
-        fs::create_directories(folder, error);
+        fs::path path;
+        for (const fs::path& part : folder)
+            if (path /= part; !part.empty() && fs::create_directory(path, error))
+                made_.insert(made_.begin(), path);
     };
     if (!given.empty()) {
         path_ = given;

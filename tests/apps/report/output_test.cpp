@@ -1,3 +1,4 @@
+#include "apps/report/output.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
@@ -113,4 +114,100 @@ TEST_CASE("a curve is written through a link to where it points, and a device ha
     CHECK(rugosa("contact --genome genome.json --nodes 64 --steps 2 --out nowhere", desk.path()).code == 0);
     CHECK(fs::is_character_file(desk / "nowhere"));
     CHECK_FALSE(fs::exists(desk / "nowhere.json"));
+}
+
+TEST_CASE("no link leads a run out of its folder, and force takes links away") {
+    const Desk desk;
+    fs::create_directory(desk / "o");
+    desk.write("mine.txt", "mine");
+    fs::create_symlink("../mine.txt", desk / "o/.writable");
+    fs::create_symlink("../new.csv", desk / "o/heights.csv");
+    fs::create_symlink("../mine.txt", desk / "o/profile.json");
+    const std::string words = "profile genome.json --nodes 64 --pictures off --out o";
+    check_refused(rugosa(words, desk.path()), "is a link");
+    CHECK(rugosa(words + " --force", desk.path()).code == 0);
+    CHECK(rough::read_whole(desk / "mine.txt") == "mine");
+    CHECK_FALSE(fs::exists(desk / "new.csv"));
+    CHECK(fs::is_regular_file(fs::symlink_status(desk / "o/heights.csv")));
+    CHECK(fs::is_symlink(desk / "o/.writable")); // not ours: stays
+}
+
+TEST_CASE("targets that would lead a run out of its folder or over its own files are refused") {
+    const Desk desk;
+    const std::string target = rough::read_whole(desk / "target.csv");
+    for (const char* name : {"...csv", "..csv", "result.json.csv", "copy/target.csv"}) {
+        fs::create_directory(desk / "copy");
+        desk.write(name, target);
+        desk.write("e.ini",
+                   "[experiment]\nkind = variants\nseeds = 1\nbudget = 10\n[model]\nnodes = 32\n[targets]\n"
+                   "files = target.csv, " +
+                       std::string(name) + "\n[variants]\na = sample 2 | score | best 1\n");
+        check_refused(rugosa("run e.ini --out a/b", desk.path()), "given as a name");
+        CHECK_FALSE(fs::exists(desk / "a/result.json"));
+    }
+}
+
+TEST_CASE("a folder in use by one run is refused to another") {
+    const Desk desk;
+    const app::OutputFolder one((desk / "o").string(), "", {});
+    CHECK_THROWS_WITH(app::OutputFolder((desk / "o").string(), "", {}), Catch::Contains("in use"));
+    check_refused(rugosa(quick_design + "o --force", desk.path()), "in use");
+}
+
+TEST_CASE("names too long, loops of links and folders of no name are refused in a line, and nothing goes") {
+    const Desk desk;
+    fs::create_symlink("loop", desk / "loop");
+    desk.write("...txt", rough::read_whole(desk / "scan.txt"));
+    const std::string long_name(300, 'x'),
+        contact = "contact --genome genome.json --nodes 32 --steps 2 --out ",
+        profile = "profile genome.json --nodes 32 --pictures off --out ";
+    for (const std::string& words :
+         {contact + long_name, contact + "loop", profile + long_name, profile + "loop", profile + "loop/a",
+          std::string("contact --genome loop --out a.csv"), std::string("profile --profile ...txt")})
+        check_refused(rugosa(words, desk.path()), "rugosa: ");
+    CHECK(fs::is_symlink(desk / "loop"));
+    CHECK(fs::exists(desk / "scan.txt"));
+}
+
+TEST_CASE("what cannot be said on standard output is no success") {
+    const Desk desk;
+    for (const char* words : {"operators", "--help", "contact --help", "target --check target.csv"}) {
+        check_refused(rugosa(words, desk.path(), R"(sh -c '"$0" "$@" >/dev/full')"), "standard output");
+    }
+    // A reader that goes ends no work.
+    rugosa(quick_design + "o", desk.path(), R"(sh -c '"$0" "$@" | true')");
+    CHECK(fs::exists(desk / "o/report.html"));
+}
+
+TEST_CASE("a lack of memory ends in one line and exit code 2") {
+    const Desk desk;
+    check_refused(rugosa("profile genome.json --nodes 1e7 --out p", desk.path(), "ulimit -v 300000; "),
+                  "out of memory");
+}
+
+TEST_CASE("what claims to be huge is refused before it is read") {
+    const Desk desk;
+    for (const char* name : {"genome.json", "scan.txt", "target.csv"})
+        fs::resize_file(desk / name, 10'000'000'000);
+    desk.write("deep.json", std::string(60000, '['));
+    const std::string little_memory = "ulimit -v 1000000; ";
+    for (const char* words :
+         {"contact --genome genome.json --out c.csv", "contact --profile scan.txt --out c.csv",
+          "contact --genome deep.json --out c.csv", "design --target target.csv --out o",
+          "run target.csv --out o"})
+        check_refused(rugosa(words, desk.path(), little_memory),
+                      std::string(words).find("deep") != std::string::npos ? "deep" : "bytes");
+    check_refused(rugosa("contact --genome deep.json --nodes 1e9 --out c.csv", desk.path()), "--nodes");
+    check_refused(rugosa("contact --genome deep.json --steps 1e12 --out c.csv", desk.path()), "--steps");
+}
+
+TEST_CASE("a hang-up ends a design as a request to end does: what was found is written") {
+    const Desk desk;
+    desk.write("hup.sh",
+               "'" RUGOSA_PROGRAM
+               "' design --target target.csv --nodes 128 --seconds 100 --out o >log 2>&1 & child=$!\n"
+               "until [ -s o/checkpoint.cbor ]; do sleep 0.02; done\nkill -HUP $child; wait $child\n");
+    const int status = std::system(("cd '" + desk.path().string() + "' && bash hup.sh").c_str());
+    CHECK(WEXITSTATUS(status) == 130);
+    CHECK(app::testing::result_in(desk / "o")["interrupted"] == true);
 }

@@ -31,3 +31,19 @@ TEST_CASE("a table's rows are as wide as its header") {
     Page page("t", "l");
     CHECK_THROWS_AS(page.table({"Runs", {"name", "value"}, {{"a"}}}), std::logic_error);
 }
+
+TEST_CASE("text from a file shows as it is written, wherever it stands in a page") {
+    const std::string evil = "<script>x</script>\"&";
+    Page page(evil, evil);
+    page.section(evil);
+    page.prose(evil);
+    page.prose(Html::raw("<b>") + evil + Html::raw("</b>"));
+    page.figure({"f", evil, evil, {}});
+    page.table({evil, {evil}, {{evil}}});
+    page.tiles({{evil, evil}});
+    page.code(evil);
+    const std::string html = page.html();
+    CHECK(html.find("<script") == std::string::npos);
+    CHECK(html.find("\"&\"") == std::string::npos);
+    CHECK(html.find("<b>&lt;script&gt;x&lt;/script&gt;&quot;&amp;</b>") != std::string::npos);
+}

@@ -43,18 +43,45 @@ TEST_CASE("a place that cannot be written is refused in one line and nothing is 
     CHECK(entries(folder.path()) == 1);
 }
 
-TEST_CASE("a file written through a link takes the place of what the link names, and the link stays") {
+TEST_CASE("a link is replaced by the file that is written there, and what it names stays as it was") {
     const Folder folder;
     fs::create_directory(folder / "far");
     folder.write("far/curve.csv", "old");
     fs::create_symlink("far/curve.csv", folder / "link.csv");
     fs::create_symlink("far/new.csv", folder / "dangling.csv");
-    rough::write_atomically(folder / "link.csv", "new");
-    rough::write_atomically(folder / "dangling.csv", "first");
-    CHECK(fs::is_symlink(folder / "link.csv"));
-    CHECK(rough::read_whole(folder / "far/curve.csv") == "new");
-    CHECK(rough::read_whole(folder / "far/new.csv") == "first");
-    CHECK(entries(folder / "far") == 2);
+    for (const char* name : {"link.csv", "dangling.csv"}) {
+        rough::write_atomically(folder / name, "new");
+        CHECK_FALSE(fs::is_symlink(folder / name));
+        CHECK(rough::read_whole(folder / name) == "new");
+    }
+    CHECK(rough::read_whole(folder / "far/curve.csv") == "old");
+    CHECK(entries(folder / "far") == 1);
+}
+
+TEST_CASE("a chain of links ends at the file that it names, and a loop of links is refused") {
+    const Folder folder;
+    fs::create_symlink("b", folder / "a");
+    fs::create_symlink("far/c", folder / "b");
+    CHECK(rough::without_links(folder / "a") == folder / "far/c");
+    fs::create_symlink("loop", folder / "loop");
+    CHECK_THROWS_WITH(rough::without_links(folder / "loop"), Catch::Contains("loop"));
+}
+
+TEST_CASE("a file that is replaced hands on its mode") {
+    const Folder folder;
+    const fs::path file = folder.write("secret.csv", "old");
+    fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+    rough::write_atomically(file, "new");
+    CHECK(fs::status(file).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+TEST_CASE("a file larger than its kind may be is refused unread, and so is a device without an end") {
+    const Folder folder;
+    const fs::path file = folder.write("sparse.txt", "");
+    fs::resize_file(file, 3'000'000'000'000);
+    CHECK_THROWS_WITH(rough::read_whole(file), Catch::Contains("400000000 bytes"));
+    CHECK_THROWS_WITH(rough::read_whole("/dev/zero", 1000), Catch::Contains("1000 bytes"));
+    CHECK(rough::read_whole(folder.write("full", std::string(1000, 'x')), 1000).size() == 1000);
 }
 
 TEST_CASE("a pipe is written to as it is, and a full device is refused and stays") {

@@ -1,3 +1,4 @@
+#include "domain/errors.hpp"
 #include "domain/text/json.hpp"
 
 #include <catch2/catch.hpp>
@@ -9,4 +10,14 @@ TEST_CASE("a name that is no UTF-8 can be written as JSON, and what is stays as 
     CHECK(read.at("caf\xEF\xBF\xBD") == "\xEF\xBF\xBD");
     CHECK(read.at("µm") == value.at("µm"));
     CHECK(rough::json_text({{"a", {1}}}, true) == R"({"a":[1]})");
+}
+
+TEST_CASE("JSON is read to a depth of 64 brackets, and deeper or broken text is refused in a line") {
+    const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+    CHECK_NOTHROW(rough::parsed_json(nested(64), "g.json"));
+    CHECK_THROWS_WITH(rough::parsed_json(nested(65), "g.json"), Catch::Contains("g.json: brackets"));
+    CHECK_THROWS_AS(rough::parsed_json(std::string(1'000'000, '['), "g.json"), rough::InputError);
+    CHECK(rough::parsed_json(R"(["[[\"[[", "]"])", "g.json").size() == 2); // brackets in words do not count
+    CHECK_THROWS_WITH(rough::parsed_json("{\"a\":\n", "g.json"),
+                      Catch::Contains("g.json: not JSON") && !Catch::Contains("\n"));
 }

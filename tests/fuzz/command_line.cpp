@@ -1,0 +1,18 @@
+#include "apps/commands/design/settings.hpp"
+#include "apps/prompt/model_settings.hpp"
+#include "tests/fuzz/reader.hpp"
+
+#include <sstream>
+
+/// A word a line.
+FUZZ(command_line) {
+    std::vector<std::string> words;
+    std::istringstream lines{std::string(bytes)};
+    for (std::string word; std::getline(lines, word);)
+        words.push_back(word);
+    const app::Settings settings = app::read_command_line(words, app::design_settings());
+    settings.seed("seed");
+    settings.threads("threads");
+    settings.is_on("force");
+    app::model_from(settings);
+}

@@ -1,0 +1,4 @@
+#include "domain/mwm/genome_json.hpp"
+#include "tests/fuzz/reader.hpp"
+
+FUZZ(genome) { rough::read_genome_file(fuzz::as_file(bytes)); }

@@ -1,0 +1,15 @@
+#include "domain/scan/scan.hpp"
+
+#include "tests/fuzz/reader.hpp"
+
+/// The first byte chooses how the scan is asked for, so that its seeds begin with one.
+FUZZ(scan) {
+    if (bytes.empty())
+        return;
+    rough::ScanOptions options;
+    options.fill = bytes[0] & 1;
+    options.spacing = bytes[0] & 2 ? 0.001 : 0;
+    options.unit = bytes[0] & 4 ? "um" : "";
+    options.nodes = bytes[0] & 8 ? 16 : 0;
+    rough::read_scan(fuzz::as_file(bytes.substr(1)), options);
+}
