@@ -5,8 +5,7 @@
 namespace app {
 
 /// The report of the paper's experiment: one self-contained HTML page with Figures 1 to 11, the table of
-/// claims with their verdicts, and what rests on our reading of the paper. Needs gnuplot: throws
-/// rough::InputError when it is missing.
+/// claims with their verdicts, and what rests on our reading of the paper.
 std::string paper_page(const PaperRun& run);
 
 } // namespace app
