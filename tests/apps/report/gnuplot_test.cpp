@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
+#include <optional>
 
 using namespace app;
 using tests::Folder;
@@ -25,15 +26,22 @@ Plot plot_named(const std::string& name) {
 /// An environment variable that is as it was again afterwards.
 class Environment {
   public:
-    Environment(const char* name, const std::string& value)
-        : name_(name), before_(std::getenv(name) ? std::getenv(name) : "") {
+    Environment(const char* name, const std::string& value) : name_(name) {
+        if (const char* before = std::getenv(name))
+            before_ = before;
         setenv(name, value.c_str(), 1);
     }
-    ~Environment() { setenv(name_, before_.c_str(), 1); }
+    ~Environment() {
+        if (before_)
+            setenv(name_, before_->c_str(), 1);
+        else
+            unsetenv(name_);
+    }
+    Environment(const Environment&) = delete;
 
   private:
     const char* name_;
-    std::string before_;
+    std::optional<std::string> before_;
 };
 
 /// A folder with a program of gnuplot's name.

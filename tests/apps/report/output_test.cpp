@@ -190,6 +190,7 @@ TEST_CASE("what claims to be huge is refused before it is read") {
     for (const char* name : {"genome.json", "scan.txt", "target.csv"})
         fs::resize_file(desk / name, 10'000'000'000);
     desk.write("deep.json", std::string(60000, '['));
+    desk.write("good.json", genome);
     const std::string little_memory = "ulimit -v 1000000; ";
     for (const char* words :
          {"contact --genome genome.json --out c.csv", "contact --profile scan.txt --out c.csv",
@@ -197,8 +198,8 @@ TEST_CASE("what claims to be huge is refused before it is read") {
           "run target.csv --out o"})
         check_refused(rugosa(words, desk.path(), little_memory),
                       std::string(words).find("deep") != std::string::npos ? "deep" : "bytes");
-    check_refused(rugosa("contact --genome deep.json --nodes 1e9 --out c.csv", desk.path()), "--nodes");
-    check_refused(rugosa("contact --genome deep.json --steps 1e12 --out c.csv", desk.path()), "--steps");
+    check_refused(rugosa("contact --genome good.json --nodes 1e9 --out c.csv", desk.path()), "--nodes");
+    check_refused(rugosa("contact --genome good.json --steps 1e12 --out c.csv", desk.path()), "--steps");
 }
 
 TEST_CASE("a hang-up ends a design as a request to end does: what was found is written") {

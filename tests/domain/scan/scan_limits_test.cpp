@@ -32,7 +32,7 @@ TEST_CASE("an export's count above 1e9 is refused") {
 
 TEST_CASE("empty quotes in a header, half a pair of UTF-16 and a tiny exponent leave a scan readable") {
     const Folder folder;
-    for (const std::string& head : {"x z\n\"\"\n", "\"\" height\n", "\"\"\n\"\" \"\"\n"})
+    for (const std::string head : {"x z\n\"\"\n", "\"\" height\n", "\"\"\n\"\" \"\"\n"})
         CHECK(read_scan(folder.write("scan.txt", head + rows), {}).profile.nodes() == 4);
     CHECK(read_scan(folder.write("scan.txt", "0.0e-2147483647 2\n" + rows), {}).profile.nodes() == 5);
     std::string wide("\xFF\xFE#\0\x00\xD8x\0\n\0", 10);
