@@ -1,12 +1,11 @@
-#include "apps/experiments/variants/experiment.hpp"
+#include "apps/experiments/experiment.hpp"
 
-#include "apps/experiments/paper/settings.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "tests/fuzz/reader.hpp"
 
 FUZZ(experiment) {
-    const app::Settings settings = app::read_ini(
-        fuzz::as_file(bytes), app::joined({app::paper_settings(), app::variants_settings()}), {});
+    static const std::vector<app::Setting> known = app::variants_experiment().all_settings();
+    const app::Settings settings = app::read_ini(fuzz::as_file(bytes), known, {});
     app::model_from(settings, "model.");
     settings.seed("experiment.seed");
     settings.names_under("variants.");
