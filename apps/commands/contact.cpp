@@ -8,8 +8,8 @@
 #include "apps/report/output.hpp"
 #include "apps/report/units.hpp"
 #include "domain/accuracy/respond_within.hpp"
+#include "domain/contact/names.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/genome_json.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <filesystem>
@@ -50,29 +50,19 @@ void expect_common(const Settings& settings) {
     settings.seed("seed");
 }
 
-rough::AccountedResponse measured_response(const Settings& settings) {
-    const rough::Scan scan = scan_from(settings.text("profile"), settings, nodes_from(settings, 0));
-    const rough::Model model = model_from(settings, scan.profile);
-    rough::Profile profile = scan.profile;
-    profile.spacing = model.grid.spacing();
-    const double accuracy = accuracy_from(settings);
-    rough::AccountedResponse result =
-        accuracy > 0 ? respond_within(profile, within_accuracy(model, settings), accuracy)
-                     : respond_exactly(profile, model);
-    say(scan.account);
+rough::AccountedResponse pressed(const Settings& settings) {
+    const rough::Source source = source_from(settings, nodes_from(settings, 0));
+    rough::Model model = model_from(settings, source);
+    model.accuracy = accuracy_from(settings);
+    if (model.accuracy > 0) {
+        if (source.genome && !settings.has("nodes"))
+            model.grid = rough::resolved_grid(*source.genome, model.grid.length, model.grid.wraps);
+        model = within_accuracy(model, settings);
+    }
+    rough::AccountedResponse result = respond_accounted(source, model);
+    if (!source.account.empty())
+        say(source.account);
     return result;
-}
-
-rough::AccountedResponse computed_response(const Settings& settings) {
-    expect_none(settings, scan_settings(), "given with --genome, expected with --profile only");
-    const auto [genome, length] = rough::read_genome_file(settings.text("genome"));
-    rough::Model model = model_from(settings, length);
-    const double accuracy = accuracy_from(settings);
-    if (accuracy == 0)
-        return respond_exactly(genome, model);
-    if (!settings.has("nodes"))
-        model.grid = rough::resolved_grid(genome, model.grid.length, model.grid.wraps);
-    return respond_within(genome, within_accuracy(model, settings), accuracy);
 }
 
 } // namespace
@@ -103,8 +93,7 @@ int contact(const Words& words) {
     if (has_account)
         account = expect_writable(account, settings);
 
-    const rough::AccountedResponse result =
-        settings.has("genome") ? computed_response(settings) : measured_response(settings);
+    const rough::AccountedResponse result = pressed(settings);
     const rough::Response& response = result.response;
     rough::write_atomically(out, csv(response));
     if (has_account)

@@ -8,8 +8,6 @@
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/discrete_spectrum.hpp"
-#include "domain/mwm/genome_json.hpp"
-#include "domain/mwm/sampling.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/solid.hpp"
 #include "domain/profile/spectrum.hpp"
@@ -52,29 +50,27 @@ struct Shape {
     std::string account;
 };
 
-Shape shape_of_genome(const Settings& settings) {
-    expect_none(settings, scan_settings(), "given with a genome, expected with --profile only");
-    const auto [genome, length] = rough::read_genome_file(settings.text("genome"));
-    rough::Grid grid;
-    grid.length = length;
-    grid.nodes = nodes_from(settings, grid.nodes, "", fewest_nodes);
+Shape shape_from(const Settings& settings) {
+    if (settings.has("profile") && settings.given("length"))
+        throw rough::InputError("--length: given with a scan, which has its own");
+    const rough::Index nodes = nodes_from(settings, 0, "", fewest_nodes);
+    const rough::Source source = source_from(settings, nodes);
+    rough::Grid grid = source.grid();
+    if (nodes > 0)
+        grid.nodes = nodes;
     if (settings.has("length"))
         grid.length = settings.positive("length");
-    Shape shape{sample(genome, grid), discrete_spectrum(genome), settings.text("genome")};
+    Shape shape{source.on(grid), {}, source.account};
+    if (!source.genome)
+        return shape;
+    shape.lines = rough::discrete_spectrum(*source.genome);
     const double shortest = 2 * std::numbers::pi / shape.lines.back().wave_number / grid.spacing();
-    shape.account += ": " + readable(grid.length, 6) + " mm, " + std::to_string(shape.lines.size()) +
-                     " waves, the shortest " + readable(shortest) + " nodes long";
+    shape.account = source.name + ": " + readable(grid.length, 6) + " mm, " +
+                    std::to_string(shape.lines.size()) + " waves, the shortest " + readable(shortest) +
+                    " nodes long";
     if (shortest < 8)
         shape.account += " (waves under 8 nodes: slopes, curvatures and light contact depend on the grid)";
     return shape;
-}
-
-Shape shape_of_scan(const Settings& settings) {
-    if (settings.given("length"))
-        throw rough::InputError("--length: given with a scan, which has its own");
-    rough::Scan scan =
-        scan_from(settings.text("profile"), settings, nodes_from(settings, 0, "", fewest_nodes));
-    return {std::move(scan.profile), {}, std::move(scan.account)};
 }
 
 rough::Extrusion extrusion_from(const Settings& settings) {
@@ -189,7 +185,7 @@ int profile(const Words& words) {
     const rough::Extrusion extrusion = extrusion_from(settings);
     const bool pictures = settings.is_on("pictures");
 
-    const Shape shape = settings.has("genome") ? shape_of_genome(settings) : shape_of_scan(settings);
+    const Shape shape = shape_from(settings);
     const rough::Roughness roughness = rough::roughness(shape.profile);
     const rough::Spectrum spectrum = continuous_spectrum(shape.profile);
     const bool has_solid = shape.profile.nodes() <= most_solid_nodes;

@@ -8,7 +8,8 @@
 #include "apps/report/units.hpp"
 #include "domain/design/out_of_reach.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/genome_json.hpp"
+#include "domain/target/like.hpp"
+#include "domain/target/recorded.hpp"
 #include "domain/text/atomic_file.hpp"
 
 namespace app {
@@ -49,33 +50,19 @@ Made made_target(const Settings& settings) {
             throw rough::InputError(
                 "--to: missing, expected the last pressure (MPa) or displacement (mm) of the formula");
         const auto y = formula(settings.text("formula"), against_pressure(quantity) ? "p" : "d", "--formula");
-        return {even_goal(quantity, "--formula", points, settings.positive("to"), y), model_from(settings)};
+        const rough::Model model = model_from(settings);
+        rough::Goal goal = rough::even_goal(quantity, "--formula", points, settings.positive("to"), y);
+        goal.recorded = recorded_model(model);
+        return {std::move(goal), model};
     }
-    Made made;
-    rough::Profile profile;
-    std::string name;
-    if (settings.has("genome")) {
-        name = settings.text("genome");
-        const auto [genome, length] = rough::read_genome_file(name);
-        made.model = model_from(settings, length);
-        profile = sample(genome, made.model.grid);
-    } else {
-        name = settings.text("like");
-        const rough::Scan scan = scan_from(name, settings, nodes_from(settings, 0));
-        say(scan.account);
-        made.model = model_from(settings, scan.profile);
-        profile = scan.profile;
-        profile.spacing = made.model.grid.spacing();
-    }
-    rough::Model loaded = made.model;
-    if (settings.has("to"))
-        (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) =
-            settings.positive("to");
-    const rough::Curve curve =
-        curve_of(quantity, respond(profile, loaded.body, loaded.loading, loaded.contact));
-    const double last = settings.has("to") ? settings.positive("to") : curve.to;
-    made.goal = even_goal(quantity, name, points, last, [&](double x) { return curve.at(x); });
-    return made;
+    const rough::Source source = source_from(settings, nodes_from(settings, 0), "like");
+    if (!source.account.empty())
+        say(source.account);
+    const rough::Model model = model_from(settings, source);
+    rough::Model loaded = model;
+    const double last = settings.has("to") ? settings.positive("to") : 0;
+    (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) = last;
+    return {goal_like(source.on(model.grid), loaded, source.name, quantity, points, last), model};
 }
 
 /// Says what the target is; gives the exit code, 3 where it is out of reach.
@@ -130,7 +117,6 @@ int target(const Words& words) {
         made.goal.lower = (1 - part) * made.goal.y;
         made.goal.upper = (1 + part) * made.goal.y;
     }
-    made.goal.recorded = recorded_model(made.model);
     validate(made.goal);
     rough::write_atomically(out, to_csv(made.goal));
     for (const auto& note : without_effect(settings))

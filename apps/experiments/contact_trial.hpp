@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/contact/solve.hpp"
+#include "domain/contact/names.hpp"
 
 #include <string>
 

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "apps/prompt/settings.hpp"
-#include "domain/accuracy/respond.hpp"
-#include "domain/contact/kernel.hpp"
-#include "domain/mwm/sampling.hpp"
+#include "domain/response/model.hpp"
+#include "domain/scan/source.hpp"
 
 namespace app {
 
@@ -21,17 +20,12 @@ double accuracy_from(const Settings& settings, const std::string& prefix = "");
 rough::Index nodes_from(const Settings& settings, rough::Index otherwise, const std::string& prefix = "",
                         rough::Index least = 2);
 
-/// The model they describe. A measured profile brings its own grid: nodes and length then default to its own.
+rough::Kernel kernel_from(const Settings& settings, const std::string& prefix = "");
+
+/// The model they describe, complete. Throws rough::InputError where it has no solution.
 rough::Model model_from(const Settings& settings, const std::string& prefix = "");
-/// Of a genome that was made for a length (mm), which --length overrides.
-rough::Model model_from(const Settings& settings, double length);
-rough::Model model_from(const Settings& settings, const rough::Profile& scan, const std::string& prefix = "");
-
-/// The shortest wave that a search may use, mm; 8 node distances where none is given. Throws
-/// rough::InputError on one that the grid does not see: shorter than a node distance.
-double shortest_wave_from(const Settings& settings, const std::string& name, const rough::Grid& grid);
-
-const std::vector<std::string>& solver_names(); ///< in the order of rough::Solver
-const std::string& name_of(rough::Solver solver);
+/// The same for what brings its own grid along: nodes and length default to that.
+rough::Model model_from(const Settings& settings, const rough::Source& source,
+                        const std::string& prefix = "");
 
 } // namespace app

@@ -16,8 +16,8 @@ std::vector<Setting> scan_settings(const std::string& prefix) {
     return settings;
 }
 
-rough::Scan scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
-                      const std::string& prefix) {
+rough::Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
+                        const std::string& prefix) {
     rough::ScanOptions options;
     options.unit = settings.text(prefix + "unit");
     if (!options.unit.empty())
@@ -28,7 +28,14 @@ rough::Scan scan_from(const std::filesystem::path& file, const Settings& setting
         rough::detrend_named(settings.text(prefix + "detrend"), settings.place(prefix + "detrend"));
     options.fill = settings.is_on(prefix + "fill");
     options.nodes = nodes;
-    return rough::read_scan(file, options);
+    return placing(settings, prefix, [&] { return rough::open_scan(file, options); });
+}
+
+rough::Source source_from(const Settings& settings, rough::Index nodes, const std::string& scan) {
+    if (!settings.has("genome"))
+        return scan_from(settings.text(scan), settings, nodes);
+    expect_none(settings, scan_settings(), "given with a genome, expected with --" + scan + " only");
+    return rough::open_genome(settings.text("genome"));
 }
 
 } // namespace app

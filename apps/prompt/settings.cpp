@@ -288,6 +288,17 @@ void expect_none(const Settings& settings, const std::vector<Setting>& of, const
             throw InputError(settings.place(setting.name) + ": " + where);
 }
 
+std::string placed(const Settings& settings, const std::string& prefix, const rough::InputError& error) {
+    const std::string line = error.what();
+    std::string name = prefix + error.about;
+    std::replace(name.begin(), name.end(), ' ', '-');
+    if (error.about.empty() || !settings.knows(name))
+        return line;
+    const std::string rest =
+        line.starts_with(error.about + ": ") ? line.substr(error.about.size() + 2) : line;
+    return settings.place(name) + ": " + rest;
+}
+
 std::string described(const std::vector<Setting>& known) {
     std::vector<std::string> groups;
     for (const Setting& setting : known)

@@ -28,6 +28,7 @@ class Settings {
     Settings(std::string source, std::vector<Setting> known, std::map<std::string, std::string> given,
              std::map<std::string, int> lines = {});
 
+    bool knows(const std::string& name) const { return known_.count(name) > 0; }
     bool given(const std::string& name) const { return given_.count(name) > 0; }
     bool has(const std::string& name) const { return !text(name).empty(); }
     const std::string& text(const std::string& name) const;
@@ -79,6 +80,18 @@ std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists);
 
 /// Throws rough::InputError on the first of these that was given; `where` says where it may be.
 void expect_none(const Settings& settings, const std::vector<Setting>& of, const std::string& where);
+/// The message of a rough::InputError with the place in front of the setting that sets the value it is about:
+/// "datum" is --datum, or model.datum of an experiment where `prefix` is "model.".
+std::string placed(const Settings& settings, const std::string& prefix, const rough::InputError& error);
+/// What `work` gives; a rough::InputError of the domain, which knows values and no flags, is placed.
+template <class Work>
+auto placing(const Settings& settings, const std::string& prefix, Work work) {
+    try {
+        return work();
+    } catch (const rough::InputError& error) {
+        throw rough::InputError(placed(settings, prefix, error));
+    }
+}
 /// What `work` gives, its ga::UsageError as a rough::InputError that begins with the key's place: for text of
 /// an experiment that ga reads.
 template <class Work>

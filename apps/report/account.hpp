@@ -14,7 +14,4 @@ nlohmann::json account_json(const rough::Account& account);
 /// (`true_error`).
 nlohmann::json modelled_json(const rough::Genome& genome, const rough::Model& model);
 
-/// The same in a few sentences.
-std::string in_words(const rough::Account& account);
-
 } // namespace app

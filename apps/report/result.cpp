@@ -1,8 +1,8 @@
 #include "apps/report/result.hpp"
 
-#include "apps/prompt/model_settings.hpp"
 #include "apps/report/account.hpp"
 #include "domain/contact/datum.hpp"
+#include "domain/contact/names.hpp"
 #include "domain/mwm/genome_json.hpp"
 
 namespace app {

@@ -3,6 +3,8 @@
 #include "domain/accuracy/chromosomes.hpp"
 #include "domain/response/response.hpp"
 
+#include <string>
+
 namespace rough {
 
 /// What was modelled to answer a question, and how wrong the answer may be. Errors are relative, the worst
@@ -29,5 +31,8 @@ struct Account {
 
     bool extrapolated() const { return read_grids > 1; } ///< whether several grids give the answer together
 };
+
+/// The same in a few sentences.
+std::string in_words(const Account& account);
 
 } // namespace rough

@@ -6,14 +6,15 @@
 
 namespace rough {
 
-Response respond(const Genome& genome, const Model& model) {
+Response respond(const Genome& genome, const Model& given) {
+    const Model model = completed(given);
     if (model.accuracy > 0)
         return respond_within(genome, model, model.accuracy).response;
     const Profile profile = sample(genome, model.grid);
     if (is_flat(profile, genome))
         refuse("profile: all heights are equal at its ", model.grid.nodes,
                " nodes, expected waves that the grid can show");
-    return respond(profile, model.body, model.loading, model.contact);
+    return respond(profile, model);
 }
 
 } // namespace rough

@@ -7,6 +7,6 @@ namespace rough {
 
 /// A genome's response within the model's accuracy. Throws InputError where the genome's waves are flat at
 /// the grid's nodes (a wave of exactly the spacing is).
-Response respond(const Genome& genome, const Model& model);
+Response respond(const Genome& genome, const Model& model = {});
 
 } // namespace rough

@@ -85,9 +85,9 @@ struct Ladder {
 class Question {
   public:
     Question(Surface surface, const Model& resolved, double accuracy)
-        : surface_(std::move(surface)), model_(resolved), accuracy_(accuracy),
-          whole_(surface_.sampled(resolved.grid)), highest_(whole_.heights.maxCoeff()),
-          rows_(step_displacements(whole_, resolved.body, resolved.loading, resolved.contact)),
+        : surface_(std::move(surface)), model_(completed(resolved)), accuracy_(accuracy),
+          whole_(surface_.sampled(model_.grid)), highest_(whole_.heights.maxCoeff()),
+          rows_(step_displacements(whole_, model_.body, model_.loading, model_.contact)),
           count_(static_cast<Index>(rows_.size())) {
         if (accuracy > 0)
             model_.contact.tolerance =
@@ -331,6 +331,14 @@ AccountedResponse respond_within(const Profile& scan, const Model& resolved, dou
 AccountedResponse respond_accounted(const Genome& genome, const Model& model) {
     return model.accuracy > 0 ? respond_within(genome, model, model.accuracy)
                               : respond_exactly(genome, model);
+}
+
+AccountedResponse respond_accounted(const Source& source, const Model& model) {
+    if (source.genome)
+        return respond_accounted(*source.genome, model);
+    const Profile profile = source.on(model.grid);
+    return model.accuracy > 0 ? respond_within(profile, model, model.accuracy)
+                              : respond_exactly(profile, model);
 }
 
 AccountedResponse respond_exactly(const Genome& genome, const Model& model) {

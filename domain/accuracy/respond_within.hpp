@@ -2,6 +2,7 @@
 
 #include "domain/accuracy/account.hpp"
 #include "domain/response/model.hpp"
+#include "domain/scan/source.hpp"
 
 namespace rough {
 
@@ -25,6 +26,8 @@ AccountedResponse respond_within(const Profile& scan, const Model& resolved, dou
 
 /// As the model asks: within its accuracy where it has one, else exactly.
 AccountedResponse respond_accounted(const Genome& genome, const Model& model);
+/// The same for what a file gives.
+AccountedResponse respond_accounted(const Source& source, const Model& model);
 
 /// The response of the exact model as given, with its account.
 AccountedResponse respond_exactly(const Genome& genome, const Model& model);

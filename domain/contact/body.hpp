@@ -1,5 +1,7 @@
 #pragma once
 
+#include "domain/numerics/grid.hpp"
+
 namespace rough {
 
 /// Which elastic body the profile is pressed on.
@@ -13,8 +15,19 @@ enum class Kernel {
 struct Body {
     Kernel kernel = Kernel::free; ///< which influence matrix
     double effective_modulus = 1; ///< E* = E/(1 - nu^2), MPa
-    double datum = 0.84942;       ///< d, mm: where the free half-plane's displacement is zero (free only)
-    double strip_width = 0;       ///< W, mm (strip only)
+    /// d, mm: where the free half-plane's displacement is zero (free only); 0: the profile's length L
+    double datum = 0;
+    double strip_width = 0; ///< W, mm (strip only); 0: L/511
 };
+
+/// E* = E/(1 - nu^2), MPa, of Young's modulus (MPa) and Poisson's ratio.
+double effective_modulus(double youngs_modulus, double poissons_ratio);
+
+/// The body with what its kernel needs and was left at 0 filled in for a profile of this length (mm).
+Body completed(Body body, double length);
+
+/// Throws InputError on a completed body that has no solution for a profile of so many nodes this far apart
+/// (mm): a modulus or strip width that is not positive, a datum at or under (L + spacing)/4.
+void validate(const Body& body, Index nodes, double spacing);
 
 } // namespace rough

@@ -25,12 +25,12 @@ double datum_sensitivity(double stiffness, double length, double effective_modul
 ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& body, double datum) {
     if (body.kernel != Kernel::free)
         throw InputError("a datum distance was given, none is expected: only the free half-plane has one");
+    const double length = profile_length(profile, body.kernel);
     Body changed = body;
     changed.datum = datum;
     make_problem(profile, changed, {});
-    const double compliance =
-        compliance_per_log_datum(profile_length(profile, body.kernel), body.effective_modulus) *
-        std::log(datum / body.datum);
+    const double compliance = compliance_per_log_datum(length, body.effective_modulus) *
+                              std::log(datum / completed(body, length).datum);
     for (std::size_t j = 0; j < curve.steps.size(); ++j) {
         LoadStep& step = curve.steps[j];
         // 1/K(d2) = 1/K(d1) + (2 L/(pi E*)) ln(d2/d1), and w = H_AA^-1 1 shrinks as K does

@@ -36,13 +36,6 @@ double strip_entry(double r, double b) {
 
 } // namespace
 
-const std::vector<std::string>& kernel_names() {
-    static const std::vector<std::string> names{"free", "periodic", "strip"};
-    return names;
-}
-
-const std::string& name_of(Kernel kernel) { return kernel_names()[static_cast<std::size_t>(kernel)]; }
-
 double profile_length(const Profile& profile, Kernel kernel) {
     return profile.spacing *
            static_cast<double>(kernel == Kernel::periodic ? profile.nodes() : profile.nodes() - 1);

@@ -3,14 +3,7 @@
 #include "domain/contact/body.hpp"
 #include "domain/profile/profile.hpp"
 
-#include <string>
-#include <vector>
-
 namespace rough {
-
-const std::vector<std::string>& kernel_names(); ///< in the order of Kernel
-/// free, periodic or strip
-const std::string& name_of(Kernel kernel);
 
 /// L in mm: (N - 1) delta on an open interval, N delta on a periodic one.
 double profile_length(const Profile& profile, Kernel kernel);

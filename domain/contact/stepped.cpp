@@ -1,22 +1,35 @@
 #include "domain/contact/stepped.hpp"
 
 #include "domain/contact/solvers/choice.hpp"
+#include "domain/contact/solvers/nested.hpp"
 
 namespace rough {
+
+struct SteppedContact::Parts {
+    ContactProblem problem;
+    NestedContact contact;
+
+    Parts(ContactProblem asked, const ContactOptions& options)
+        : problem(std::move(asked)), contact(problem, options) {}
+};
 
 SteppedContact::SteppedContact(const Profile& profile, const Body& body, std::vector<double> displacements,
                                const ContactOptions& options)
     : displacements_(std::move(displacements)), options_(options),
-      problem_(make_problem(profile, body, displacements_)), contact_(problem_, options_) {}
+      parts_(std::make_unique<Parts>(make_problem(profile, body, displacements_), options_)) {}
+
+SteppedContact::~SteppedContact() = default;
 
 void SteppedContact::press() {
     const std::size_t next = steps_.size();
-    steps_.push_back(load_step(problem_, displacements_[next], contact_.press(problem_.approach[next])));
+    const ContactProblem& problem = parts_->problem;
+    steps_.push_back(load_step(problem, displacements_[next], parts_->contact.press(problem.approach[next])));
 }
 
 bool SteppedContact::is_own_choice() const {
-    return options_.solver == Solver::nested || (options_.solver == Solver::automatic &&
-                                                 choose_solver(problem_, options_).solver == Solver::nested);
+    return options_.solver == Solver::nested ||
+           (options_.solver == Solver::automatic &&
+            choose_solver(parts_->problem, options_).solver == Solver::nested);
 }
 
 } // namespace rough

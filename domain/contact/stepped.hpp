@@ -1,6 +1,8 @@
 #pragma once
 
-#include "domain/contact/solvers/nested.hpp"
+#include "domain/contact/solve.hpp"
+
+#include <memory>
 
 namespace rough {
 
@@ -13,6 +15,7 @@ class SteppedContact {
                    const ContactOptions& options);
     SteppedContact(const SteppedContact&) = delete;
     SteppedContact& operator=(const SteppedContact&) = delete;
+    ~SteppedContact();
 
     /// Whether every displacement is solved.
     bool done() const { return steps_.size() == displacements_.size(); }
@@ -26,8 +29,8 @@ class SteppedContact {
   private:
     std::vector<double> displacements_;
     ContactOptions options_;
-    ContactProblem problem_;
-    NestedContact contact_;
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
     std::vector<LoadStep> steps_;
 };
 

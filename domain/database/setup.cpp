@@ -1,6 +1,6 @@
 #include "domain/database/setup.hpp"
 
-#include "domain/contact/kernel.hpp"
+#include "domain/contact/names.hpp"
 #include "domain/errors.hpp"
 
 #include <algorithm>
@@ -10,12 +10,6 @@
 
 namespace rough {
 namespace {
-
-std::string text(double value) {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.17g", value);
-    return digits;
-}
 
 const std::string* find(const Fields& fields, const std::string& name) {
     const auto found =
@@ -48,32 +42,17 @@ class Reader {
 
 } // namespace
 
-Fields fields(const Model& model) {
-    const Body& body = model.body;
-    Fields all{{"nodes", std::to_string(model.grid.nodes)},
-               {"length_mm", text(model.grid.length)},
-               {"kernel", name_of(body.kernel)},
-               {"effective_modulus_MPa", text(body.effective_modulus)},
-               {"steps", std::to_string(model.loading.steps)},
-               {"reach", text(model.loading.reach)}};
-    if (body.kernel == Kernel::free)
-        all.emplace_back("datum_mm", text(body.datum));
-    if (body.kernel == Kernel::strip)
-        all.emplace_back("strip_width_mm", text(body.strip_width));
-    return all;
-}
-
 Fields fields(const DatabaseSetup& setup) {
     Fields all = fields(setup.model);
     const GenomeLaw& law = setup.law;
     for (const auto& [name, value] : Fields{{"series", std::to_string(law.series)},
                                             {"ridges", std::to_string(law.ridges)},
-                                            {"H_from", text(law.H_from)},
-                                            {"H_to", text(law.H_to)},
-                                            {"gamma_from", text(law.gamma_from)},
-                                            {"gamma_to", text(law.gamma_to)},
-                                            {"lambda_mm", text(law.lambda)},
-                                            {"shortest_wave_mm", text(law.shortest)},
+                                            {"H_from", field_text(law.H_from)},
+                                            {"H_to", field_text(law.H_to)},
+                                            {"gamma_from", field_text(law.gamma_from)},
+                                            {"gamma_to", field_text(law.gamma_to)},
+                                            {"lambda_mm", field_text(law.lambda)},
+                                            {"shortest_wave_mm", field_text(law.shortest)},
                                             {"seed", std::to_string(law.seed)}})
         all.emplace_back(name, value);
     return all;
@@ -83,12 +62,7 @@ DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
     const Reader read(fields, where);
     DatabaseSetup setup;
     Model& model = setup.model;
-    const auto& kernels = kernel_names();
-    const auto kernel = std::find(kernels.begin(), kernels.end(), read.text("kernel"));
-    if (kernel == kernels.end())
-        throw InputError(where + ": kernel is '" + read.text("kernel") +
-                         "', expected free, periodic or strip");
-    model.body.kernel = static_cast<Kernel>(kernel - kernels.begin());
+    model.body.kernel = kernel_named(read.text("kernel"), where + ": kernel");
     model.grid.wraps = model.body.kernel == Kernel::periodic;
     read("nodes", model.grid.nodes);
     read("length_mm", model.grid.length);

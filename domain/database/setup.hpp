@@ -1,11 +1,7 @@
 #pragma once
 
 #include "domain/database/law.hpp"
-#include "domain/response/model.hpp"
-
-#include <string>
-#include <utility>
-#include <vector>
+#include "domain/response/record.hpp"
 
 namespace rough {
 
@@ -15,15 +11,9 @@ struct DatabaseSetup {
     GenomeLaw law; ///< how the genomes are drawn
 };
 
-/// (name with unit, value) in a fixed order.
-using Fields = std::vector<std::pair<std::string, std::string>>;
-
-/// A set-up as names with units and values in 17 digits, and back. Solver and tolerance are left out: solvers
-/// agree to the tolerance of their certificate. setup_from throws InputError naming `where` on a missing or
-/// unreadable field.
+/// A set-up, its model's part first, as names with units and values, and back. setup_from throws InputError
+/// naming `where` on a missing or unreadable field.
 Fields fields(const DatabaseSetup& setup);
-/// The model's part alone.
-Fields fields(const Model& model);
 /// Undoes fields().
 DatabaseSetup setup_from(const Fields& fields, const std::string& where);
 

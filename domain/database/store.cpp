@@ -1,6 +1,7 @@
 #include "domain/database/store.hpp"
 
 #include "domain/database/codec.hpp"
+#include "domain/database/sqlite.hpp"
 #include "domain/errors.hpp"
 
 #include <algorithm>
@@ -140,15 +141,21 @@ Eigen::VectorXd displacements(const Model& model, double range) {
 
 } // namespace
 
-GenomeStore::GenomeStore(Sqlite sqlite) : sqlite_(std::move(sqlite)) {
-    expect_ours(sqlite_);
-    const Fields fields = stored_fields(sqlite_);
+GenomeStore::GenomeStore(Sqlite sqlite) : sqlite_(std::make_unique<Sqlite>(std::move(sqlite))) {
+    expect_ours(*sqlite_);
+    const Fields fields = stored_fields(*sqlite_);
     setup_ = setup_from(fields, file().string());
     validate(setup_.law);
     for (const auto& [name, value] : fields)
         if (name == "version")
             version_ = value;
 }
+
+GenomeStore::GenomeStore(GenomeStore&&) noexcept = default;
+GenomeStore& GenomeStore::operator=(GenomeStore&&) noexcept = default;
+GenomeStore::~GenomeStore() = default;
+
+const std::filesystem::path& GenomeStore::file() const { return sqlite_->file(); }
 
 GenomeStore GenomeStore::create(const std::filesystem::path& file, const DatabaseSetup& setup) {
     validate(setup.law);
@@ -188,20 +195,22 @@ bool GenomeStore::begun(const std::filesystem::path& file) {
     return holds_anything(sqlite);
 }
 
-std::uint64_t GenomeStore::stored() const { return as_index(sqlite_.number("SELECT sum(count) FROM batch")); }
+std::uint64_t GenomeStore::stored() const {
+    return as_index(sqlite_->number("SELECT sum(count) FROM batch"));
+}
 
 std::optional<Span> GenomeStore::take(std::uint64_t end, std::uint64_t batch) {
-    Transaction transaction(sqlite_);
-    const auto open_spans = gaps(sqlite_, end, batch);
+    Transaction transaction(*sqlite_);
+    const auto open_spans = gaps(*sqlite_, end, batch);
     if (open_spans.empty())
         return std::nullopt;
     std::vector<std::uint64_t> taken;
-    Statement rows(sqlite_, "SELECT first FROM taken ORDER BY first");
+    Statement rows(*sqlite_, "SELECT first FROM taken ORDER BY first");
     while (rows.step())
         taken.push_back(as_index(rows.number(0)));
     for (const Span& span : open_spans)
         if (!std::binary_search(taken.begin(), taken.end(), span.first)) {
-            Statement(sqlite_, "INSERT INTO taken VALUES(?)").bind(as_key(span.first)).step();
+            Statement(*sqlite_, "INSERT INTO taken VALUES(?)").bind(as_key(span.first)).step();
             rows.reset();
             transaction.commit();
             return span;
@@ -220,18 +229,18 @@ void GenomeStore::add(const Span& span, const std::vector<Genome>& genomes,
         contact.insert(contact.end(), response.contact_fraction.begin(), response.contact_fraction.end());
         contact.insert(contact.end(), response.tangent_stiffness.begin(), response.tangent_stiffness.end());
     }
-    Transaction transaction(sqlite_);
-    Statement known(sqlite_, "SELECT 1 FROM batch WHERE first = ?");
+    Transaction transaction(*sqlite_);
+    Statement known(*sqlite_, "SELECT 1 FROM batch WHERE first = ?");
     const bool there = known.bind(as_key(span.first)).step();
     known.reset();
     if (!there) {
-        Statement(sqlite_, "INSERT INTO batch VALUES(?, ?)")
+        Statement(*sqlite_, "INSERT INTO batch VALUES(?, ?)")
             .bind(as_key(span.first))
             .bind(as_key(span.count))
             .step();
         const auto put = [&](const char* table, const std::vector<double>& values) {
             const std::string bytes = packed(values);
-            Statement(sqlite_, std::string("INSERT INTO ") + table + " VALUES(?, ?, ?)")
+            Statement(*sqlite_, std::string("INSERT INTO ") + table + " VALUES(?, ?, ?)")
                 .bind(as_key(span.first))
                 .bind_blob(bytes)
                 .bind(checksum_of(table, span, bytes))
@@ -241,7 +250,7 @@ void GenomeStore::add(const Span& span, const std::vector<Genome>& genomes,
         put("contact", contact);
         put("genome", numbers(genomes));
     }
-    Statement(sqlite_, "DELETE FROM taken WHERE first = ?").bind(as_key(span.first)).step();
+    Statement(*sqlite_, "DELETE FROM taken WHERE first = ?").bind(as_key(span.first)).step();
     transaction.commit();
 }
 
@@ -251,7 +260,7 @@ StoredCurves GenomeStore::curves(bool with_fractions) const {
     const auto append = [&](std::vector<double>& list, const double* values) {
         list.insert(list.end(), values, values + steps);
     };
-    Statement rows(sqlite_,
+    Statement rows(*sqlite_,
                    with_fractions
                        ? "SELECT first, count, pressure.numbers, pressure.checksum, first, count, "
                          "contact.numbers, contact.checksum FROM batch JOIN pressure USING(first) JOIN "
@@ -260,12 +269,12 @@ StoredCurves GenomeStore::curves(bool with_fractions) const {
                          "ORDER BY first");
     while (rows.step()) {
         const std::uint64_t first = as_index(rows.number(0)), count = as_index(rows.number(1));
-        const auto values = checked_numbers(sqlite_, rows, 0, "pressure");
-        expect_size(sqlite_, values, count * (steps + 1));
+        const auto values = checked_numbers(*sqlite_, rows, 0, "pressure");
+        expect_size(*sqlite_, values, count * (steps + 1));
         const auto contact =
-            with_fractions ? checked_numbers(sqlite_, rows, 4, "contact") : std::vector<double>{};
+            with_fractions ? checked_numbers(*sqlite_, rows, 4, "contact") : std::vector<double>{};
         if (with_fractions)
-            expect_size(sqlite_, contact, count * 2 * steps);
+            expect_size(*sqlite_, contact, count * 2 * steps);
         for (std::size_t g = 0; g < count; ++g) {
             curves.index.push_back(first + g);
             curves.range.push_back(values[g * (steps + 1)]);
@@ -275,7 +284,7 @@ StoredCurves GenomeStore::curves(bool with_fractions) const {
         }
     }
     if (curves.index.size() != stored())
-        refuse_changed(sqlite_, "a batch without its curves");
+        refuse_changed(*sqlite_, "a batch without its curves");
     return curves;
 }
 
@@ -300,20 +309,21 @@ Place look_up(Sqlite& sqlite, const char* table, std::uint64_t index) {
 } // namespace
 
 Genome GenomeStore::genome(std::uint64_t index) const {
-    const Place place = look_up(sqlite_, "genome", index);
+    const Place place = look_up(*sqlite_, "genome", index);
     std::vector<Genome> genomes = genomes_from(place.numbers);
     if (genomes.size() != place.count)
-        refuse_changed(sqlite_, "a batch of " + std::to_string(genomes.size()) + " genomes in place of " +
-                                    std::to_string(place.count));
+        refuse_changed(*sqlite_, "a batch of " + std::to_string(genomes.size()) + " genomes in place of " +
+                                     std::to_string(place.count));
     validate(genomes[place.within], file().string() + ": genome " + std::to_string(index));
     return std::move(genomes[place.within]);
 }
 
 Response GenomeStore::response(std::uint64_t index) const {
     const Index steps = setup_.model.loading.steps;
-    const Place pressure = look_up(sqlite_, "pressure", index), contact = look_up(sqlite_, "contact", index);
-    expect_size(sqlite_, pressure.numbers, pressure.count * static_cast<std::size_t>(steps + 1));
-    expect_size(sqlite_, contact.numbers, contact.count * static_cast<std::size_t>(2 * steps));
+    const Place pressure = look_up(*sqlite_, "pressure", index),
+                contact = look_up(*sqlite_, "contact", index);
+    expect_size(*sqlite_, pressure.numbers, pressure.count * static_cast<std::size_t>(steps + 1));
+    expect_size(*sqlite_, contact.numbers, contact.count * static_cast<std::size_t>(2 * steps));
     const double* p = pressure.numbers.data() + pressure.within * static_cast<std::size_t>(steps + 1);
     const double* c = contact.numbers.data() + contact.within * static_cast<std::size_t>(2 * steps);
     Response response;

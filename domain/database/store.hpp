@@ -1,12 +1,15 @@
 #pragma once
 
 #include "domain/database/setup.hpp"
-#include "domain/database/sqlite.hpp"
 
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <optional>
 
 namespace rough {
+
+class Sqlite;
 
 /// Genomes first .. first + count - 1 of a law.
 struct Span {
@@ -34,13 +37,17 @@ class GenomeStore {
     /// Opens one that exists, to read or to go on building.
     static GenomeStore open(const std::filesystem::path& file);
 
+    GenomeStore(GenomeStore&&) noexcept;
+    GenomeStore& operator=(GenomeStore&&) noexcept;
+    ~GenomeStore();
+
     /// Whether there is such a file with anything in it: a program killed while it makes one leaves it empty.
     static bool begun(const std::filesystem::path& file);
 
     const DatabaseSetup& setup() const { return setup_; }   ///< as the file says it
     const std::string& version() const { return version_; } ///< of the program that made the file
     std::uint64_t stored() const;                           ///< genomes
-    const std::filesystem::path& file() const { return sqlite_.file(); } ///< where it lies
+    const std::filesystem::path& file() const;              ///< where it lies
 
     /// The next genomes below `end` to compute, at most `batch`: first such that no other builder has taken,
     /// then those taken and never delivered. Nothing when all are stored.
@@ -54,8 +61,8 @@ class GenomeStore {
     Response response(std::uint64_t index) const; ///< displacement, pressure, contact fraction and tangents
 
   private:
-    GenomeStore(Sqlite sqlite);
-    mutable Sqlite sqlite_;
+    explicit GenomeStore(Sqlite sqlite);
+    std::unique_ptr<Sqlite> sqlite_;
     DatabaseSetup setup_;
     std::string version_;
 };

@@ -13,8 +13,9 @@ namespace rough {
 namespace {
 
 /// H on all nodes in contact order, MPa and mm: displacement (mm) for each unit of pressure (MPa).
-Eigen::MatrixXd influence_in_order(Index nodes, double spacing, const Body& body,
+Eigen::MatrixXd influence_in_order(Index nodes, double spacing, const Body& given,
                                    const std::vector<int>& order) {
+    const Body body = completed(given, profile_length({Eigen::VectorXd::Zero(nodes), spacing}, given.kernel));
     const Eigen::VectorXd column =
         influence_column(body.kernel, nodes, body.datum / spacing, body.strip_width / spacing) *
         (spacing / body.effective_modulus);

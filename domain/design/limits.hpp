@@ -13,8 +13,8 @@ struct GeneBounds {
     double H_to = 2.5;        ///< greatest Hurst exponent
     double gamma_from = 1.05; ///< least ratio of neighbouring wave numbers, > 1
     double gamma_to = 4;      ///< greatest ratio of neighbouring wave numbers
-    double lambda_from = 0.2; ///< least length of a series' longest wave, mm
-    double lambda_to = 3.4;   ///< greatest length of a series' longest wave, mm
+    double lambda_from = 0;   ///< least length of a series' longest wave, mm; 0: L/4
+    double lambda_to = 0;     ///< greatest length of a series' longest wave, mm; 0: 4 L
 };
 
 /// What can be made. 0: no limit.

@@ -63,14 +63,16 @@ std::vector<Eigen::VectorXd> misfits_of(const DesignSetup& setup, const DesignRe
 
 DesignResponse respond(const DesignSetup& setup, const Profile& profile, const Model& model) {
     return loaded(setup, model, [&](const Loading& loading) {
-        return respond(profile, model.body, loading, model.contact);
+        Model one = model;
+        one.loading = loading;
+        return respond(profile, one);
     });
 }
 
 DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Model& model) {
     const Genome shape = at_scale_one(genome, setup);
     if (model.accuracy == 0)
-        return respond(setup, sample(shape, model.grid), model);
+        return respond(setup, sample(shape, completed(model).grid), model);
     return loaded(setup, model, [&](const Loading& loading) {
         Model one = model;
         one.loading = loading;

@@ -1,10 +1,12 @@
 #include "domain/design/problem.hpp"
 
+#include "domain/design/defaults.hpp"
 #include "domain/design/loadings.hpp"
 #include "domain/design/rows.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/cross.hpp"
+#include "domain/target/recorded.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +38,7 @@ void check(const DesignSetup& setup) {
         throw InputError("target: none given, expected at least one");
     for (const Goal& goal : setup.goals) {
         validate(goal);
+        expect_recorded(goal, setup.model);
         if (!(goal.weight > 0) || goal.weight > 1)
             refuse(goal.name, ": weight ", goal.weight, " given, expected more than 0, at most 1");
         if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
@@ -58,7 +61,7 @@ double DesignOutcome::similarity() const {
 }
 
 DesignProblem::DesignProblem(DesignSetup setup)
-    : DesignProblem(std::make_shared<DesignSetup>(std::move(setup))) {}
+    : DesignProblem(std::make_shared<DesignSetup>(completed(std::move(setup)))) {}
 
 DesignProblem::DesignProblem(std::shared_ptr<DesignSetup> setup) : setup_(setup) {
     check(*setup);

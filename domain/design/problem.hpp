@@ -12,15 +12,16 @@
 
 namespace rough {
 
-/// What a design is asked for.
+/// What a design is asked for. What is left at 0 is filled in where a search begins (design/defaults.hpp):
+/// K at a target is found by search({.goals = {read_goal("target.csv")}}).
 struct DesignSetup {
-    Model model;             ///< grid, body, load steps, contact options
-    std::vector<Goal> goals; ///< at least one; the first shapes the starts
+    Model model = {};             ///< grid, body, load steps, contact options
+    std::vector<Goal> goals = {}; ///< at least one; the first shapes the starts
     /// MPa: every genome is rescaled to it at its last load step (Eq. 11). Without it amplitude is a gene
     /// like another, and load steps end where the goals do.
-    std::optional<double> max_pressure;
-    GeneBounds bounds;   ///< of the genes
-    MakingLimits limits; ///< of what can be made
+    std::optional<double> max_pressure = {};
+    GeneBounds bounds = {};   ///< of the genes
+    MakingLimits limits = {}; ///< of what can be made; shortest_wave 0: 8 node distances
 };
 
 /// A genome's answer to all goals.

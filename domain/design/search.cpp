@@ -97,8 +97,7 @@ std::vector<Genome> database_for(const DesignSetup& setup, int threads) {
     layout.H_to = std::clamp(layout.H_to, setup.bounds.H_from, setup.bounds.H_to);
     layout.gamma_from = std::clamp(layout.gamma_from, setup.bounds.gamma_from, setup.bounds.gamma_to);
     layout.gamma_to = std::clamp(layout.gamma_to, setup.bounds.gamma_from, setup.bounds.gamma_to);
-    layout.shortest =
-        setup.limits.shortest_wave > 0 ? setup.limits.shortest_wave : setup.model.grid.spacing();
+    layout.shortest = setup.limits.shortest_wave;
     std::vector<Genome> genomes = sobol_database(layout);
     ga::parallel_for(genomes.size(), ga::thread_count(threads),
                      [&](std::size_t i) { genomes[i] = with_fitting_amplitude(setup, genomes[i]); });

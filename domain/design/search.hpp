@@ -27,7 +27,7 @@ struct Keeping {
 /// How long, from where and by which pipeline to search.
 struct SearchOptions {
     std::string variant = "default"; ///< first word of every path
-    std::string pipeline;            ///< text; empty: the named variant's
+    std::string pipeline = {};       ///< text; empty: the named variant's
     std::vector<Genome> starts =
         {}; ///< the population to begin with; empty: the pipeline's own, or the Sobol database
     std::uint64_t seed = 1; ///< same seed, same answer, unless `seconds` or `stop` ends the search
@@ -37,7 +37,7 @@ struct SearchOptions {
     const std::atomic<bool>* stop = nullptr;                  ///< somebody asks the search to end
     /// Ends when an answer has this similarity on both grids; a pipeline that makes its own starts is begun
     /// up to eight times for it.
-    std::optional<double> reach;
+    std::optional<double> reach = {};
     std::size_t alternatives = 3; ///< different answers to return, the best among them
     /// Answers of the pipeline, and best ones of its way, compared on the finer grid at the end.
     std::size_t compared = 3;
@@ -88,7 +88,7 @@ constexpr double different = 0.05; ///< see above
 /// are best on both grids. There is always an answer: the best so far, or a first start. Throws
 /// ga::UsageError on a pipeline that cannot work or a kept run of another search, NotConverged when no curve
 /// of the whole run could be computed.
-SearchResult search(const DesignSetup& setup, const SearchOptions& options,
+SearchResult search(const DesignSetup& setup, const SearchOptions& options = {},
                     std::vector<ga::Observer<Genome>> observers = {});
 
 } // namespace rough

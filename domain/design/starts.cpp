@@ -1,6 +1,7 @@
 #include "domain/design/starts.hpp"
 
 #include "domain/design/advance.hpp"
+#include "domain/design/defaults.hpp"
 #include "domain/design/shape_to_waves.hpp"
 
 #include <algorithm>
@@ -57,15 +58,12 @@ Series drawn_series(const DesignSetup& setup, double H, double gamma, double lam
     return series;
 }
 
-double shortest_of(const DesignSetup& setup) {
-    return setup.limits.shortest_wave > 0 ? setup.limits.shortest_wave : 2 * setup.model.grid.spacing();
-}
-
 constexpr Index shaping_nodes = 256;
 
 } // namespace
 
-Genome shaped_start(const DesignSetup& setup, ga::Stream random) {
+Genome shaped_start(const DesignSetup& given, ga::Stream random) {
+    const DesignSetup setup = completed(given);
     const Goal& goal = setup.goals.front();
     Grid grid = setup.model.grid;
     grid.nodes = std::min(grid.nodes, shaping_nodes);
@@ -85,16 +83,17 @@ Genome shaped_start(const DesignSetup& setup, ga::Stream random) {
                                      drawn_series(setup, H * random.uniform(0.8, 1.2),
                                                   gamma * random.uniform(1.05, 1.2),
                                                   lambda * random.uniform(0.6, 0.9))};
-    return shaped_as(inverse.profile, series, shortest_of(setup));
+    return shaped_as(inverse.profile, series, setup.limits.shortest_wave);
 }
 
-Genome drawn_start(const DesignSetup& setup, ga::Stream random) {
+Genome drawn_start(const DesignSetup& given, ga::Stream random) {
+    const DesignSetup setup = completed(given);
     Genome genome{1, {}};
     for (int s = 0; s < 2; ++s) {
         Series series = drawn_series(setup, random.uniform(0.5, 1.5), random.uniform(1.4, 2.0),
                                      setup.model.grid.length * (s == 0 ? 1 : random.uniform(0.6, 1.6)));
         series.A = s == 0 ? 1 : std::exp(random.uniform(-1.5, 1.5));
-        for (int n = 1; n <= last_chromosome(series.lambda, series.gamma, shortest_of(setup)); ++n)
+        for (int n = 1; n <= last_chromosome(series.lambda, series.gamma, setup.limits.shortest_wave); ++n)
             series.chromosomes.push_back({n, {random.uniform(0, 2 * std::numbers::pi)}});
         genome.series.push_back(series);
     }

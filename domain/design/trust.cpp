@@ -1,6 +1,7 @@
 #include "domain/design/trust.hpp"
 
-#include "domain/contact/kernel.hpp"
+#include "domain/contact/names.hpp"
+#include "domain/design/defaults.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "ga/parallel.hpp"
@@ -36,14 +37,8 @@ DesignSetup in_final_amplitude(const DesignSetup& setup) {
 
 Model with_kernel(Model model, Kernel kernel) {
     model.body.kernel = kernel;
-    model.grid.wraps = kernel == Kernel::periodic;
-    if (kernel == Kernel::periodic)
-        model.loading.reach = std::min(model.loading.reach, 0.95);
-    if (kernel == Kernel::strip && !(model.body.strip_width > 0))
-        model.body.strip_width = model.grid.length / 511;
-    if (kernel == Kernel::free && !(model.body.datum > 0))
-        model.body.datum = model.grid.length;
-    return model;
+    model.loading.reach = std::min(model.loading.reach, completed(Loading(), kernel).reach);
+    return completed(model);
 }
 
 template <class... Parts>
@@ -194,9 +189,9 @@ std::vector<Goal> with_datum(const std::vector<Goal>& goals, const Model& model,
 
 Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOptions& options) {
     Trust trust;
-    judge_strains(given, genome, options, trust);
+    DesignSetup setup = completed(given);
+    judge_strains(setup, genome, options, trust);
     const auto late = [clock = ga::Stopwatch(), limit = options.seconds] { return clock.seconds() > limit; };
-    DesignSetup setup = given;
     if (std::isfinite(options.seconds))
         setup.model.contact.stop = late;
     std::vector<Job> jobs = checks_of(setup, genome, options);

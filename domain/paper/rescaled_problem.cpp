@@ -100,7 +100,7 @@ class Steps : public ga::Appraisal<RescaledResponse> {
 
 RescaledProblem::RescaledProblem(Model model, Target target, double max_pressure, double threshold,
                                  std::shared_ptr<ResponseMemory> memory, PhaseReach reach, Outlook outlook)
-    : model_(std::move(model)), target_(std::move(target)), max_pressure_(max_pressure),
+    : model_(completed(std::move(model))), target_(std::move(target)), max_pressure_(max_pressure),
       memory_(std::move(memory)), reach_(reach), outlook_(outlook), stiffest_(stiffest(model_)) {
     validate(target_);
     if (!(max_pressure > 0) || target_.highest_pressure() > max_pressure * (1 + 1e-9))

@@ -1,5 +1,6 @@
 #include "domain/response/response.hpp"
 
+#include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/smooth_area.hpp"
 
@@ -44,12 +45,14 @@ double displacement_range(const Profile& profile, Kernel kernel) {
 namespace {
 
 std::vector<double> even_steps(double last, const Loading& loading) {
-    if (loading.steps < 2)
-        throw InputError("steps: " + std::to_string(loading.steps) + " given, expected at least 2");
     std::vector<double> displacements;
     for (int j = 1; j <= loading.steps; ++j)
         displacements.push_back(last * (static_cast<double>(j) / loading.steps));
     return displacements;
+}
+
+Body completed_for(const Profile& profile, const Body& body) {
+    return completed(body, profile_length(profile, body.kernel));
 }
 
 /// Where to start looking for a pressure: the answer for every fourth node, whose contact is found in a
@@ -75,16 +78,31 @@ double first_guess(const Profile& profile, const Body& body, double pressure, co
 
 } // namespace
 
-std::vector<double> load_displacements(double range, const Loading& loading, Kernel kernel) {
+Loading completed(Loading loading, Kernel kernel) {
+    if (loading.reach == 0)
+        loading.reach = kernel == Kernel::periodic ? 0.95 : 1;
+    return loading;
+}
+
+void validate(const Loading& loading, Kernel kernel) {
+    if (loading.steps < 2)
+        refuse_value("steps", loading.steps, " given, expected at least 2");
     const bool periodic = kernel == Kernel::periodic;
     if (!(loading.reach > 0) || loading.reach > 1 || (periodic && loading.reach == 1))
-        throw InputError("reach: " + std::to_string(loading.reach) + " given, expected more than 0 and " +
-                         (periodic ? "less than 1 (periodic kernel)" : "at most 1"));
+        refuse_value("reach", loading.reach, " given, expected more than 0 and ",
+                     periodic ? "less than 1: the periodic half-plane has no solution beyond full contact"
+                              : "at most 1");
+}
+
+std::vector<double> load_displacements(double range, const Loading& given, Kernel kernel) {
+    const Loading loading = completed(given, kernel);
+    validate(loading, kernel);
     return even_steps(loading.reach * range, loading);
 }
 
 std::vector<double> step_displacements(const Profile& profile, const Body& body, const Loading& loading,
                                        const ContactOptions& options) {
+    validate(completed(loading, body.kernel), body.kernel);
     if (loading.to_displacement > 0)
         return even_steps(loading.to_displacement, loading);
     if (loading.to_pressure > 0)
@@ -92,8 +110,9 @@ std::vector<double> step_displacements(const Profile& profile, const Body& body,
     return load_displacements(displacement_range(profile, body.kernel), loading, body.kernel);
 }
 
-double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
+double displacement_at_pressure(const Profile& profile, const Body& given, double pressure,
                                 const ContactOptions& options) {
+    const Body body = completed_for(profile, given);
     const double range = displacement_range(profile, body.kernel);
     const bool periodic = body.kernel == Kernel::periodic;
     const double farthest = periodic ? range * (1 - 1e-9) : std::numeric_limits<double>::infinity();
@@ -126,8 +145,9 @@ Response respond(const Profile& profile, const Body& body, const Loading& loadin
     return response_of(curve.steps, curve.solver, range);
 }
 
-ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
+ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& given,
                                            ContactOptions options, bool with_area) {
+    const Loading loading = completed(given, body.kernel);
     const double range = displacement_range(profile, body.kernel);
     const std::vector<double> displacements = step_displacements(profile, body, loading, options);
     options.states = true;

@@ -9,10 +9,17 @@ namespace rough {
 /// range = max Z - min Z (periodic kernel: max Z - mean Z, at which contact is full).
 struct Loading {
     int steps = 20;             ///< n_t >= 2
-    double reach = 1;           ///< (0, 1]; below 1 for the periodic kernel
+    double reach = 0;           ///< (0, 1], below 1 for the periodic kernel; 0: 1, and 0.95 for the periodic
     double to_pressure = 0;     ///< MPa; 0: not asked for
     double to_displacement = 0; ///< mm; 0: not asked for
 };
+
+/// The load steps with a reach that was left at 0 filled in.
+Loading completed(Loading loading, Kernel kernel);
+
+/// Throws InputError on completed load steps that no profile can take: fewer than 2, or a reach outside its
+/// range.
+void validate(const Loading& loading, Kernel kernel);
 
 /// What a profile answers to the load steps. The unloaded state (0, 0) is not among the rows.
 struct Response {
@@ -55,9 +62,10 @@ std::vector<double> step_displacements(const Profile& profile, const Body& body,
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 const ContactOptions& options = {});
 
-/// Presses the profile to the displacements of step_displacements(). Throws InputError on a profile, body or
+/// Presses the profile to the displacements of step_displacements(): K(p) of an array of heights is
+/// secant_stiffness(respond({heights, spacing})). Throws InputError on a profile, body or
 /// loading without a solution, NotConverged where a step's certificate is above tolerance.
-Response respond(const Profile& profile, const Body& body, const Loading& loading,
+Response respond(const Profile& profile, const Body& body = {}, const Loading& loading = {},
                  const ContactOptions& options = {});
 
 /// A smooth contact fraction (smooth_area.hpp) and how it changes with the heights, for area targets.

@@ -5,7 +5,22 @@
 
 namespace rough {
 
+namespace {
+
+/// Whether the points are multiples of a spacing to the last bit, as those of a column of heights are: then
+/// it is the spacing that was given, which a fit finds but for rounding.
+bool are_multiples(const std::vector<double>& x) {
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (x[i] != static_cast<double>(i) * x[1])
+            return false;
+    return x[1] > 0;
+}
+
+} // namespace
+
 Evenness evenness(const std::vector<double>& x, const std::vector<double>& last_digit) {
+    if (are_multiples(x))
+        return {0, x[1], 0, true};
     const double n = static_cast<double>(x.size());
     const double middle = (n - 1) / 2;
     double mean = 0, slope = 0;

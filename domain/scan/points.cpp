@@ -12,7 +12,9 @@ void refuse_missing(const Points& points, const std::string& file) {
     for (std::size_t i = 0; i < points.size(); ++i)
         if (std::isnan(points.x[i]) || std::isnan(points.heights[i]))
             throw InputError(at(file, points.line[i]) + ": a missing value, expected " +
-                             (std::isnan(points.x[i]) ? "an x" : "a height") + " (--fill interpolates)");
+                                 (std::isnan(points.x[i]) ? "an x" : "a height") +
+                                 ", or to fill it by interpolation",
+                             "fill");
 }
 
 Filled filled(const Points& points) {

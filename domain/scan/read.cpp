@@ -114,7 +114,8 @@ Units units_of(const Header& header, const Layout& layout, const ScanOptions& op
         if (!given && !is_known && column < header.unknown_units.size() &&
             !header.unknown_units[column].empty())
             throw InputError(file + ": a column in '" + header.unknown_units[column] +
-                             "', expected a known length unit there, or one given (--unit)");
+                                 "', expected a known length unit there, or one given",
+                             "unit");
     };
     expect_known(layout.x, x.has_value());
     expect_known(layout.height, height.has_value());
@@ -152,7 +153,7 @@ double spacing_of(const Header& header, const ScanOptions& options, std::size_t 
     const double given = spacing_given(options);
     agree(from_header, given, file);
     if (!(given > 0) && !(from_header > 0))
-        throw InputError(file + ": one column of heights, expected a spacing with it (--spacing)");
+        throw InputError(file + ": one column of heights, expected a spacing with it", "spacing");
     return from_header > 0 ? from_header : given;
 }
 

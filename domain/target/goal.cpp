@@ -74,9 +74,10 @@ Goal read_goal(const std::filesystem::path& file, double conductance_to_stiffnes
     }
     if (y < 0 && cells.place_of("pressure_MPa") >= 0 && cells.place_of("conductance") >= 0) {
         if (!(conductance_to_stiffness > 0))
-            throw InputError(file.string() +
-                             ": a conductance is given, expected --resistivity with it: C = 2 "
-                             "K/(E* resistivity)");
+            throw InputError(
+                file.string() +
+                    ": a conductance given, expected a resistivity with it: C = 2 K/(E* resistivity)",
+                "resistivity");
         x = cells.place_of("pressure_MPa"), y = cells.place_of("conductance");
         factor = conductance_to_stiffness;
     }

@@ -8,7 +8,8 @@
 
 namespace rough {
 
-StiffnessLimits stiffness_limits(const Model& model) {
+StiffnessLimits stiffness_limits(const Model& given) {
+    const Model model = completed(given);
     // Full contact grows stiffer as the grid grows coarser, so a coarse grid's is an upper bound.
     Grid grid = model.grid;
     const double delta = grid.spacing();

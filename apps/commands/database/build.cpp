@@ -5,6 +5,7 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/progress.hpp"
 #include "apps/prompt/voice.hpp"
+#include "domain/accuracy/respond.hpp"
 #include "domain/errors.hpp"
 #include "ga/stopwatch.hpp"
 

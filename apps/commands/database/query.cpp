@@ -1,6 +1,7 @@
 #include "apps/commands/database/parts.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/output.hpp"
+#include "domain/accuracy/respond.hpp"
 #include "domain/database/screen.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"

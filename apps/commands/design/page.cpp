@@ -1,8 +1,8 @@
 #include "apps/commands/design/page.hpp"
 
-#include "apps/prompt/model_settings.hpp"
 #include "apps/report/page.hpp"
 #include "apps/report/units.hpp"
+#include "domain/contact/names.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -5,7 +5,9 @@
 #include "apps/prompt/scan_settings.hpp"
 #include "apps/report/units.hpp"
 #include "domain/database/starts.hpp"
+#include "domain/design/defaults.hpp"
 #include "domain/errors.hpp"
+#include "domain/target/like.hpp"
 #include "domain/text/words.hpp"
 
 #include <algorithm>
@@ -43,17 +45,6 @@ std::vector<rough::Goal> goals_from(const Settings& settings, const rough::Model
     return goals;
 }
 
-/// K up to the last pressure of a measured profile's own response, or up to `highest` (MPa; 0: no limit).
-rough::Goal goal_like(const rough::Profile& profile, const rough::Model& model, const std::string& name,
-                      rough::Index points, double highest) {
-    const rough::Curve curve = secant_stiffness(respond(profile, model.body, model.loading, model.contact));
-    const double last = highest > 0 ? std::min(highest, curve.to) : curve.to;
-    rough::Goal goal = even_goal(rough::Quantity::stiffness, name, points, last,
-                                 [&](double pressure) { return curve.at(pressure); });
-    goal.recorded = recorded_model(model);
-    return goal;
-}
-
 /// --NAME-from and --NAME-to, each between `least` and `greatest`.
 void take_range(const Settings& settings, const std::string& name, double& from, double& to, double least,
                 double greatest) {
@@ -71,28 +62,24 @@ void take_range(const Settings& settings, const std::string& name, double& from,
 
 void take_bounds(const Settings& settings, rough::DesignSetup& setup) {
     rough::GeneBounds& bounds = setup.bounds;
-    const double L = setup.model.grid.length;
     take_range(settings, "H", bounds.H_from, bounds.H_to, std::numeric_limits<double>::min(), 10);
     take_range(settings, "gamma", bounds.gamma_from, bounds.gamma_to, 1.001, 100);
-    bounds.lambda_from = 0.25 * L;
-    bounds.lambda_to = 4 * L;
+    bounds = completed(bounds, setup.model.grid.length);
     take_range(settings, "lambda", bounds.lambda_from, bounds.lambda_to, 1e-12, 1e12);
     rough::MakingLimits& limits = setup.limits;
-    limits.shortest_wave = shortest_wave_from(settings, "shortest-wave", setup.model.grid);
-    if (limits.shortest_wave > bounds.lambda_to)
-        throw rough::InputError("--shortest-wave: " + settings.text("shortest-wave") +
-                                " mm given, expected at most the longest wave, " +
-                                readable(bounds.lambda_to, 6) + " mm");
-    for (const auto& [name, limit] : {std::pair("largest-slope", &limits.largest_slope),
+    for (const auto& [name, limit] : {std::pair("shortest-wave", &limits.shortest_wave),
+                                      std::pair("largest-slope", &limits.largest_slope),
                                       std::pair("largest-height", &limits.largest_height),
                                       std::pair("smallest-radius", &limits.smallest_radius)})
         if (settings.has(name))
             *limit = settings.positive(name);
+    setup = placing(settings, "", [&] { return completed(setup); });
 }
 
 } // namespace
 
 std::vector<Setting> design_settings() {
+    const rough::GeneBounds usual;
     const std::vector<Setting> settings{
         {"target", "", "target file (CSV); several with commas between"},
         {"weights", "", "how much each target counts, with commas between [1 each]"},
@@ -109,7 +96,7 @@ std::vector<Setting> design_settings() {
         {"reach-similarity", "",
          "end as soon as an answer has this similarity on both grids, begin anew up to 8 times for it; exit "
          "3 if none has"},
-        {"alternatives", "3", "different answers to return"},
+        {"alternatives", std::to_string(rough::SearchOptions().alternatives), "different answers to return"},
         {"out", "", "folder for the results [out/design, or out/design-2 and on]"},
         {"force", "", "write over an existing result", true},
         {"resume", "",
@@ -122,10 +109,10 @@ std::vector<Setting> design_settings() {
         {"largest-slope", "", "largest slope that can be made"},
         {"largest-height", "", "largest height range, mm"},
         {"smallest-radius", "", "smallest radius of curvature, mm"},
-        {"H-from", "", "least H [0.05]"},
-        {"H-to", "", "largest H [2.5]"},
-        {"gamma-from", "", "least gamma [1.05]"},
-        {"gamma-to", "", "largest gamma [4]"},
+        {"H-from", "", "least H [" + brief(usual.H_from, 15) + "]"},
+        {"H-to", "", "largest H [" + brief(usual.H_to, 15) + "]"},
+        {"gamma-from", "", "least gamma [" + brief(usual.gamma_from, 15) + "]"},
+        {"gamma-to", "", "largest gamma [" + brief(usual.gamma_to, 15) + "]"},
         {"lambda-from", "", "least longest wave of a series, mm [L/4]"},
         {"lambda-to", "", "largest longest wave of a series, mm [4 L]"},
         {"noise", "", "deviation of random height errors to verify the answer under, mm [none]"},
@@ -142,17 +129,15 @@ DesignRun design_from(const Settings& settings) {
     if (settings.has("max-pressure"))
         setup.max_pressure = settings.pressure("max-pressure");
     if (settings.has("like")) {
-        const rough::Scan scan = scan_from(settings.text("like"), settings, 0);
+        const rough::Source scan = scan_from(settings.text("like"), settings, 0);
         run.accounts.push_back(scan.account);
-        rough::Model own = model_from(settings, scan.profile);
-        own.grid.nodes = scan.profile.nodes();
-        rough::Profile profile = scan.profile;
-        profile.spacing = own.grid.spacing();
-        run.trust_options.like = profile;
+        rough::Model own = model_from(settings, scan);
+        own.grid.nodes = scan.measured.nodes();
+        run.trust_options.like = scan.on(own.grid);
         setup.model = own;
-        setup.model.grid.nodes = nodes_from(settings, 512);
-        setup.goals = {goal_like(profile, own, settings.text("like"), settings.whole("points", 2, 100000),
-                                 setup.max_pressure.value_or(0))};
+        setup.model.grid.nodes = nodes_from(settings, rough::Grid().nodes);
+        setup.goals = {goal_like(*run.trust_options.like, own, scan.name, rough::Quantity::stiffness,
+                                 settings.whole("points", 2, 100000), setup.max_pressure.value_or(0))};
     } else {
         expect_none(settings, joined({scan_settings(), {{"points", "", ""}}}),
                     "given with --target, expected with --like only");
@@ -166,9 +151,6 @@ DesignRun design_from(const Settings& settings) {
                                     readable(goal.last(), 6) + " MPa");
     for (const auto& note : without_effect(settings, rough::listed(settings.text("target"))))
         run.accounts.push_back(note);
-    if (setup.model.grid.nodes < 16)
-        throw rough::InputError("--nodes: " + std::to_string(setup.model.grid.nodes) +
-                                " given, expected 16 at least for a design");
     take_bounds(settings, setup);
     run.searched = setup;
     run.searched.model.accuracy = accuracy_from(settings);

@@ -8,7 +8,7 @@
 #include "apps/report/result.hpp"
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/respond_within.hpp"
-#include "domain/design/search.hpp"
+#include "domain/design/error_budget.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/mwm/test_surfaces.hpp"
@@ -173,42 +173,7 @@ class AccuracyStudy {
         run_.design = variant_run(options.variant, found, std::move(stages), clock.seconds());
         run_.design.answer.response =
             respond(setup, found.best.genome, rough::exactly(model_)).responses.front();
-        make_budget();
-    }
-
-    /// Each source moves K at the target's points by so much, Eq. 11 anew.
-    void make_budget() {
-        const rough::Model own = rough::exactly(model_);
-        const rough::Goal& goal = run_.setup.goals.front();
-        const auto stiffness = [&](const rough::Model& model) {
-            const auto response = respond(run_.setup, run_.design.answer.genome, model);
-            const rough::Curve curve = curve_of(goal.quantity, response.responses.front());
-            return Eigen::VectorXd(goal.x.unaryExpr([&](double p) { return curve.at(p); }));
-        };
-        const Eigen::VectorXd base = stiffness(own);
-        const auto add = [&](const std::string& kind, const std::string& source, const rough::Model& model) {
-            const Eigen::VectorXd moved = stiffness(model);
-            run_.budget.push_back({kind, source, (moved.array() / base.array() - 1).abs().maxCoeff()});
-        };
-        rough::Model other = own;
-        if (own.body.kernel == rough::Kernel::free) {
-            other.body.datum *= 4;
-            add("model", "the half-plane's datum at 4 times the distance", other);
-            other = own;
-            other.body.kernel = rough::Kernel::periodic;
-            other.grid.wraps = true;
-            other.loading.reach = std::min(other.loading.reach, 0.95);
-            add("model", "a periodic half-plane in place of the free one", other);
-        }
-        add("numerical", "the grid: 4 times the elements", refined(own, 4));
-        other = own;
-        other.loading.steps *= 4;
-        add("numerical", "the load steps: 4 times as many", other);
-        if (model_.accuracy > 0)
-            add("numerical", "the accuracy that the search was allowed", model_);
-        run_.budget.push_back({"target", "what is left of the target's mismatch on the model's own grid",
-                               1 - run_.design.similarity});
-        run_.budget.push_back({"target", "the same on the finer grid", 1 - run_.design.similarity_refined});
+        run_.budget = error_budget(setup, found.best);
     }
 
     double max_pressure() const { return settings_.pressure("targets.max-pressure"); }

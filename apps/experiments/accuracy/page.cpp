@@ -123,7 +123,7 @@ void add_budget(Page& page, const AccuracyRun& run) {
     plot.key = "off";
     Eigen::VectorXd x(static_cast<Eigen::Index>(run.budget.size())), y(x.size());
     for (std::size_t i = 0; i < run.budget.size(); ++i) {
-        const BudgetRow& row = run.budget[i];
+        const rough::ErrorSource& row = run.budget[i];
         table.rows.push_back({std::to_string(i + 1) + ". " + row.kind, row.source, percent(row.size)});
         x[static_cast<Eigen::Index>(i)] = static_cast<double>(i + 1);
         y[static_cast<Eigen::Index>(i)] = std::max(row.size, 1e-16);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/report/record.hpp"
-#include "domain/design/problem.hpp"
+#include "domain/design/error_budget.hpp"
 
 #include <filesystem>
 #include <string>
@@ -35,19 +35,12 @@ struct SearchRow {
     bool same = false; ///< the survivors and their fitness
 };
 
-/// One source of error of a designed surface.
-struct BudgetRow {
-    std::string kind;   ///< model, numerical or target
-    std::string source; ///< in words
-    double size = 0;    ///< largest relative change of K at the target's points; the mismatch
-};
-
 struct AccuracyRun {
     std::vector<SavingRow> savings;
     std::vector<SearchRow> searches;
     rough::DesignSetup setup; ///< of the designed surface
     VariantRun design;
-    std::vector<BudgetRow> budget;
+    std::vector<rough::ErrorSource> budget;
     Origin origin;
     double seconds = 0;
 };

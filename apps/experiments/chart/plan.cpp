@@ -43,7 +43,7 @@ ChartSetting usual_setting(std::size_t scene, Solver method, Index nodes) {
 std::vector<ChartSetting> chart_plan(const ChartExtent& extent) {
     std::vector<ChartSetting> plan;
     for (const Index nodes : extent.nodes)
-        for (std::size_t m = 0; m < solver_names().size(); ++m) {
+        for (std::size_t m = 0; m < rough::solver_names().size(); ++m) {
             const Solver method = static_cast<Solver>(m);
             for (const double tolerance : is_iterative(method) ? extent.tolerances : std::vector<double>{0})
                 plan.push_back({0, method, nodes, usual_steps, tolerance});

@@ -28,8 +28,8 @@ rough::DatabaseLayout layout_from(const Settings& settings, const rough::Model& 
 }
 
 /// The target that a measured profile's own response is: K at 20 even pressures up to its last.
-rough::Target target_of(const rough::Scan& scan, const rough::Model& model, const std::string& name) {
-    const rough::Response response = respond(scan.profile, model.body, model.loading, model.contact);
+rough::Target target_of(const rough::Source& scan, const rough::Model& model, const std::string& name) {
+    const rough::Response response = respond(scan.measured, model);
     const rough::Curve curve = secant_stiffness(response);
     rough::Target target{name, Eigen::VectorXd(20), Eigen::VectorXd(20)};
     for (rough::Index k = 0; k < 20; ++k) {
@@ -40,8 +40,8 @@ rough::Target target_of(const rough::Scan& scan, const rough::Model& model, cons
 }
 
 void take_measured_target(const Settings& settings, PaperRun& run) {
-    const rough::Scan scan = scan_from(settings.path("target.profile"), settings, 0, "target.");
-    run.searched = model_from(settings, scan.profile, "model.");
+    const rough::Source scan = scan_from(settings.path("target.profile"), settings, 0, "target.");
+    run.searched = model_from(settings, scan, "model.");
     if (!settings.has("model.nodes"))
         run.searched.grid.nodes = 512;
     run.targets.push_back(

@@ -28,7 +28,7 @@ Table by_method(const std::vector<StabilityCell>& cells) {
     }
     table.header.emplace_back("unsolved though there is a solution");
     table.numeric.push_back(true);
-    for (const std::string& method : solver_names()) {
+    for (const std::string& method : rough::solver_names()) {
         std::vector<Html> row{method};
         for (const Outcome outcome : outcomes)
             row.push_back(std::to_string(count(cells, method, outcome)));
@@ -44,11 +44,11 @@ Table by_method(const std::vector<StabilityCell>& cells) {
 /// A row a scene and kernel, a column a method: outcome, and the time where solved.
 Table by_scene(const std::vector<StabilityCell>& cells) {
     Table table{"Every scene", {"Scene", "Kernel"}, {}};
-    for (const std::string& method : solver_names())
+    for (const std::string& method : rough::solver_names())
         table.header.push_back(method);
-    for (std::size_t first = 0; first < cells.size(); first += solver_names().size()) {
+    for (std::size_t first = 0; first < cells.size(); first += rough::solver_names().size()) {
         std::vector<Html> row{cells[first].scene, cells[first].kernel};
-        for (std::size_t k = first; k < first + solver_names().size(); ++k) {
+        for (std::size_t k = first; k < first + rough::solver_names().size(); ++k) {
             const ContactTrial& trial = cells[k].trial;
             row.push_back(trial.outcome == Outcome::solved
                               ? Html(brief(1000 * trial.seconds) + " ms")

@@ -7,6 +7,7 @@
 #include "apps/report/output.hpp"
 #include "apps/report/recorder.hpp"
 #include "apps/report/result.hpp"
+#include "domain/design/defaults.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
@@ -33,8 +34,9 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
         target.setup.goals[0].name = path.stem().string();
         if (settings.has("targets.max-pressure"))
             target.setup.max_pressure = settings.pressure("targets.max-pressure");
-        target.setup.limits.shortest_wave =
-            shortest_wave_from(settings, "targets.shortest-wave", target.setup.model.grid);
+        if (settings.has("targets.shortest-wave"))
+            target.setup.limits.shortest_wave = settings.positive("targets.shortest-wave");
+        target.setup = placing(settings, "targets.", [&] { return completed(target.setup); });
         targets.push_back(std::move(target));
     }
     std::vector<std::string> names;

@@ -91,7 +91,8 @@ void refuse_factor(Index nodes, const ContactOptions& options) {
     if (bytes <= options.memory_limit)
         return;
     refuse("nested Cholesky with ", nodes, " nodes in contact would take ", bytes / 1e9, " GB, at most ",
-           options.memory_limit / 1e9, " GB is expected: take --solver active-set, or auto");
+           options.memory_limit / 1e9,
+           " GB is expected: the active set takes less, and is what auto would choose");
 }
 
 Solution solve_nested(const ContactProblem& problem, const ContactOptions& options) {

@@ -41,7 +41,8 @@ Real cosine_sum(Index j, Index n, Real length) {
 }
 
 /// First column of H for E* = 1, mm/MPa.
-Vector influence(const Profile& profile, const Body& body) {
+Vector influence(const Profile& profile, const Body& given) {
+    const Body body = completed(given, profile_length(profile, given.kernel));
     const Index n = profile.nodes();
     const Real delta = profile.spacing;
     Vector h(n);

@@ -24,18 +24,6 @@ void check_profile(const Profile& profile) {
                " mm, a range that fits double precision is expected");
 }
 
-void check_body(const Profile& profile, const Body& body) {
-    if (!(body.effective_modulus > 0) || !std::isfinite(body.effective_modulus))
-        refuse("effective modulus ", body.effective_modulus,
-               " MPa was given, a positive finite one is expected");
-    if (body.kernel == Kernel::free && (!(body.datum > datum_limit(profile)) || !std::isfinite(body.datum)))
-        refuse("datum distance ", body.datum,
-               " mm was given, more than (L + delta)/4 = ", datum_limit(profile),
-               " mm is expected: nearer, the free half-plane has no unique solution");
-    if (body.kernel == Kernel::strip && (!(body.strip_width > 0) || !std::isfinite(body.strip_width)))
-        refuse("strip width ", body.strip_width, " mm was given, a positive finite one is expected");
-}
-
 void check_displacements(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
     double previous = 0;
     for (const double displacement : displacements) {
@@ -66,13 +54,14 @@ double largest_displacement(const Profile& profile, const Body& body) {
     return (highest - profile.heights.array()).mean(); // Delta_full = max Z - mean Z
 }
 
-ContactProblem make_problem(const Profile& profile, const Body& body,
+ContactProblem make_problem(const Profile& profile, const Body& given,
                             const std::vector<double>& displacements) {
     check_profile(profile);
-    check_body(profile, body);
+    const double length = profile_length(profile, given.kernel);
+    const Body body = completed(given, length);
+    validate(body, profile.nodes(), profile.spacing);
     check_displacements(profile, body, displacements);
     const double unit = displacements.empty() || displacements.back() == 0 ? 1 : displacements.back();
-    const double length = profile_length(profile, body.kernel);
     ContactProblem problem;
     problem.kernel = body.kernel;
     problem.datum = body.datum / profile.spacing;

@@ -14,13 +14,13 @@ TEST_CASE("no solver claims a wrong curve, and the automatic and nested ones sol
         if (scene.profile.nodes() > 1000)
             continue; // rugosa stability tries them
         app::StabilityReference reference(scene);
-        for (std::size_t method = 0; method < app::solver_names().size(); ++method) {
+        for (std::size_t method = 0; method < rough::solver_names().size(); ++method) {
             rough::ContactOptions options;
             options.solver = static_cast<rough::Solver>(method);
             app::ContactTrial trial = try_contact(scene, options, 30);
             reference.judge(trial, app::promised_tolerance(trial.curve, options));
             INFO(scene.name << ", " << rough::name_of(scene.body.kernel) << ", "
-                            << app::solver_names()[method] << ": " << trial.message);
+                            << rough::solver_names()[method] << ": " << trial.message);
             CHECK(trial.outcome != app::Outcome::wrong);
             const bool direct =
                 options.solver == rough::Solver::automatic || options.solver == rough::Solver::nested;

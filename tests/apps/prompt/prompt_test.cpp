@@ -24,6 +24,8 @@ struct Desk : Folder {
         write("broken.json", R"({"series":[)");
         write("list.json", "[1,2]");
         write("scan.txt", "x [um];z [um]\n0;1\n1;3\n2;0.5\n3;2\n4;1\n");
+        write("gap.txt", "x [um];z [um]\n0;1\n1;NaN\n2;0.5\n3;2\n4;1\n");
+        write("conductance.csv", "pressure_MPa,conductance\n1,10\n");
         write("one.txt", "1\n3\n0.5\n2\n1\n");
         write("huge.txt", "0;-1e308\n1;1e308\n2;0.5\n3;2\n4;1\n");
         write("recorded.csv", "# kernel: strip\n# length_mm: 0.004\n# strip_width_mm: "
@@ -80,6 +82,11 @@ const std::vector<Wrong> wrong_uses{
     {"contact --genome lacks.json --out c.csv", {"lacks.json", "\"gamma\"", "missing"}},
     {"contact --genome g.json --profile scan.txt --out c.csv", {"--genome", "--profile"}},
     {"contact --genome g.json --unit um --out c.csv", {"--unit", "--profile only"}},
+    {"contact --profile one.txt --out c.csv", {"--spacing: ", "one.txt", "one column of heights"}},
+    {"contact --profile gap.txt --unit um --out c.csv", {"--fill: ", "gap.txt", "missing value"}},
+    {"target --check conductance.csv", {"--resistivity: ", "conductance.csv"}},
+    {"design --target t.csv --nodes 8", {"--nodes: 8 given", "16"}},
+    {"design --target t.csv --shortest-wave 9", {"--shortest-wave: 9 mm", "longest wave, 3.39768"}},
     {"contact --profile noise --out c.csv", {"noise", "binary"}},
     {"contact --profile empty --out c.csv", {"empty", "no numbers"}},
     {"contact --profile scan.txt --unit mm --out c.csv", {"scan.txt", "µm", "mm"}},
@@ -100,7 +107,8 @@ const std::vector<Wrong> wrong_uses{
     {"contact --genome g.json --out c.csv --kernel fre", {"--kernel", "fre", "did you mean 'free'"}},
     {"contact --genome g.json --out c.csv --kernel periodic --reach 1", {"--reach", "less than 1"}},
     {"contact --genome g.json --out c.csv --reach 0", {"--reach", "above 0 and up to 1"}},
-    {"contact --genome g.json --out c.csv --datum 0.1", {"0.1 mm", "(L + delta)/4"}},
+    {"contact --genome g.json --out c.csv --datum 0.1",
+     {"--datum: 0.1 mm given, expected more than 0.2127", "(L + spacing)/4"}},
     {"contact --genome g.json --out c.csv --modulus 1e308", {"pressure inf MPa", "fits double precision"}},
     {"contact --genome g.json --out c.csv --length 1e-308", {"all heights are equal"}},
     {"contact --profile one.txt --spacing 1e-308 --out c.csv", {"inf MPa", "fits double precision"}},
@@ -178,6 +186,7 @@ const std::vector<Wrong> wrong_uses{
     {paper + "--set x", {"--set", "\"x\"", "section.key=value"}},
     {paper + "--set", {"--set", "no value"}},
     {paper + "--set paper.threshhold=1", {"'paper.threshhold'", "did you mean 'paper.threshold'"}},
+    {paper + "--set model.datum=0.1", {"model.datum: 0.1 mm given", "0.2127"}},
     {paper + "--nodes 1", {"model.nodes", "1 given"}},
     {paper + "--resume", {"--resume", "--out"}},
     {"chart --quik", {"--quik", "did you mean '--quick'"}},

@@ -79,7 +79,7 @@ TEST_CASE("a unit that nobody knows is refused by its name, unless one is given"
         INFO(header);
         CHECK_THAT(refusal(header + "\n0 1\n1 2\n2 1\n"),
                    Catch::Contains("a column in '" + std::string(header[3] == 'y' ? "yd" : "ft") + "'") &&
-                       Catch::Contains("--unit"));
+                       Catch::Contains("or one given"));
         CHECK_NOTHROW(read(header + "\n0 1\n1 2\n2 1\n", {.unit = "in"}));
     }
     CHECK_THAT(refusal("x [mm];z [a.u.]\n0;1\n1;2\n2;1\n"), Catch::Contains("'a.u.'"));

@@ -28,7 +28,8 @@ TEST_CASE("a target file says by its columns what it is of") {
 TEST_CASE("a conductance is read as the stiffness that has it") {
     // C = 2 K/(E* rho): K = C E* rho/2
     CHECK(read_text("pressure_MPa,conductance\n1,10\n", 0.25).y[0] == 2.5);
-    CHECK_THROWS_WITH(read_text("pressure_MPa,conductance\n1,10\n"), Catch::Contains("--resistivity"));
+    CHECK_THROWS_WITH(read_text("pressure_MPa,conductance\n1,10\n"),
+                      Catch::Contains("expected a resistivity"));
 }
 
 TEST_CASE("a target written is read back to the bits, with what it records of its model") {

@@ -1,10 +1,9 @@
 // A problem of one's own for the engine: the wire, coil and number of turns of a helical spring that is to
 // have a given stiffness and mass.
-#include "ga/ga.hpp"
-
 #include <cmath>
 #include <iostream>
 #include <numbers>
+#include <rugosa/ga.hpp>
 
 struct Spring {
     using Genome = std::vector<double>; // wire diameter, coil diameter (mm), turns

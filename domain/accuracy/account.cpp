@@ -1,0 +1,62 @@
+#include "domain/accuracy/account.hpp"
+
+#include "domain/contact/names.hpp"
+
+#include <sstream>
+
+namespace rough {
+
+namespace {
+
+std::string grid_words(const Account& account) {
+    std::ostringstream words;
+    const std::size_t count = account.grids.size();
+    if (account.extrapolated()) {
+        const auto first = count - static_cast<std::size_t>(account.read_grids);
+        words << "Read off grids of ";
+        for (std::size_t i = first; i < count; ++i)
+            words << (i == first ? "" : i + 1 == count ? " and " : ", ") << account.grids[i];
+        words << " nodes in place of " << account.resolved_nodes;
+        if (first > 0)
+            words << ", after " << first << " coarser one(s) that did not suffice";
+        if (account.resolved_rows > 0)
+            words << "; the first " << account.resolved_rows << " load steps, the lightest, on the "
+                  << account.resolved_nodes << " nodes themselves";
+    } else {
+        words << "Solved on " << account.grids.back() << " nodes";
+        if (count > 1)
+            words << ", the resolved grid, as " << count - 1 << " coarser one(s) up to "
+                  << account.grids[count - 2] << " nodes did not suffice";
+    }
+    return words.str();
+}
+
+} // namespace
+
+std::string in_words(const Account& account) {
+    std::ostringstream words;
+    words.precision(2);
+    words << grid_words(account) << "; " << account.solved_rows << " of " << account.rows
+          << " load steps solved by " << name_of(account.solver);
+    if (account.solved_rows < account.rows)
+        words << ", the others read between them within exact bounds";
+    words << ". ";
+    if (!account.used.empty()) {
+        words << account.used.size() << " chromosome(s) modelled";
+        if (!account.dropped.empty())
+            words << ", " << account.dropped.size() << " shorter one(s) left out: gaps change by "
+                  << account.window.lowest << " to " << account.window.highest << " mm, the curve by at most "
+                  << account.dropped_error;
+        words << ". ";
+    }
+    if (account.accuracy > 0)
+        words << "Against the resolved model's the curve is off by an estimated " << account.estimated_error
+              << " at most, relative, in pressure and secant stiffness; " << account.accuracy
+              << " was asked for.";
+    else
+        words << "This is the model as given; what its grid leaves out was not estimated, as no accuracy "
+                 "was asked for.";
+    return words.str();
+}
+
+} // namespace rough

@@ -1,0 +1,39 @@
+#include "domain/contact/body.hpp"
+
+#include "domain/errors.hpp"
+
+#include <cmath>
+
+namespace rough {
+
+namespace {
+
+bool is_positive(double value) { return value > 0 && std::isfinite(value); }
+
+} // namespace
+
+double effective_modulus(double youngs_modulus, double poissons_ratio) {
+    return youngs_modulus / (1 - poissons_ratio * poissons_ratio);
+}
+
+Body completed(Body body, double length) {
+    if (body.kernel == Kernel::free && body.datum == 0)
+        body.datum = length;
+    if (body.kernel == Kernel::strip && body.strip_width == 0)
+        body.strip_width = length / 511;
+    return body;
+}
+
+void validate(const Body& body, Index nodes, double spacing) {
+    if (!is_positive(body.effective_modulus))
+        refuse_value("modulus", body.effective_modulus,
+                     " MPa given as the effective one, expected a positive finite number");
+    const double limit = spacing * static_cast<double>(nodes) / 4;
+    if (body.kernel == Kernel::free && !(body.datum > limit && std::isfinite(body.datum)))
+        refuse_value("datum", body.datum, " mm given, expected more than ", limit,
+                     " mm, (L + spacing)/4: nearer, the free half-plane has no unique solution");
+    if (body.kernel == Kernel::strip && !is_positive(body.strip_width))
+        refuse_value("strip width", body.strip_width, " mm given, expected a positive finite length");
+}
+
+} // namespace rough

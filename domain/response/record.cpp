@@ -1,0 +1,31 @@
+#include "domain/response/record.hpp"
+
+#include "domain/contact/names.hpp"
+
+#include <cstdio>
+
+namespace rough {
+
+std::string field_text(double value) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.17g", value);
+    return digits;
+}
+
+Fields fields(const Model& given) {
+    const Model model = completed(given);
+    const Body& body = model.body;
+    Fields all{{"nodes", std::to_string(model.grid.nodes)},
+               {"length_mm", field_text(model.grid.length)},
+               {"kernel", name_of(body.kernel)},
+               {"effective_modulus_MPa", field_text(body.effective_modulus)},
+               {"steps", std::to_string(model.loading.steps)},
+               {"reach", field_text(model.loading.reach)}};
+    if (body.kernel == Kernel::free)
+        all.emplace_back("datum_mm", field_text(body.datum));
+    if (body.kernel == Kernel::strip)
+        all.emplace_back("strip_width_mm", field_text(body.strip_width));
+    return all;
+}
+
+} // namespace rough

@@ -1,0 +1,75 @@
+#include "domain/design/defaults.hpp"
+#include "domain/design/error_budget.hpp"
+#include "domain/errors.hpp"
+#include "domain/target/like.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+Genome one_wave() { return {0.01, {{1, 0.8, 1.5, 2, {{1, {0.3}}, {2, {1.0}}}}}}; }
+
+DesignSetup set_up() {
+    DesignSetup setup;
+    setup.model.grid = {65, 2};
+    setup.goals = {goal_like(sample(one_wave(), setup.model.grid), setup.model, "a wave")};
+    return setup;
+}
+
+} // namespace
+
+TEST_CASE("a design left open has waves of 8 nodes at least and series of a quarter of the length to four") {
+    const DesignProblem problem(set_up());
+    CHECK(problem.setup().limits.shortest_wave == 8 * (2.0 / 64));
+    CHECK(problem.setup().bounds.lambda_from == 0.5);
+    CHECK(problem.setup().bounds.lambda_to == 8);
+    CHECK(problem.setup().model.body.datum == 2);
+    CHECK(problem.setup().model.loading.reach == 1);
+    ga::Stream random(1);
+    for (int draw = 0; draw < 20; ++draw)
+        CHECK(shortest_wave(problem.sample(random)) >= 8 * (2.0 / 64));
+}
+
+TEST_CASE("a design that its grid cannot show is refused by the name of the value") {
+    const auto about = [](auto change) {
+        DesignSetup setup = set_up();
+        change(setup);
+        try {
+            completed(setup);
+        } catch (const InputError& error) {
+            return error.about;
+        }
+        return std::string();
+    };
+    CHECK(about([](DesignSetup&) {}).empty());
+    CHECK(about([](DesignSetup& s) { s.model.grid.nodes = 15; }) == "nodes");
+    CHECK(about([](DesignSetup& s) { s.limits.shortest_wave = 0.9 * 2.0 / 64; }) == "shortest wave");
+    CHECK(about([](DesignSetup& s) { s.limits.shortest_wave = 8.1; }) == "shortest wave");
+    CHECK(about([](DesignSetup& s) { s.model.body.datum = 0.1; }) == "datum");
+}
+
+TEST_CASE("an error budget says by how much the curve moves when one thing is changed") {
+    const DesignSetup setup = set_up();
+    Answer answer{one_wave()};
+    answer.similarity = 0.9;
+    answer.similarity_refined = 0.8;
+    const auto budget = error_budget(setup, answer);
+    REQUIRE(budget.size() == 6);
+    const Goal& goal = setup.goals.front();
+    const auto at_points = [&](const Model& model) {
+        const Curve curve = secant_stiffness(respond(setup, one_wave(), model).responses.front());
+        return Eigen::VectorXd(goal.x.unaryExpr([&](double p) { return curve.at(p); }));
+    };
+    Model far = setup.model;
+    far.body.datum = 8;
+    const Eigen::VectorXd moved = at_points(far).cwiseQuotient(at_points(setup.model));
+    CHECK(budget[0].size == Approx((moved.array() - 1).abs().maxCoeff()));
+    CHECK(budget[0].size > 0.1);
+    CHECK(budget[2].source == "the grid: 4 times the elements");
+    CHECK(budget[2].size > 0);
+    CHECK(budget[2].size < 0.5);
+    CHECK(budget[4].size == Approx(0.1));
+    CHECK(budget[5].size == Approx(0.2));
+}
