@@ -37,9 +37,12 @@ class GenomeStore {
     /// Opens one that exists, to read or to go on building.
     static GenomeStore open(const std::filesystem::path& file);
 
+    ///@{
+    /// Moves as a file handle does.
     GenomeStore(GenomeStore&&) noexcept;
     GenomeStore& operator=(GenomeStore&&) noexcept;
     ~GenomeStore();
+    ///@}
 
     /// Whether there is such a file with anything in it: a program killed while it makes one leaves it empty.
     static bool begun(const std::filesystem::path& file);

@@ -1,6 +1,7 @@
 #include "apps/experiments/chart/plan.hpp"
 
 #include "apps/prompt/model_settings.hpp"
+#include "domain/contact/names.hpp"
 
 #include <algorithm>
 
