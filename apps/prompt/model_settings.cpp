@@ -1,13 +1,24 @@
 #include "apps/prompt/model_settings.hpp"
 
-#include "apps/report/units.hpp"
 #include "domain/contact/names.hpp"
 
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 namespace app {
 
 namespace {
+
+/// A number as it would be given: 1e-6.
+std::string plain(double value) {
+    std::ostringstream text;
+    text << std::setprecision(15) << value;
+    std::string digits = text.str();
+    if (const auto at = digits.find("e-0"); at != std::string::npos)
+        digits.erase(at + 2, 1);
+    return digits;
+}
 
 rough::Model model_on(rough::Grid grid, const Settings& settings, const std::string& prefix) {
     grid.nodes = nodes_from(settings, grid.nodes, prefix);
@@ -43,18 +54,18 @@ std::vector<Setting> model_settings(const std::string& prefix) {
         {prefix + "nodes", "",
          "nodes of the grid, 2 to 1e7 [" + std::to_string(usual.grid.nodes) + "; a scan: its points]"},
         {prefix + "length", "",
-         "length L of the profile, mm [" + brief(usual.grid.length, 15) +
+         "length L of the profile, mm [" + plain(usual.grid.length) +
              "; a scan, or a genome made for one: its own]"},
         {prefix + "kernel", name_of(usual.body.kernel), "elastic body: free, periodic or strip"},
         {prefix + "datum", "", "distance d at which the free half-plane's displacement is zero, mm [L]"},
         {prefix + "strip-width", "", "width W of the strip, mm [L/511]"},
-        {prefix + "modulus", brief(usual.body.effective_modulus, 15), "Young's modulus E, MPa"},
+        {prefix + "modulus", plain(usual.body.effective_modulus), "Young's modulus E, MPa"},
         {prefix + "poisson", "0", "Poisson's ratio nu; E* = E/(1 - nu^2)"},
         {prefix + "steps", std::to_string(usual.loading.steps), "load steps n_t, at least 2"},
         {prefix + "reach", "", "largest displacement over the profile's range [1; periodic: 0.95]"},
         {prefix + "solver", name_of(usual.contact.solver),
          "contact solver: auto, nested, nnls, polonsky-keer or active-set"},
-        {prefix + "tolerance", brief(usual.contact.tolerance, 15),
+        {prefix + "tolerance", plain(usual.contact.tolerance),
          "relative tolerance of the iterative solvers"},
     };
     for (Setting& setting : settings)
