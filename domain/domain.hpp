@@ -27,6 +27,7 @@
 #include "domain/mwm/length_scales.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/mwm/sobol.hpp"
+#include "domain/mwm/test_surfaces.hpp"
 #include "domain/paper/variants.hpp"
 #include "domain/profile/detrend.hpp"
 #include "domain/profile/fractal.hpp"

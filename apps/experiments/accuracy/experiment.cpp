@@ -60,7 +60,6 @@ class AccuracyStudy {
         setup.model = model_;
         setup.goals = {rough::read_goal(target_files(settings_, "targets.files").front())};
         setup.max_pressure = max_pressure();
-        setup.limits.shortest_wave = 8 * model_.grid.spacing();
     }
 
     AccuracyRun run() {

@@ -28,7 +28,7 @@ Csv searches_table(const AccuracyRun& run) {
 
 Csv budget_table(const AccuracyRun& run) {
     Csv table("kind,source,size");
-    for (const BudgetRow& row : run.budget)
+    for (const rough::ErrorSource& row : run.budget)
         table.row(row.kind, row.source, row.size);
     return table;
 }

@@ -36,14 +36,14 @@ std::vector<StabilityCell> tried(const Settings& settings, const Conditions& con
         if (conditions.stop)
             break;
         StabilityReference reference(scene);
-        for (std::size_t method = 0; method < solver_names().size(); ++method) {
+        for (std::size_t method = 0; method < rough::solver_names().size(); ++method) {
             conditions.progress.show(scene.name + " (" + name_of(scene.body.kernel) +
-                                     "): " + solver_names()[method]);
+                                     "): " + rough::solver_names()[method]);
             rough::ContactOptions options;
             options.solver = static_cast<rough::Solver>(method);
             ContactTrial trial = try_contact(scene, options, seconds_per_cell);
             reference.judge(trial, promised_tolerance(trial.curve, options));
-            cells.push_back({scene.name, name_of(scene.body.kernel), solver_names()[method],
+            cells.push_back({scene.name, name_of(scene.body.kernel), rough::solver_names()[method],
                              scene.has_solution, std::move(trial)});
         }
     }
