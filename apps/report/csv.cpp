@@ -1,5 +1,6 @@
 #include "apps/report/csv.hpp"
 
+#include "domain/response/interface.hpp"
 #include "domain/text/words.hpp"
 
 #include <charconv>
@@ -61,9 +62,9 @@ std::string csv(const std::vector<std::string>& header, const std::vector<Eigen:
 
 std::string csv(const rough::Response& response) {
     return csv({"displacement_mm", "pressure_MPa", "contact_fraction", "tangent_stiffness_MPa_per_mm",
-                "kkt_residual"},
+                "kkt_residual", "interface_stiffness_MPa_per_mm"},
                {response.displacement, response.pressure, response.contact_fraction,
-                response.tangent_stiffness, response.kkt_residual});
+                response.tangent_stiffness, response.kkt_residual, interface_stiffness(response)});
 }
 
 } // namespace app

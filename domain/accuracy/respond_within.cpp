@@ -4,6 +4,7 @@
 #include "domain/accuracy/extrapolation.hpp"
 #include "domain/accuracy/load_rows.hpp"
 #include "domain/accuracy/surface.hpp"
+#include "domain/contact/full_contact.hpp"
 #include "domain/contact/solvers/choice.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
@@ -93,6 +94,7 @@ class Question {
             model_.contact.tolerance =
                 std::min(model_.contact.tolerance, solver_share * accuracy / (2.0 * resolved.loading.steps));
         response_.range = displacement_range(whole_, resolved.body.kernel);
+        response_.full_stiffness = full_contact_stiffness(whole_.nodes(), whole_.spacing, resolved.body);
         response_.displacement = Eigen::Map<const Eigen::VectorXd>(rows_.data(), count_);
         account_.accuracy = accuracy;
         account_.resolved_nodes = resolved.grid.nodes;

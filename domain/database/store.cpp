@@ -1,5 +1,6 @@
 #include "domain/database/store.hpp"
 
+#include "domain/contact/full_contact.hpp"
 #include "domain/database/codec.hpp"
 #include "domain/database/sqlite.hpp"
 #include "domain/errors.hpp"
@@ -332,6 +333,8 @@ Response GenomeStore::response(std::uint64_t index) const {
     response.pressure = Eigen::Map<const Eigen::VectorXd>(p + 1, steps);
     response.contact_fraction = Eigen::Map<const Eigen::VectorXd>(c, steps);
     response.tangent_stiffness = Eigen::Map<const Eigen::VectorXd>(c + steps, steps);
+    const Model& model = setup_.model;
+    response.full_stiffness = full_contact_stiffness(model.grid.nodes, model.grid.spacing(), model.body);
     return response;
 }
 

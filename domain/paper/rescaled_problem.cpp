@@ -1,5 +1,6 @@
 #include "domain/paper/rescaled_problem.hpp"
 
+#include "domain/contact/full_contact.hpp"
 #include "domain/contact/stepped.hpp"
 #include "domain/errors.hpp"
 #include "domain/paper/foretold.hpp"
@@ -73,9 +74,12 @@ class Steps : public ga::Appraisal<RescaledResponse> {
     std::optional<RescaledResponse> outcome() override {
         if (!contact_.done())
             return std::nullopt;
-        return contact_.is_own_choice()
-                   ? problem_.of_response(shape_, response_of(contact_.steps(), Solver::nested, range_))
-                   : problem_.evaluate(shape_);
+        if (!contact_.is_own_choice())
+            return problem_.evaluate(shape_);
+        const Grid& grid = problem_.model().grid;
+        return problem_.of_response(
+            shape_, response_of(contact_.steps(), Solver::nested, range_,
+                                full_contact_stiffness(grid.nodes, grid.spacing(), problem_.model().body)));
     }
 
   private:

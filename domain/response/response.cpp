@@ -1,6 +1,7 @@
 #include "domain/response/response.hpp"
 
 #include "domain/contact/kernel.hpp"
+#include "domain/contact/full_contact.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/smooth_area.hpp"
 
@@ -11,9 +12,9 @@
 
 namespace rough {
 
-Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range) {
+Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range, double full_stiffness) {
     const auto count = static_cast<Index>(steps.size());
-    Response response{range, {}, {}, {}, {}, {}, solver};
+    Response response{range, {}, {}, {}, {}, {}, solver, full_stiffness};
     for (auto* column : {&response.displacement, &response.pressure, &response.contact_fraction,
                          &response.tangent_stiffness, &response.kkt_residual})
         column->resize(count);
@@ -142,7 +143,8 @@ Response respond(const Profile& profile, const Body& body, const Loading& loadin
     const double range = displacement_range(profile, body.kernel);
     const ContactCurve curve =
         solve_contact(profile, body, step_displacements(profile, body, loading, options), options);
-    return response_of(curve.steps, curve.solver, range);
+    return response_of(curve.steps, curve.solver, range,
+                       full_contact_stiffness(profile.nodes(), profile.spacing, body));
 }
 
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& given,
@@ -195,7 +197,8 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
                 smooth.by_displacement[j] * (static_cast<double>(j + 1) / loading.steps) * d_last;
         area = {std::move(smooth.fraction), std::move(smooth.by_height)};
     }
-    return {response_of(curve.steps, curve.solver, range),
+    return {response_of(curve.steps, curve.solver, range,
+                        full_contact_stiffness(profile.nodes(), profile.spacing, body)),
             {std::move(d_pressure), std::move(d_last)},
             std::move(area)};
 }

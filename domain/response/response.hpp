@@ -2,6 +2,8 @@
 
 #include "domain/contact/solve.hpp"
 
+#include <limits>
+
 namespace rough {
 
 /// The load steps: Delta_j = (j / steps) Delta_last, j = 1..steps. Where the load ends is, in this order,
@@ -30,12 +32,16 @@ struct Response {
     Eigen::VectorXd tangent_stiffness; ///< MPa/mm
     Eigen::VectorXd kkt_residual;      ///< certificate of each step, scale-free
     Solver solver = Solver::automatic; ///< the one that was used
+    /// K_full, MPa/mm: of the same body with every node of the grid in contact (full_contact_stiffness);
+    /// infinite on a periodic half-plane, no number where it is not known
+    double full_stiffness = std::numeric_limits<double>::quiet_NaN();
 
     Index steps() const { return displacement.size(); } ///< how many load steps
 };
 
-/// The response whose rows are these load steps; `range` in mm.
-Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range);
+/// The response whose rows are these load steps; `range` in mm, `full_stiffness` in MPa/mm.
+Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range,
+                     double full_stiffness = std::numeric_limits<double>::quiet_NaN());
 
 /// How a response changes with the heights, by the adjoint (no further solve).
 struct ResponseGradient {

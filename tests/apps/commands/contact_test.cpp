@@ -59,8 +59,8 @@ TEST_CASE("the program gives the six reference curves") {
         REQUIRE(ended.code == 0);
         std::string header;
         const auto rows = rows_of(folder / "c.csv", header);
-        CHECK(header ==
-              "displacement_mm,pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm,kkt_residual");
+        CHECK(header == "displacement_mm,pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm,"
+                        "kkt_residual,interface_stiffness_MPa_per_mm");
         REQUIRE(rows.size() == 20);
         for (std::size_t j = 0; j < 20; ++j) {
             CHECK(rows[j][0] == Approx(scene["displacement_mm"][j].get<double>()).epsilon(1e-9));
@@ -69,6 +69,10 @@ TEST_CASE("the program gives the six reference curves") {
                   scene["contact_nodes"][j].get<long>());
             CHECK(rows[j][3] == Approx(scene["tangent_stiffness_MPa_per_mm"][j].get<double>()).epsilon(1e-9));
             CHECK(rows[j][4] < 1e-12);
+            if (scene["kernel"] == "periodic")
+                CHECK(rows[j][5] == rows[j][3]);
+            else
+                CHECK(rows[j][5] > rows[j][3]);
         }
     }
 }

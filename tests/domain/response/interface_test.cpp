@@ -1,0 +1,135 @@
+#include "domain/accuracy/respond.hpp"
+#include "domain/contact/datum.hpp"
+#include "domain/contact/full_contact.hpp"
+#include "domain/contact/kernel.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/response/interface.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+using testing::random_genome;
+using testing::uniform;
+
+namespace {
+
+constexpr double length = 0.84942;
+
+Response pressed(const Profile& profile, const Body& body, const std::vector<double>& displacements,
+                 Solver solver) {
+    ContactOptions options;
+    options.solver = solver;
+    const ContactCurve curve = solve_contact(profile, body, displacements, options);
+    return response_of(curve.steps, curve.solver, displacement_range(profile, body.kernel),
+                       full_contact_stiffness(profile.nodes(), profile.spacing, body));
+}
+
+} // namespace
+
+TEST_CASE("full contact is as stiff as a flat profile pressed by the direct solver, on grids of any size") {
+    for (const Index nodes : {2, 3, 17, 100, 511, 2048})
+        for (const double datum : {0.26 + 0.5 / static_cast<double>(nodes - 1), 1.0, 40.0})
+            for (const Kernel kernel : {Kernel::free, Kernel::strip}) {
+                const Profile flat{Eigen::VectorXd::Zero(nodes), length / static_cast<double>(nodes - 1)};
+                const Body body{kernel, 3, datum * length, 0.1 * datum * length};
+                ContactOptions options;
+                options.solver = Solver::nested;
+                const double direct = solve_contact(flat, body, {1}, options).steps[0].tangent_stiffness;
+                INFO(nodes << " nodes, datum " << datum);
+                const double full = full_contact_stiffness(nodes, flat.spacing, body);
+                CHECK(std::abs(1 / full - 1 / direct) <= 1e-11 / direct);
+                CHECK(full == full_contact_stiffness(nodes, flat.spacing, body));
+            }
+    CHECK(std::isinf(full_contact_stiffness(64, 0.1, {Kernel::periodic, 1, 1, 0})));
+    CHECK_THROWS_WITH(full_contact_stiffness(64, 0.1, {Kernel::free, 1, 1, 0}), Catch::Contains("datum"));
+}
+
+TEST_CASE(
+    "the interface's stiffness does not depend on the datum, tangents and secants, by the direct solvers") {
+    std::mt19937_64 random(31);
+    double worst = 0;
+    for (int trial = 0; trial < 30; ++trial) {
+        const Solver solver = trial % 3 ? Solver::nested : Solver::nnls;
+        const Grid grid{std::uniform_int_distribution<Index>(40, 400)(random), length, false};
+        const Profile profile = sample(random_genome(random, 1, 1, length, 8 * grid.spacing()), grid);
+        const Body near{Kernel::free, 1, length * uniform(random, 0.3, 2), 0};
+        Body far = near;
+        far.datum = length * std::pow(10, uniform(random, -0.5, 4));
+        const std::vector<double> displacements =
+            load_displacements(displacement_range(profile, near.kernel), {}, near.kernel);
+        const Response one = pressed(profile, near, displacements, solver);
+        std::vector<double> moved;
+        for (Index j = 0; j < one.steps(); ++j) // the same contact sets
+            moved.push_back(one.displacement[j] - one.pressure[j] * datum_sensitivity(1, length, 1) *
+                                                      std::log(far.datum / near.datum));
+        const Response other = pressed(profile, far, moved, solver);
+        REQUIRE(one.contact_fraction == other.contact_fraction);
+        const auto compare = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+                                 const Eigen::VectorXd& K) {
+            worst =
+                std::max(worst, (a.cwiseInverse() - b.cwiseInverse()).cwiseProduct(K).cwiseAbs().maxCoeff());
+        };
+        compare(interface_stiffness(one), interface_stiffness(other), one.tangent_stiffness);
+        compare(interface_secants(one).y, interface_secants(other).y, secant_stiffness(one).y);
+        CHECK((interface_stiffness(one) - one.tangent_stiffness).minCoeff() > 0);
+    }
+    CHECK(worst <= 1e-12);
+}
+
+TEST_CASE("the interface is as stiff as the body on a periodic half-plane, and rigid at full contact") {
+    std::mt19937_64 random(32);
+    Model model;
+    model.grid = {128, length, true};
+    model.body.kernel = Kernel::periodic;
+    model.loading.reach = 0.9;
+    const Response periodic = respond(random_genome(random, 1, 1, length, 0.1), model);
+    CHECK(interface_stiffness(periodic) == periodic.tangent_stiffness);
+    CHECK(interface_secants(periodic).y == secant_stiffness(periodic).y);
+    const Profile bowl{1e-6 * Eigen::VectorXd::LinSpaced(64, -1, 1).cwiseAbs2(), length / 63};
+    for (const Solver solver : {Solver::nested, Solver::active_set}) {
+        const Response full = pressed(bowl, {Kernel::free, 1, length, 0}, {1e-8, 1, 2}, solver);
+        REQUIRE(full.contact_fraction[1] == 1);
+        CHECK(std::isfinite(interface_stiffness(full)[0]));
+        CHECK(std::isinf(interface_stiffness(full)[1]));
+        CHECK(interface_secants(full).y.allFinite());
+        CHECK(interface_secants(full).y[2] > 1e9);
+    }
+    CHECK_THROWS(interface_stiffness(response_of(std::vector<LoadStep>(2), Solver::nested, 1)));
+}
+
+TEST_CASE("the interface's secants follow central differences in every gene") {
+    std::mt19937_64 random(33);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
+        Model model;
+        model.grid = {128, length, kernel == Kernel::periodic};
+        model.body.kernel = kernel;
+        model.body.strip_width = 0.002;
+        model.loading = {10, 0.6};
+        const Genome genome = random_genome(random, 1, 1, length, 8 * model.grid.spacing());
+        const auto answer =
+            respond_with_gradient(sample(genome, model.grid), model.body, model.loading, model.contact);
+        const ResponseJacobian in_gene = in_genes(answer.gradient, [&](const Eigen::MatrixXd& rows) {
+            return pulled_back(rows, genome, model.grid);
+        });
+        const Curve secants = secant_stiffness(answer.response);
+        const CurveJacobian jacobian = interface_jacobian(secant_jacobian(answer.response, in_gene), secants,
+                                                          answer.response.full_stiffness);
+        const auto values = genes(genome);
+        int kept = 0;
+        for (std::size_t g = 0; g < values.size(); ++g) {
+            auto up = values, down = values;
+            up[g] += 1e-6;
+            down[g] -= 1e-6;
+            const Response right = respond(with_genes(genome, up), model),
+                           left = respond(with_genes(genome, down), model);
+            if (right.contact_fraction != left.contact_fraction)
+                continue;
+            ++kept;
+            const Eigen::VectorXd slope = (interface_secants(right).y - interface_secants(left).y) / 2e-6;
+            CHECK((slope - jacobian.y.col(static_cast<Index>(g))).cwiseAbs().maxCoeff() <
+                  1e-5 * jacobian.y.cwiseAbs().maxCoeff());
+        }
+        CHECK(kept > 0);
+    }
+}
