@@ -10,9 +10,11 @@
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/errors.hpp"
+#include "domain/response/partial_slip.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <filesystem>
+#include <sstream>
 
 namespace app {
 
@@ -26,7 +28,15 @@ std::vector<Setting> contact_settings() {
         {"force", "", "write over an existing curve file", true},
         {"threads", "0", "taken as design and run take it; a curve needs one thread"},
         {"seed", "1", "taken as design and run take it; nothing here is random"},
-        accuracy_setting("", "the resolved model: --nodes if given, else 64 nodes to the shortest wave"),
+        accuracy_setting("",
+                         "the resolved model: --nodes if given, else 64 nodes to the shortest wave; a scan "
+                         "is always solved on its own nodes"),
+        {"to-pressure", "", "mean pressure of the last load step, MPa, in place of --reach"},
+        {"pressures", "",
+         "mean pressures of the load steps, MPa, as P1,P2,…, in place of --reach and --steps"},
+        {"hardness", "", "largest pressure that a node bears, MPa; nodes at it sink in [none]"},
+        {"friction", "",
+         "friction coefficient: writes CURVE-slip.csv, partial slip under the last load [none]"},
     };
     return joined({settings, scan_settings(), model_settings()});
 }
@@ -44,6 +54,50 @@ rough::Model within_accuracy(rough::Model model, const Settings& settings) {
     return model;
 }
 
+std::vector<double> pressures_from(const Settings& settings) {
+    std::vector<double> pressures;
+    std::istringstream words(settings.text("pressures"));
+    for (std::string word; std::getline(words, word, ',');) {
+        std::istringstream number(word);
+        double pressure = 0;
+        const double before = pressures.empty() ? 0 : pressures.back();
+        if (!(number >> pressure) || !(number >> std::ws).eof() || !(pressure > before))
+            throw rough::InputError("--pressures: '" + word + "' given after " + readable(before) +
+                                    ", expected positive increasing numbers with commas between, MPa");
+        pressures.push_back(pressure);
+    }
+    return pressures;
+}
+
+/// The load's end and what a node bears, which only this command can set.
+rough::Model loaded(rough::Model model, const Settings& settings) {
+    if (settings.given("to-pressure") + settings.given("pressures") + settings.given("reach") > 1)
+        throw rough::InputError("contact: expected one of --reach, --to-pressure and --pressures");
+    if (settings.given("pressures") && settings.given("steps"))
+        throw rough::InputError("contact: --steps given with --pressures, expected one of them");
+    if (settings.has("to-pressure"))
+        model.loading.to_pressure = settings.pressure("to-pressure");
+    if (settings.has("pressures")) {
+        model.loading.pressures = pressures_from(settings);
+        model.loading.steps = static_cast<int>(model.loading.pressures.size());
+    }
+    if (settings.has("hardness"))
+        model.body.hardness = settings.pressure("hardness");
+    return model;
+}
+
+/// CURVE-slip.csv beside CURVE.csv.
+std::filesystem::path slip_beside(const std::filesystem::path& curve) {
+    auto slip = curve;
+    return slip.replace_filename(curve.stem().string() + "-slip" + curve.extension().string());
+}
+
+std::string slip_csv(const rough::PartialSlip& slip) {
+    return csv({"tangential_displacement_mm", "tangential_traction_MPa", "tangential_stiffness_MPa_per_mm",
+                "stick_fraction"},
+               {slip.displacement, slip.traction, slip.stiffness, slip.stick_fraction});
+}
+
 /// Flags that decide nothing are still held to their range.
 void expect_common(const Settings& settings) {
     settings.threads("threads");
@@ -52,7 +106,7 @@ void expect_common(const Settings& settings) {
 
 rough::AccountedResponse pressed(const Settings& settings) {
     const rough::Source source = source_from(settings, nodes_from(settings, 0));
-    rough::Model model = model_from(settings, source);
+    rough::Model model = loaded(model_from(settings, source), settings);
     model.accuracy = accuracy_from(settings);
     if (model.accuracy > 0) {
         if (source.genome && !settings.has("nodes"))
@@ -71,12 +125,15 @@ int contact(const Words& words) {
     if (shows_help(
             words, "contact (--genome G.json | --profile SCAN.txt [--unit U]) --out CURVE.csv [flags]",
             "Presses a rough profile on an elastic body, load step by load step, and writes displacement, "
-            "mean pressure, contact fraction and tangent stiffness, each step with its KKT residual; and "
-            "beside the curve, CURVE.json: what was modelled, and how wrong it may be.",
+            "mean pressure, contact fraction, tangent and interface stiffness, each step with its KKT "
+            "residual; "
+            "and beside the curve, CURVE.json: what was modelled, and how wrong it may be.",
             contact_settings(),
             {"contact --genome surface.json --out curve.csv",
              "contact --genome surface.json --kernel periodic --steps 50 --out curve.csv",
              "contact --genome surface.json --accuracy 1e-3 --out curve.csv",
+             "contact --genome surface.json --pressures 0.01,0.02,0.05 --out curve.csv",
+             "contact --genome surface.json --to-pressure 0.05 --friction 0.3 --out curve.csv",
              "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv"}))
         return 0;
     const Settings settings = read_command_line(words, contact_settings());
@@ -93,11 +150,30 @@ int contact(const Words& words) {
     if (has_account)
         account = expect_writable(account, settings);
 
+    std::filesystem::path slip_file = slip_beside(settings.text("out"));
+    if (settings.has("friction")) {
+        settings.positive("friction");
+        if (settings.has("hardness"))
+            throw rough::InputError(
+                "contact: --friction given with --hardness, expected one of them: partial "
+                "slip rests on elastic contact");
+        if (!has_account)
+            throw rough::InputError("--friction: " + settings.text("out") +
+                                    " is no file, expected one that another can stand beside");
+        slip_file = expect_writable(slip_file, settings);
+    }
     const rough::AccountedResponse result = pressed(settings);
     const rough::Response& response = result.response;
     rough::write_atomically(out, csv(response));
     if (has_account)
         write_json(account, account_json(result.account));
+    if (settings.has("friction")) {
+        const double friction = settings.positive("friction");
+        rough::write_atomically(slip_file, slip_csv(partial_slip(response, friction)));
+        tell(slip_file.string() + ": partial slip under the last load, f = " + readable(friction) +
+             "; assumed: plane strain, a constant normal load, bodies that do not couple (equal ones, or "
+             "Dundurs' beta = 0; a rigid profile at nu = 0.5 only)");
+    }
     for (const auto& note : without_effect(settings))
         say(note);
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +

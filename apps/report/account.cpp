@@ -43,6 +43,8 @@ json account_json(const rough::Account& account) {
             {"grid_error", account.grid_error},
             {"step_error", account.step_error},
             {"solver_error", account.solver_error},
+            {"area_error", account.area_error},
+            {"nodes_at_hardness", account.held_nodes},
             {"words", in_words(account)}};
 }
 

@@ -52,10 +52,16 @@ std::string in_words(const Account& account) {
     if (account.accuracy > 0)
         words << "Against the resolved model's the curve is off by an estimated " << account.estimated_error
               << " at most, relative, in pressure and secant stiffness; " << account.accuracy
-              << " was asked for.";
+              << " was asked for. Contact fractions are off by an estimated " << account.area_error
+              << " at most.";
     else
         words << "This is the model as given; what its grid leaves out was not estimated, as no accuracy "
                  "was asked for.";
+    if (account.held_nodes > 0)
+        words << " At the last load step " << account.held_nodes
+              << " node(s) bear the hardness and sink in: contact with a hardness is not nested, amplitude "
+                 "is no "
+                 "free factor (no rescaling by Eq. 11), and no bound or verdict that rests on either holds.";
     return words.str();
 }
 

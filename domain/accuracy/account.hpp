@@ -27,7 +27,11 @@ struct Account {
     double step_error = 0;                ///< bounded
     double dropped_error = 0;             ///< bounded
     double solver_error = 0;              ///< bounded
-    double seconds = 0;                   ///< wall time
+    /// Of the contact fraction, relative, the worst row; estimated where grids were read, else bounded. Not
+    /// part of `estimated_error`.
+    double area_error = 0;
+    Index held_nodes = 0; ///< at the last load step, nodes that bear the hardness
+    double seconds = 0;   ///< wall time
 
     bool extrapolated() const { return read_grids > 1; } ///< whether several grids give the answer together
 };

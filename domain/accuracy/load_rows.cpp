@@ -17,7 +17,7 @@ class Rows {
     Rows(const Profile& profile, const Body& body, const std::vector<double>& displacements,
          const ContactOptions& options)
         : profile_(profile), body_(body), options_(options), displacements_(displacements),
-          known_(displacements.size(), 0) {
+          known_(displacements.size(), 0), least_fraction_(1 / static_cast<double>(profile.nodes())) {
         rows_.steps.resize(displacements.size());
         for (std::size_t j = 0; j < displacements.size(); ++j)
             if (displacements[j] <= 0)
@@ -49,7 +49,7 @@ class Rows {
         LoadStep start; // nothing touches at displacement 0
         std::size_t a = 0;
         bool from_origin = true;
-        rows_.error = 0;
+        rows_.error = rows_.area_error = 0;
         for (std::size_t b = 0; b < known_.size(); ++b) {
             if (!known_[b])
                 continue;
@@ -88,6 +88,9 @@ class Rows {
         step.pressure = std::clamp(cubic, std::min(tangents, chord), chord);
         step.tangent_stiffness = (1 - t) * a.tangent_stiffness + t * b.tangent_stiffness;
         step.contact_fraction = (1 - t) * a.contact_fraction + t * b.contact_fraction;
+        const double area_off = std::max(t, 1 - t) * (b.contact_fraction - a.contact_fraction);
+        rows_.area_error =
+            std::max(rows_.area_error, area_off / std::max(a.contact_fraction, least_fraction_));
         step.kkt_residual = std::max(a.kkt_residual, b.kkt_residual);
         return std::max(chord - step.pressure, step.pressure - tangents);
     }
@@ -123,6 +126,7 @@ class Rows {
     const ContactOptions& options_;
     const std::vector<double>& displacements_;
     std::vector<char> known_;
+    double least_fraction_; ///< of one node
     LoadRows rows_;
 };
 

@@ -8,6 +8,7 @@ namespace rough {
 struct LoadRows {
     std::vector<LoadStep> steps;       ///< one a displacement; zeros where the profile does not touch yet
     double error = 0;                  ///< bound of what reading between solved rows costs (`relative_error`)
+    double area_error = 0;             ///< the same of the contact fraction, relative: it never falls
     int solved = 0;                    ///< rows that were solved
     Solver solver = Solver::automatic; ///< the one that was used
 };

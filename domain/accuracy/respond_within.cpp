@@ -90,6 +90,9 @@ class Question {
           whole_(surface_.sampled(model_.grid)), highest_(whole_.heights.maxCoeff()),
           rows_(step_displacements(whole_, model_.body, model_.loading, model_.contact)),
           count_(static_cast<Index>(rows_.size())) {
+        if (accuracy > 0 && resolved.body.yields())
+            throw InputError("accuracy: given with a hardness, expected one of them: the bounds that an "
+                             "accuracy rests on do not hold where pressures are held");
         if (accuracy > 0)
             model_.contact.tolerance =
                 std::min(model_.contact.tolerance, solver_share * accuracy / (2.0 * resolved.loading.steps));
@@ -159,6 +162,8 @@ class Question {
         account_.solved_rows = rows.solved;
         account_.resolved_rows = static_cast<int>(count_);
         account_.step_error = rows.error;
+        account_.area_error = rows.area_error;
+        account_.held_nodes = response_.held_nodes = rows.steps.back().held_nodes;
         response_.pressure = column(rows.steps, count_, &LoadStep::pressure);
         response_.contact_fraction = column(rows.steps, count_, &LoadStep::contact_fraction);
         response_.tangent_stiffness = column(rows.steps, count_, &LoadStep::tangent_stiffness);
@@ -176,6 +181,14 @@ class Question {
         Doubt grid, dropped, solver;
         Doubt together() const { return grid + dropped + solver; }
     };
+
+    /// Estimated, of the contact fractions read off the grids from row `known` on: Extrapolation's doubt.
+    double area_error(const Ladder& ladder, Index known) const {
+        const Extrapolation area =
+            extrapolate(ladder.last(), ladder.fraction.rightCols(ladder.line()), whole_.nodes());
+        const Eigen::VectorXd least = area.pressure.cwiseMax(1 / resolved_nodes());
+        return area.doubt.pressure.cwiseQuotient(least).tail(count_ - known).maxCoeff();
+    }
 
     double resolved_nodes() const { return static_cast<double>(whole_.nodes()); }
 
@@ -209,6 +222,7 @@ class Question {
         account_.dropped_error = error(sources.dropped, 0);
         account_.solver_error = error(sources.solver, 0);
         account_.step_error = std::max(rows.error, first.error);
+        account_.area_error = area_error(ladder, known) + std::max(rows.area_error, first.area_error);
         account_.estimated_error = error(sources.together(), offset) + account_.step_error;
         if (!(account_.estimated_error <= accuracy_))
             return false;
@@ -323,9 +337,8 @@ AccountedResponse respond_within(const Genome& genome, const Model& resolved, do
 AccountedResponse respond_within(const Profile& scan, const Model& resolved, double accuracy) {
     expect_accuracy(accuracy);
     return timed([&] {
-        Question question(surface_of(scan), resolved, accuracy);
-        if (!question.by_coarser_grids(surface_of(scan), {}))
-            question.by_resolved_grid();
+        Question question({[&](const Grid&) { return scan; }, 0}, resolved, accuracy);
+        question.by_resolved_grid();
         return question.answer();
     });
 }

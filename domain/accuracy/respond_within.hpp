@@ -19,9 +19,11 @@ Grid resolved_grid(const Genome& genome, double length, bool wraps);
 /// The response within `accuracy` (relative, more than 0 to 1) of the one that `resolved` gives on its grid,
 /// at the same displacements: those of the resolved profile. Chooses the chromosomes, the grids, the rows and
 /// the solver's tolerance (never above the one given); where nothing cheaper is good enough it solves the
-/// resolved model itself. Throws InputError on another accuracy, and what `respond` throws.
+/// resolved model itself. Throws InputError on another accuracy, on a hardness, and what `respond` throws.
 AccountedResponse respond_within(const Genome& genome, const Model& resolved, double accuracy);
-/// The same for a measured profile.
+/// The same for a measured profile, always on its own nodes: a scan's steps, burrs and noise are as fine as
+/// its spacing, and no coarser grid can know what it misses. What is saved is load steps and the tolerance,
+/// both within exact bounds.
 AccountedResponse respond_within(const Profile& scan, const Model& resolved, double accuracy);
 
 /// As the model asks: within its accuracy where it has one, else exactly.

@@ -15,10 +15,6 @@ struct Surface {
 /// The genome's own sum of waves.
 Surface surface_of(const Genome& genome);
 
-/// A measured profile, its points joined by straight lines. Its finest feature is taken to be 32 points long:
-/// if it is shorter, grids disagree, and that is noticed.
-Surface surface_of(const Profile& scan);
-
 /// The elements around a resolved grid's nodes make up a body; `elements` equal ones over the same body,
 /// their nodes in the middle. A coarse grid of nodes from end to end would be a longer body than a fine one,
 /// since half an element hangs over at either end, and err by that to first order.

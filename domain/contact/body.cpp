@@ -28,6 +28,8 @@ void validate(const Body& body, Index nodes, double spacing) {
     if (!is_positive(body.effective_modulus))
         refuse_value("modulus", body.effective_modulus,
                      " MPa given as the effective one, expected a positive finite number");
+    if (!(body.hardness > 0))
+        refuse_value("hardness", body.hardness, " MPa given, expected a positive pressure");
     const double limit = spacing * static_cast<double>(nodes) / 4;
     if (body.kernel == Kernel::free && !(body.datum > limit && std::isfinite(body.datum)))
         refuse_value("datum", body.datum, " mm given, expected more than ", limit,

@@ -2,6 +2,8 @@
 
 #include "domain/numerics/grid.hpp"
 
+#include <limits>
+
 namespace rough {
 
 /// Which elastic body the profile is pressed on.
@@ -18,6 +20,11 @@ struct Body {
     /// d, mm: where the free half-plane's displacement is zero (free only); 0: the profile's length L
     double datum = 0;
     double strip_width = 0; ///< W, mm (strip only); 0: L/511
+    /// p_H, MPa: no node bears more; those that would are held at it and sink in. Amplitude is no free factor
+    /// then, contact sets are not known to be nested, and no bound that rests on either holds.
+    double hardness = std::numeric_limits<double>::infinity();
+
+    bool yields() const { return hardness < std::numeric_limits<double>::infinity(); } ///< has a hardness
 };
 
 /// E* = E/(1 - nu^2), MPa, of Young's modulus (MPa) and Poisson's ratio.

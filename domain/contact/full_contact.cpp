@@ -64,10 +64,10 @@ double known_sum(const Key& key, const ContactProblem& problem) {
 } // namespace
 
 double full_contact_stiffness(Index nodes, double spacing, const Body& body) {
-    const Profile flat{Eigen::VectorXd::Zero(nodes), spacing};
-    make_problem(flat, body, {}); // refuses what has no solution
     if (body.kernel == Kernel::periodic)
         return std::numeric_limits<double>::infinity();
+    const Profile flat{Eigen::VectorXd::Zero(nodes), spacing};
+    make_problem(flat, body, {}); // refuses what has no solution
     Body at_length = body;
     at_length.datum = profile_length(flat, body.kernel);
     const ContactProblem problem = make_problem(flat, at_length, {});

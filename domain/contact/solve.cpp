@@ -1,6 +1,8 @@
 #include "domain/contact/solve.hpp"
 
+#include "domain/contact/kernel.hpp"
 #include "domain/contact/solvers/active_set.hpp"
+#include "domain/contact/solvers/capped.hpp"
 #include "domain/contact/solvers/choice.hpp"
 #include "domain/contact/solvers/nested.hpp"
 #include "domain/contact/solvers/nnls.hpp"
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rough {
 
@@ -45,30 +48,79 @@ StepSolution first_touch(const ContactProblem& problem, const ContactOptions& op
     return step_solution(touching, load, tangent, options.states);
 }
 
-Solution solve_by(Solver solver, const ContactProblem& problem, const ContactOptions& options) {
+void solve_by(Solver solver, const ContactProblem& problem, const ContactOptions& options,
+              Solution& solution) {
     switch (solver) {
     case Solver::nnls:
-        return solve_nnls(problem, options);
+        solution = solve_nnls(problem, options);
+        break;
     case Solver::polonsky_keer:
-        return solve_polonsky_keer(problem, options);
+        solution = solve_polonsky_keer(problem, options);
+        break;
     case Solver::active_set:
-        return solve_active_set(problem, options);
+        solve_active_set(problem, options, solution);
+        break;
     default:
         expect_factor_to_fit(problem, options);
-        return solve_nested(problem, options);
+        solution = solve_nested(problem, options);
+    }
+}
+
+/// The solver chosen goes first; where it fails, the other one goes on with the step that it failed at.
+void solve_by_choice(SolverChoice& choice, ContactProblem problem, const ContactOptions& options,
+                     Solution& solution) {
+    const auto solve_rest = [&](Solver solver, double most_work) {
+        if (solver == Solver::nested)
+            solve_nested(problem, options, most_work, solution);
+        else
+            solve_active_set(problem, options, solution);
+    };
+    std::string failure;
+    try {
+        solve_rest(choice.solver, most_nested_work(problem));
+        return;
+    } catch (const NotConverged& error) {
+        failure = error.what();
+    } catch (const InputError& error) { // a factor that grows beyond the memory
+        failure = error.what();
+    }
+    check_stop(options);
+    const auto solved = static_cast<std::ptrdiff_t>(solution.steps.size());
+    problem.approach.erase(problem.approach.begin(), problem.approach.begin() + solved);
+    choice.solver = choice.solver == Solver::nested ? Solver::active_set : Solver::nested;
+    choice.reason += "; after " + std::to_string(solved) + " load steps handed over to " +
+                     (choice.solver == Solver::nested ? "nested" : "active-set") + ": " + failure;
+    try {
+        solve_rest(choice.solver, std::numeric_limits<double>::infinity());
+    } catch (const InputError& error) {
+        throw NotConverged(failure + "; " + error.what());
+    } catch (const NotConverged& error) {
+        check_stop(options);
+        throw NotConverged(failure + "; " + error.what());
     }
 }
 
 /// The steps without approach, then those with.
-Solution solve(Solver solver, ContactProblem problem, const ContactOptions& options) {
+Solution solve(SolverChoice& choice, ContactProblem problem, const ContactOptions& options) {
     const auto loaded = std::upper_bound(problem.approach.begin(), problem.approach.end(), 0.0);
     const std::vector<StepSolution> touches(
         static_cast<std::size_t>(loaded - problem.approach.begin()),
         loaded == problem.approach.begin() ? StepSolution() : first_touch(problem, options));
     problem.approach.erase(problem.approach.begin(), loaded);
-    Solution solution = solve_by(solver, problem, options);
+    Solution solution;
+    if (std::isfinite(problem.cap))
+        solution = solve_capped(problem, options);
+    else if (options.solver == Solver::automatic)
+        solve_by_choice(choice, problem, options, solution);
+    else
+        solve_by(choice.solver, problem, options, solution);
     solution.steps.insert(solution.steps.begin(), touches.begin(), touches.end());
     return solution;
+}
+
+void check_solver(const Body& body, const ContactOptions& options) {
+    if (body.yields() && options.solver != Solver::automatic && options.solver != Solver::active_set)
+        refuse("a hardness was given with a solver that knows none, auto or active-set is expected");
 }
 
 void check_tolerance(const ContactOptions& options) {
@@ -76,22 +128,38 @@ void check_tolerance(const ContactOptions& options) {
         refuse("solver tolerance ", options.tolerance, " was given, one between 1e-10 and 0.01 is expected");
 }
 
-/// The displacement (mm) at which the mean pressure is `pressure`: Newton's method on a convex piecewise
-/// linear function reaches it in a finite number of steps, from above after the first.
+/// The displacement (mm) at which the mean pressure is `pressure`. Newton's method on a convex piecewise
+/// linear function reaches it in a finite number of steps, from above after the first; with a hardness, where
+/// P(Delta) only never falls, what would leave the bracket is halved instead.
 double displacement_at(double pressure, const Profile& profile, const Body& body,
                        const ContactOptions& options, LoadStep from) {
     const double highest = largest_displacement(profile, body);
+    double below = from.displacement, above = highest;
     for (int k = 0; k < 100; ++k) {
-        const double next = std::min(
-            highest, std::max(0.0, from.displacement + (pressure - from.pressure) / from.tangent_stiffness));
+        double next = from.displacement + (pressure - from.pressure) / from.tangent_stiffness;
+        if (body.yields() && !(next > below && next < above))
+            next = std::isfinite(above) ? 0.5 * (below + above) : 2 * from.displacement;
+        next = std::min(highest, std::max(0.0, next));
         if (std::abs(next - from.displacement) <= 1e-15 * next)
             return next;
         from = solve_contact(profile, body, {next}, options).steps.front();
         if (next == highest && from.pressure < pressure * (1 - 1e-12))
             refuse("mean pressure ", pressure, " MPa was given, at most that of full contact, ",
                    from.pressure, " MPa, is expected");
+        if (body.yields() && std::abs(from.pressure - pressure) <= 1e-12 * pressure)
+            return next;
+        (from.pressure < pressure ? below : above) = next;
     }
     return from.displacement;
+}
+
+/// Every node at the hardness.
+void check_bearable(double pressure, const Profile& profile, const Body& body) {
+    const double most = body.hardness * static_cast<double>(profile.nodes()) * profile.spacing /
+                        profile_length(profile, body.kernel);
+    if (!(pressure < most))
+        refuse("mean pressure ", pressure, " MPa was given, less than what all nodes bear at the hardness, ",
+               most, " MPa, is expected");
 }
 
 ContactCurve polonsky_keer_at(const Profile& profile, const Body& body, const std::vector<double>& pressures,
@@ -113,12 +181,11 @@ ContactCurve polonsky_keer_at(const Profile& profile, const Body& body, const st
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options) {
     check_tolerance(options);
+    check_solver(body, options);
     const ContactProblem problem = make_problem(profile, body, displacements);
-    const SolverChoice choice = options.solver == Solver::automatic
-                                    ? choose_solver(problem, options)
-                                    : SolverChoice{options.solver, "asked for"};
-    ContactCurve curve =
-        in_units(problem, displacements, solve(choice.solver, problem, options), options.states);
+    SolverChoice choice = options.solver == Solver::automatic ? choose_solver(problem, options)
+                                                              : SolverChoice{options.solver, "asked for"};
+    ContactCurve curve = in_units(problem, displacements, solve(choice, problem, options), options.states);
     curve.solver = choice.solver;
     curve.choice = choice.reason;
     return curve;
@@ -127,12 +194,14 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures, const ContactOptions& options) {
     check_tolerance(options);
+    check_solver(body, options);
     make_problem(profile, body, {});
     double previous = 0;
     for (const double pressure : pressures) {
         if (!std::isfinite(pressure) || !(pressure > previous))
             refuse("mean pressure ", pressure, " MPa was given after ", previous,
                    " MPa, positive increasing finite values are expected");
+        check_bearable(pressure, profile, body);
         previous = pressure;
     }
     ContactCurve curve;

@@ -29,6 +29,7 @@ struct LoadStep {
     double tangent_stiffness = 0; ///< dP/dDelta at the step's contact set, MPa/mm
     double kkt_residual = 0;      ///< certificate, scale-free, H applied by another path than the solver's
     Index contact_nodes = 0;      ///< how many nodes touch
+    Index held_nodes = 0;         ///< how many of them bear the hardness
     double contact_fraction = 0;  ///< contact_nodes / N
 };
 
@@ -36,7 +37,8 @@ struct LoadStep {
 struct ContactState {
     std::vector<int> nodes;   ///< A, indices into the profile
     Eigen::VectorXd pressure; ///< p on A, MPa, same order
-    Eigen::VectorXd tangent;  ///< w = H_AA^-1 1 on A, MPa/mm, same order; dP/dDelta = (delta/L) sum w
+    /// w = H_AA^-1 1 on A, MPa/mm, same order, 0 at held nodes; dP/dDelta = (delta/L) sum w
+    Eigen::VectorXd tangent;
 };
 
 /// What pressing a profile step by step gave.
@@ -51,7 +53,10 @@ struct ContactCurve {
 /// Presses a rigid profile on an elastic body to each of the displacements (mm, >= 0, increasing).
 /// Solves u = H p, p >= 0, u - (Delta - g0) >= 0, p (u - (Delta - g0)) = 0 with g0_i = max(Z) - Z_i.
 /// At Delta = 0 the touching nodes count as contact without pressure, so that K is the stiffness of first
-/// loading. Throws InputError on a profile, body or displacement that has no solution, NotConverged when the
+/// loading. `automatic` hands what is left of the curve over to another solver where the chosen one does not
+/// settle, needs too much memory or far more work than predicted. With a hardness, p <= p_H, and held nodes,
+/// p = p_H, may sink in: u <= Delta - g0 there; K is that of the others; solved by active set, to 1e-11.
+/// Throws InputError on a profile, body or displacement that has no solution, NotConverged when the
 /// certificate of a step exceeds the solver's tolerance.
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options = {});

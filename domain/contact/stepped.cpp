@@ -2,6 +2,7 @@
 
 #include "domain/contact/solvers/choice.hpp"
 #include "domain/contact/solvers/nested.hpp"
+#include "domain/errors.hpp"
 
 namespace rough {
 
@@ -16,7 +17,11 @@ struct SteppedContact::Parts {
 SteppedContact::SteppedContact(const Profile& profile, const Body& body, std::vector<double> displacements,
                                const ContactOptions& options)
     : displacements_(std::move(displacements)), options_(options),
-      parts_(std::make_unique<Parts>(make_problem(profile, body, displacements_), options_)) {}
+      parts_(std::make_unique<Parts>(make_problem(profile, body, displacements_), options_)) {
+    if (body.yields())
+        refuse("hardness ", body.hardness,
+               " MPa was given, none is expected: contact is nested without one only");
+}
 
 SteppedContact::~SteppedContact() = default;
 

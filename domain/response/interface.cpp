@@ -1,5 +1,6 @@
 #include "domain/response/interface.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -8,17 +9,15 @@ namespace rough {
 
 namespace {
 
-/// Of 1/K: what 1/K - 1/K_full may be off by rounding.
+/// Of 1 - K/K_full: what it may be off by.
 constexpr double rounding = 1e-12;
 
-double compliance(double stiffness, double full_stiffness) {
+/// K/K_i = 1 - K/K_full, 0 where it is rounding.
+double interface_share(double stiffness, double full_stiffness) {
     if (std::isnan(full_stiffness))
         throw std::logic_error("interface stiffness of a response without its full contact's stiffness");
-    return 1 / stiffness - 1 / full_stiffness;
-}
-
-bool is_rounding(double stiffness, double full_stiffness) {
-    return !(compliance(stiffness, full_stiffness) > rounding / stiffness);
+    const double share = 1 - stiffness / full_stiffness;
+    return share > rounding ? share : 0;
 }
 
 } // namespace
@@ -26,26 +25,24 @@ bool is_rounding(double stiffness, double full_stiffness) {
 Eigen::VectorXd interface_stiffness(const Response& response) {
     Eigen::VectorXd result(response.steps());
     for (Index j = 0; j < response.steps(); ++j) {
-        const double K = response.tangent_stiffness[j], full = response.full_stiffness;
-        result[j] = response.contact_fraction[j] == 1 || is_rounding(K, full)
-                        ? std::numeric_limits<double>::infinity()
-                        : 1 / compliance(K, full);
+        const double K = response.tangent_stiffness[j], share = interface_share(K, response.full_stiffness);
+        const bool full = response.contact_fraction[j] == 1 && response.held_nodes == 0;
+        result[j] = K == 0 ? 0 : full || share == 0 ? std::numeric_limits<double>::infinity() : K / share;
     }
     return result;
 }
 
 Curve interface_curve(Curve stiffness, double full_stiffness) {
     for (double& K : stiffness.y)
-        K = is_rounding(K, full_stiffness) ? K / rounding : 1 / compliance(K, full_stiffness);
+        K /= std::max(interface_share(K, full_stiffness), rounding);
     return stiffness;
 }
 
 CurveJacobian interface_jacobian(CurveJacobian jacobian, const Curve& stiffness, double full_stiffness) {
     for (Index j = 0; j < stiffness.y.size(); ++j) {
-        const double K = stiffness.y[j];
         // dK_i = (K_i/K)^2 dK, as d(1/K_i) = d(1/K)
-        jacobian.y.row(j) *=
-            is_rounding(K, full_stiffness) ? 0 : std::pow(1 / (K * compliance(K, full_stiffness)), 2);
+        const double share = interface_share(stiffness.y[j], full_stiffness);
+        jacobian.y.row(j) *= share > 0 ? 1 / (share * share) : 0;
     }
     return jacobian;
 }

@@ -1,7 +1,7 @@
 #include "domain/response/response.hpp"
 
-#include "domain/contact/kernel.hpp"
 #include "domain/contact/full_contact.hpp"
+#include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/smooth_area.hpp"
 
@@ -14,7 +14,8 @@ namespace rough {
 
 Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range, double full_stiffness) {
     const auto count = static_cast<Index>(steps.size());
-    Response response{range, {}, {}, {}, {}, {}, solver, full_stiffness};
+    Response response{
+        range, {}, {}, {}, {}, {}, solver, full_stiffness, steps.empty() ? 0 : steps.back().held_nodes};
     for (auto* column : {&response.displacement, &response.pressure, &response.contact_fraction,
                          &response.tangent_stiffness, &response.kkt_residual})
         column->resize(count);
@@ -103,6 +104,18 @@ std::vector<double> load_displacements(double range, const Loading& given, Kerne
 
 std::vector<double> step_displacements(const Profile& profile, const Body& body, const Loading& loading,
                                        const ContactOptions& options) {
+    if (!loading.pressures.empty()) {
+        std::vector<double> displacements;
+        double before = 0;
+        for (const double pressure : loading.pressures) {
+            if (!std::isfinite(pressure) || !(pressure > before))
+                refuse("pressures: ", pressure, " MPa given after ", before,
+                       " MPa, expected positive increasing finite values");
+            displacements.push_back(displacement_at_pressure(profile, body, pressure, options));
+            before = pressure;
+        }
+        return displacements;
+    }
     validate(completed(loading, body.kernel), body.kernel);
     if (loading.to_displacement > 0)
         return even_steps(loading.to_displacement, loading);
@@ -115,6 +128,8 @@ double displacement_at_pressure(const Profile& profile, const Body& given, doubl
                                 const ContactOptions& options) {
     const Body body = completed_for(profile, given);
     const double range = displacement_range(profile, body.kernel);
+    if (body.yields()) // P is not convex
+        return solve_contact_at_pressures(profile, body, {pressure}, options).steps.front().displacement;
     const bool periodic = body.kernel == Kernel::periodic;
     const double farthest = periodic ? range * (1 - 1e-9) : std::numeric_limits<double>::infinity();
     // An iterative solver's pressures are good to its tolerance: aim so far above that none ends below.
@@ -150,6 +165,12 @@ Response respond(const Profile& profile, const Body& body, const Loading& loadin
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& given,
                                            ContactOptions options, bool with_area) {
     const Loading loading = completed(given, body.kernel);
+    if (!loading.pressures.empty())
+        refuse("pressures: given, expected load steps of equal displacements: these have no gradient");
+    if (with_area && body.yields())
+        refuse("hardness: ", body.hardness,
+               " MPa given, expected none: a contact fraction with held nodes has "
+               "no gradient");
     const double range = displacement_range(profile, body.kernel);
     const std::vector<double> displacements = step_displacements(profile, body, loading, options);
     options.states = true;
@@ -183,6 +204,8 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
     for (Index j = 0; j < steps; ++j) {
         const ContactState& state = curve.states[static_cast<std::size_t>(j)];
         const LoadStep& step = curve.steps[static_cast<std::size_t>(j)];
+        if (step.tangent_stiffness == 0) // every node is held
+            continue;
         const double cell = step.tangent_stiffness / state.tangent.sum(); // delta/L
         d_pressure.row(j) = step.tangent_stiffness * (static_cast<double>(j + 1) / loading.steps) * d_last;
         d_pressure(j, highest) -= step.tangent_stiffness;
@@ -204,6 +227,9 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
 }
 
 Response scaled(Response response, double factor) {
+    if (response.held_nodes > 0)
+        refuse("amplitude: a response with ", response.held_nodes, " nodes at the hardness multiplied by ",
+               factor, ", expected none: the hardness does not scale");
     response.range *= factor;
     response.displacement *= factor;
     response.pressure *= factor;

@@ -14,6 +14,8 @@ struct Loading {
     double reach = 0;           ///< (0, 1], below 1 for the periodic kernel; 0: 1, and 0.95 for the periodic
     double to_pressure = 0;     ///< MPa; 0: not asked for
     double to_displacement = 0; ///< mm; 0: not asked for
+    /// In place of all this: a load step at each of these mean pressures, MPa, > 0 and increasing.
+    std::vector<double> pressures = {};
 };
 
 /// The load steps with a reach that was left at 0 filled in.
@@ -35,6 +37,7 @@ struct Response {
     /// K_full, MPa/mm: of the same body with every node of the grid in contact (full_contact_stiffness);
     /// infinite on a periodic half-plane, no number where it is not known
     double full_stiffness = std::numeric_limits<double>::quiet_NaN();
+    Index held_nodes = 0; ///< at the last load step, how many bear the hardness
 
     Index steps() const { return displacement.size(); } ///< how many load steps
 };
@@ -57,8 +60,8 @@ double displacement_range(const Profile& profile, Kernel kernel);
 /// outside its range.
 std::vector<double> load_displacements(double range, const Loading& loading, Kernel kernel);
 
-/// The displacements of the load steps wherever they end, mm. Throws InputError on steps < 2 or an end that
-/// the profile has not.
+/// The displacements of the load steps wherever they end, mm. Throws InputError on steps < 2, an end that
+/// the profile has not, or pressures that do not increase.
 std::vector<double> step_displacements(const Profile& profile, const Body& body, const Loading& loading,
                                        const ContactOptions& options = {});
 
@@ -87,12 +90,14 @@ struct ResponseWithGradient {
     AreaGradient area;         ///< empty unless asked for
 };
 /// respond() with its adjoint, at the cost of the tangents alone; with the area's, at that of one solve more
-/// a step.
+/// a step. Throws InputError also where the load steps are at given pressures, and on the area's gradient
+/// of a body with a hardness.
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
                                            ContactOptions options = {}, bool with_area = false);
 
 /// The response of the profile times `factor` (> 0): displacements and pressures scale, stiffness and area
-/// stay. Throws InputError where they do not fit double precision.
+/// stay. Throws InputError where they do not fit double precision, or nodes are held at a hardness, which
+/// does not scale.
 Response scaled(Response response, double factor);
 
 } // namespace rough

@@ -7,6 +7,7 @@
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/errors.hpp"
 
+#include <limits>
 #include <optional>
 
 namespace rough {
@@ -165,15 +166,16 @@ class ActiveSet {
 Solution guess(const ContactProblem& problem, ContactOptions options);
 
 /// Every load step; the coarser grid goes first, as long as it is worth while.
-Solution solve_levels(const ContactProblem& problem, const ContactOptions& options, Purpose purpose) {
+void solve_levels(const ContactProblem& problem, const ContactOptions& options, Purpose purpose,
+                  Solution& solution) {
     const bool cascade = problem.nodes() > coarsest;
     const ContactProblem coarse_problem = cascade ? coarsened(problem, stride) : problem;
     const Solution coarse = cascade ? guess(coarse_problem, options) : Solution();
     ActiveSet solver(problem, options, purpose);
     SplitOperator check(problem.column);
-    Solution solution;
     for (std::size_t j = 0; j < problem.approach.size(); ++j) {
         const double approach = problem.approach[j];
+        const long before = solver.applies();
         std::optional<Eigen::VectorXd> start;
         if (j < coarse.steps.size())
             start = refined_pressures(coarse.steps[j], coarse_problem.nodes(), stride, problem.nodes());
@@ -186,9 +188,8 @@ Solution solve_levels(const ContactProblem& problem, const ContactOptions& optio
                 fail("active set", problem, approach, found.residual, options.tolerance);
         }
         solution.steps.push_back(std::move(found));
+        solution.iterations += solver.applies() - before;
     }
-    solution.iterations = solver.applies();
-    return solution;
 }
 
 /// A coarse grid's solution, or as much of it as there is: it is a start for the fine grid, nothing hangs on
@@ -196,19 +197,29 @@ Solution solve_levels(const ContactProblem& problem, const ContactOptions& optio
 Solution guess(const ContactProblem& problem, ContactOptions options) {
     options.tolerance = 1e-2;
     options.states = false;
+    Solution solution;
     try {
-        return problem.nodes() <= coarsest ? solve_nested(problem, options)
-                                           : solve_levels(problem, options, Purpose::guess);
+        if (problem.nodes() <= coarsest)
+            solve_nested(problem, options, std::numeric_limits<double>::infinity(), solution);
+        else
+            solve_levels(problem, options, Purpose::guess, solution);
     } catch (const NotConverged&) {
         check_stop(options);
         return {};
     }
+    return solution;
 }
 
 } // namespace
 
 Solution solve_active_set(const ContactProblem& problem, const ContactOptions& options) {
-    return solve_levels(problem, options, Purpose::curve);
+    Solution solution;
+    solve_active_set(problem, options, solution);
+    return solution;
+}
+
+void solve_active_set(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
+    solve_levels(problem, options, Purpose::curve, solution);
 }
 
 } // namespace rough

@@ -10,5 +10,7 @@ namespace rough {
 /// rounding allows no better. Throws NotConverged. The certificate applies H by another splitting into
 /// transforms.
 Solution solve_active_set(const ContactProblem& problem, const ContactOptions& options);
+/// The same, added step by step to `solution`, which keeps what was solved where this throws.
+void solve_active_set(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
 } // namespace rough

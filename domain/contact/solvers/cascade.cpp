@@ -7,11 +7,11 @@
 
 namespace rough {
 
-ContactProblem coarsened(const ContactProblem& problem, Index stride) {
+ContactProblem coarsened(const ContactProblem& problem, Index stride, Index first) {
     ContactProblem coarse = problem;
-    const Index nodes = (problem.nodes() - 1) / stride + 1;
+    const Index nodes = (problem.nodes() - 1 - first) / stride + 1;
     const double ratio = static_cast<double>(stride);
-    coarse.gap = problem.gap(Eigen::seqN(0, nodes, stride));
+    coarse.gap = problem.gap(Eigen::seqN(first, nodes, stride));
     coarse.datum = problem.datum / ratio;
     coarse.strip_width = problem.strip_width / ratio;
     coarse.column = influence_column(problem.kernel, nodes, coarse.datum, coarse.strip_width);

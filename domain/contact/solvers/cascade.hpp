@@ -4,8 +4,8 @@
 
 namespace rough {
 
-/// The same problem on every `stride`-th node.
-ContactProblem coarsened(const ContactProblem& problem, Index stride);
+/// The same problem on every `stride`-th node from `first` (< stride) on.
+ContactProblem coarsened(const ContactProblem& problem, Index stride, Index first = 0);
 
 /// Pressures at every node of the fine grid guessed from a coarse grid's solution: linear in p^2, which near
 /// an edge falls linearly to zero, so that edges are found within the coarse spacing.

@@ -6,7 +6,7 @@
 
 namespace rough {
 
-double Certificate::residual() const { return std::max({gap, penetration, tension}); }
+double Certificate::residual() const { return std::max({gap, penetration, tension, excess}); }
 
 Certificate certify(const ContactProblem& problem, double approach, const std::vector<int>& contact,
                     const Eigen::VectorXd& pressure, const double* displacement) {
@@ -14,14 +14,31 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
     const double scale = approach > 0 ? approach : 1, mean = pressure.sum() / problem.elements;
     constexpr double none = std::numeric_limits<double>::infinity();
     if (!std::isfinite(mean) || !std::isfinite(u.sum())) // a NaN anywhere is no solution at all
-        return {none, none, none};
+        return {none, none, none, none};
+    Eigen::ArrayXd depth = approach - (problem.gap + u).array();
     double misfit = 0;
-    for (const Index i : contact)
-        misfit = std::max(misfit, std::abs(u[i] - (approach - problem.gap[i])));
+    for (std::size_t k = 0; k < contact.size(); ++k) {
+        double& here = depth[contact[k]];
+        if (pressure[static_cast<Index>(k)] >= problem.cap)
+            here = std::min(here, 0.0);
+        misfit = std::max(misfit, std::abs(here));
+    }
     // Penetration is sought over all nodes: on the contact set it is part of |gap|.
-    const double penetration = std::max(0.0, (approach - (problem.gap + u).array()).maxCoeff());
-    const double tension = pressure.size() ? std::max(0.0, -pressure.minCoeff()) : 0;
-    return {misfit / scale, penetration / scale, tension == 0 ? 0 : mean > 0 ? tension / mean : none};
+    const double penetration = std::max(0.0, depth.maxCoeff());
+    const auto over_mean = [mean](double excess) {
+        return !(excess > 0) ? 0 : mean > 0 ? excess / mean : none;
+    };
+    const double least = pressure.size() ? pressure.minCoeff() : 0,
+                 most = pressure.size() ? pressure.maxCoeff() : 0;
+    return {misfit / scale, penetration / scale, over_mean(-least), over_mean(most - problem.cap)};
+}
+
+double direct_tolerance(const ContactProblem& problem, double approach, const Eigen::VectorXd& pressure,
+                        double stiffness) {
+    constexpr double usual = 1e-9, unit_roundoff = 0x1p-53;
+    const double rows = 3 * static_cast<double>(pressure.size()) + 1, h0 = problem.column[0];
+    return std::max(usual, rows * unit_roundoff *
+                               (h0 * pressure.cwiseAbs().sum() / approach + 2 * std::sqrt(h0 * stiffness)));
 }
 
 double trusted_residual(const ContactProblem& problem, double approach, const Eigen::VectorXd& pressure,

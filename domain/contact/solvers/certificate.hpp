@@ -5,13 +5,23 @@
 namespace rough {
 
 /// The scale-free residual of the contact conditions at one load step: the largest of |gap| on the contact
-/// set and penetration off it (over the approach), and tension (over the mean pressure).
+/// set and penetration off it (over the approach), tension and pressure over the cap (over the mean
+/// pressure). Nodes at the cap may penetrate; a gap there counts as on the contact set.
 struct Certificate {
     double gap = 0;          ///< largest |u - (Delta - g0)|/Delta on the contact set
     double penetration = 0;  ///< largest (Delta - g0 - u)/Delta off it
     double tension = 0;      ///< largest -p/P
-    double residual() const; ///< the largest of the three
+    double excess = 0;       ///< largest (p - p_H)/P
+    double residual() const; ///< the largest of them
 };
+
+/// What a factor's residual may be, over the approach: 1e-9, or the bound of rounding where that is more, as it
+/// is near full contact. Cholesky's |H x - b| <= (3 m + 1) 2^-53 |L||L'||x| (Higham 2002, theorem 10.4), and
+/// |L||L'| <= h_0 entry by entry; p = L^-T (Delta z - v) with z'z = sum H_AA^-1 1 = `stiffness`, which
+/// diverges as the last nodes touch, so that each of the two terms, all but cancelling, brings its own
+/// sqrt(h_0) |z| Delta.
+double direct_tolerance(const ContactProblem& problem, double approach, const Eigen::VectorXd& pressure,
+                        double stiffness);
 
 /// `displacement` is u = H p at every node, by another path than the one that found p.
 Certificate certify(const ContactProblem& problem, double approach, const std::vector<int>& contact,

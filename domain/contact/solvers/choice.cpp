@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace rough {
@@ -25,6 +26,12 @@ constexpr double applies_per_step = 36;  ///< of the active set at 1e-6, all its
 constexpr double checks_per_step = 3;    ///< of the nested factor
 constexpr double regrowth = 1.5;         ///< eliminations over those of the final factor
 
+/// Predictions err by a factor of four in cost at most, as contact sets do by 1.6.
+constexpr double patience = 4;
+/// A sample whose highest node stands lower than the profile's by this part of the approach has missed what
+/// holds the surface apart.
+constexpr double missed = 0.1;
+
 double expected_contact(const ContactProblem& problem, ContactOptions options) {
     // Every sixteenth node, and more of a small grid, so that fine waves keep most summits apart; but no more
     // than costs a few milliseconds.
@@ -32,6 +39,11 @@ double expected_contact(const ContactProblem& problem, ContactOptions options) {
         std::clamp<Index>(problem.nodes() / 16, std::min<Index>(problem.nodes() / 4, 512), 2048);
     const Index stride = (problem.nodes() + sample - 1) / sample;
     ContactProblem coarse = coarsened(problem, stride);
+    if (coarse.gap.minCoeff() > missed * problem.approach.back()) {
+        Index highest = 0;
+        problem.gap.minCoeff(&highest);
+        coarse = coarsened(problem, stride, highest % stride);
+    }
     coarse.approach = {problem.approach.back()};
     options.states = false;
     try {
@@ -54,8 +66,17 @@ double nested_cost(double nodes, double contact, double steps) {
 
 double active_set_cost(double nodes, double steps) { return steps * applies_per_step * apply_cost(nodes); }
 
+double most_nested_work(const ContactProblem& problem) {
+    if (problem.nodes() <= small)
+        return std::numeric_limits<double>::infinity();
+    const double steps = static_cast<double>(problem.approach.size());
+    return patience * active_set_cost(static_cast<double>(problem.nodes()), steps) / per_elimination;
+}
+
 SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options) {
     std::ostringstream reason;
+    if (std::isfinite(problem.cap))
+        return {Solver::active_set, "active-set: pressures are held at the hardness, contact is not nested"};
     if (problem.nodes() <= small || problem.approach.empty() || problem.approach.back() == 0) {
         reason << "nested: up to " << small << " nodes the factor is always the fastest";
         return {Solver::nested, reason.str()};

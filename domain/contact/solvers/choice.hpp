@@ -17,6 +17,10 @@ struct SolverChoice {
 /// of a grid of at most 2048 nodes, scaled.
 SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options);
 
+/// Multiplications of the factor beyond which the choice of the nested solver was wrong by far: the active
+/// set would have been several times cheaper. Infinite where the factor is always taken.
+double most_nested_work(const ContactProblem& problem);
+
 /// Refuses the nested solver before it begins where its factor is predicted not to fit. Throws InputError.
 void expect_factor_to_fit(const ContactProblem& problem, const ContactOptions& options);
 

@@ -12,15 +12,14 @@ namespace {
 
 /// Gaps and penetrations below this, over the approach, are rounding.
 constexpr double rounding = 1e-13;
-constexpr double tolerance = 1e-9;
 constexpr int most_rounds = 200;
 constexpr std::size_t least_batch = 64;
 
 } // namespace
 
-NestedContact::NestedContact(const ContactProblem& problem, const ContactOptions& options)
+NestedContact::NestedContact(const ContactProblem& problem, const ContactOptions& options, double most_work)
     : problem_(problem), options_(options), factor_(problem.column, problem.gap), direct_(problem.column),
-      touching_(static_cast<std::size_t>(problem.nodes()), 0) {}
+      touching_(static_cast<std::size_t>(problem.nodes()), 0), most_work_(most_work) {}
 
 StepSolution NestedContact::press(double approach) {
     Certificate certificate;
@@ -33,6 +32,7 @@ StepSolution NestedContact::press(double approach) {
         if (certificate.penetration <= rounding || !add_penetrating(approach, u))
             break;
     }
+    const double tolerance = direct_tolerance(problem_, approach, pressure_, factor_.stiffness());
     if (!(certificate.residual() <= tolerance))
         fail("nested Cholesky", problem_, approach, certificate.residual(), tolerance);
     StepSolution step{factor_.nodes(), pressure_, factor_.stiffness(), {}, certificate.residual()};
@@ -65,6 +65,7 @@ void NestedContact::drop_tension(double approach) {
         for (const Index k : dropped)
             touching_[static_cast<std::size_t>(factor_.nodes()[static_cast<std::size_t>(k)])] = 0;
         factor_.remove(dropped);
+        eliminate(factor_.size() - std::min(dropped.front(), factor_.size()));
         factor_.pressures(approach, pressure_);
         ++rounds_;
     }
@@ -80,10 +81,19 @@ bool NestedContact::add_penetrating(double approach, const double* u) {
     added.resize(std::min(added.size(), std::max(least_batch, factor_.nodes().size() / 2)));
     refuse_factor(factor_.size() + static_cast<Index>(added.size()), options_);
     added.resize(static_cast<std::size_t>(factor_.append(added)));
+    eliminate(static_cast<Index>(added.size()));
     for (const int node : added)
         touching_[static_cast<std::size_t>(node)] = 1;
     ++rounds_;
     return !added.empty();
+}
+
+/// Accounts for so many last rows of the factor, of half its size squared multiplications each.
+void NestedContact::eliminate(Index rows) {
+    const double size = static_cast<double>(factor_.size());
+    work_ += static_cast<double>(rows) * size * size / 2;
+    if (work_ > most_work_)
+        throw NotConverged("nested Cholesky needs far more work than was predicted");
 }
 
 void refuse_factor(Index nodes, const ContactOptions& options) {
@@ -96,12 +106,19 @@ void refuse_factor(Index nodes, const ContactOptions& options) {
 }
 
 Solution solve_nested(const ContactProblem& problem, const ContactOptions& options) {
-    NestedContact contact(problem, options);
     Solution solution;
-    for (const double approach : problem.approach)
-        solution.steps.push_back(contact.press(approach));
-    solution.iterations = contact.rounds();
+    solve_nested(problem, options, std::numeric_limits<double>::infinity(), solution);
     return solution;
+}
+
+void solve_nested(const ContactProblem& problem, const ContactOptions& options, double most_work,
+                  Solution& solution) {
+    NestedContact contact(problem, options, most_work);
+    for (const double approach : problem.approach) {
+        const long before = contact.rounds();
+        solution.steps.push_back(contact.press(approach));
+        solution.iterations += contact.rounds() - before;
+    }
 }
 
 } // namespace rough

@@ -4,6 +4,7 @@
 #include "domain/contact/solvers/growing_factor.hpp"
 #include "domain/contact/solvers/problem.hpp"
 
+#include <limits>
 #include <optional>
 
 namespace rough {
@@ -14,11 +15,13 @@ namespace rough {
 /// each step is therefore one sweep of additions and some of removals.
 class NestedContact {
   public:
-    /// Both must outlive it.
-    NestedContact(const ContactProblem& problem, const ContactOptions& options);
+    /// Both must outlive it. `most_work`: multiplications of the factor after which it gives up.
+    NestedContact(const ContactProblem& problem, const ContactOptions& options,
+                  double most_work = std::numeric_limits<double>::infinity());
 
     /// The solution at an approach (in units of the problem, above the one before). Throws InputError where
-    /// the factor would take more than `memory_limit` bytes, NotConverged where it does not settle.
+    /// the factor would take more than `memory_limit` bytes, NotConverged where it does not settle or has
+    /// worked more than allowed.
     StepSolution press(double approach);
     /// Sweeps of additions or removals so far.
     long rounds() const { return rounds_; }
@@ -27,6 +30,7 @@ class NestedContact {
     const double* displacement();
     void drop_tension(double approach);
     bool add_penetrating(double approach, const double* u);
+    void eliminate(Index rows);
 
     const ContactProblem& problem_;
     const ContactOptions& options_;
@@ -37,10 +41,14 @@ class NestedContact {
     Eigen::VectorXd pressure_;
     Eigen::ArrayXd depth_;
     long rounds_ = 0;
+    double most_work_, work_ = 0;
 };
 
 /// Every load step of the problem so. Throws what `press` throws.
 Solution solve_nested(const ContactProblem& problem, const ContactOptions& options);
+/// The same, added step by step to `solution`, which keeps what was solved where this throws.
+void solve_nested(const ContactProblem& problem, const ContactOptions& options, double most_work,
+                  Solution& solution);
 
 /// Throws InputError where a factor of so many nodes would take more than the options' memory.
 void refuse_factor(Index nodes, const ContactOptions& options);

@@ -15,7 +15,6 @@ using Eigen::Upper;
 using Eigen::VectorXd;
 
 constexpr double rounding = 1e-13;
-constexpr double tolerance = 1e-9;
 
 /// R'R = H_AA on the passive set A, with z = R'^-1 1 and v = R'^-1 g0_A beside it as two more columns.
 class PassiveFactor {
@@ -102,6 +101,7 @@ class LawsonHanson {
             reach_solution(approach);
         }
         StepSolution step{factor_.nodes(), pressure_, factor_.stiffness(), {}, residual(approach)};
+        const double tolerance = direct_tolerance(problem_, approach, pressure_, step.stiffness);
         if (!(step.residual <= tolerance))
             fail("NNLS", problem_, approach, step.residual, tolerance);
         if (options_.states)

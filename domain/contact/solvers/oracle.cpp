@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -59,6 +60,7 @@ struct Pressed {
     std::vector<Index> nodes;
     Vector pressure;
     Real stiffness = 0;
+    Index held = 0;
 };
 
 /// H_AA p = rhs and sum H_AA^-1 1
@@ -115,6 +117,38 @@ Pressed press(const Vector& h, const Vector& goal, Real displacement, bool perio
     throw NotConverged("the oracle's contact set does not settle");
 }
 
+Pressed press_capped(const Vector& h, const Vector& goal, Real cap) {
+    constexpr Real relaxation = 1.5L;
+    const Index n = h.size();
+    Vector p = Vector::Zero(n);
+    Real moved = 1;
+    for (long sweep = 0; moved > 1e-16L * p.maxCoeff(); ++sweep) {
+        if (sweep > 200000)
+            throw NotConverged("the oracle's capped pressures do not settle");
+        moved = 0;
+        for (Index i = 0; i < n; ++i) {
+            Real gap = -goal[i];
+            for (Index j = 0; j < n; ++j)
+                gap += h[std::abs(i - j)] * p[j];
+            const Real next = std::clamp(p[i] - relaxation * gap / h[0], Real(0), cap);
+            moved = std::max(moved, std::abs(next - p[i]));
+            p[i] = next;
+        }
+    }
+    Pressed pressed;
+    std::vector<Index> elastic;
+    for (Index i = 0; i < n; ++i) {
+        if (p[i] > 0)
+            pressed.nodes.push_back(i);
+        if (p[i] > 0 && p[i] < cap)
+            elastic.push_back(i);
+    }
+    pressed.pressure = p;
+    pressed.held = static_cast<Index>(pressed.nodes.size() - elastic.size());
+    pressed.stiffness = elastic.empty() ? 0 : solve_on(elastic, h, goal).stiffness;
+    return pressed;
+}
+
 } // namespace
 
 Oracle consult_oracle(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
@@ -126,10 +160,18 @@ Oracle consult_oracle(const Profile& profile, const Body& body, const std::vecto
     Oracle oracle;
     for (const double displacement : displacements) {
         const Vector goal = (heights.array() - heights.maxCoeff() + static_cast<Real>(displacement)).matrix();
-        const Pressed pressed = press(h, goal, displacement, body.kernel == Kernel::periodic);
+        const Pressed pressed = body.yields()
+                                    ? press_capped(h, goal, static_cast<Real>(body.hardness) / modulus)
+                                    : press(h, goal, displacement, body.kernel == Kernel::periodic);
         oracle.pressure.push_back(static_cast<double>(modulus * share * pressed.pressure.sum()));
         oracle.tangent_stiffness.push_back(static_cast<double>(modulus * share * pressed.stiffness));
         oracle.contact_nodes.push_back(static_cast<Index>(pressed.nodes.size()));
+        oracle.held_nodes.push_back(pressed.held);
+        if (body.yields()) {
+            oracle.node_pressure.emplace_back();
+            for (const Real p : pressed.pressure)
+                oracle.node_pressure.back().push_back(static_cast<double>(modulus * p));
+        }
     }
     return oracle;
 }

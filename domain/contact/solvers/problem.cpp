@@ -72,6 +72,7 @@ ContactProblem make_problem(const Profile& profile, const Body& given,
         problem.approach.push_back(displacement / unit);
     problem.displacement_unit = unit;
     problem.pressure_unit = body.effective_modulus * (unit / profile.spacing);
+    problem.cap = body.hardness / problem.pressure_unit;
     problem.elements = length / profile.spacing;
     problem.stiffness_unit = body.effective_modulus / length;
     problem.touches_only_overlapping =
@@ -106,6 +107,7 @@ LoadStep load_step(const ContactProblem& problem, double displacement, const Ste
             " MPa/mm at a displacement of ", displacement,
             " mm, a modulus, heights and a node spacing whose response fits double precision are expected");
     step.contact_nodes = static_cast<Index>(found.nodes.size());
+    step.held_nodes = found.held;
     step.contact_fraction = static_cast<double>(step.contact_nodes) / static_cast<double>(problem.nodes());
     return step;
 }

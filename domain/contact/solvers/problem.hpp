@@ -15,6 +15,7 @@ struct ContactProblem {
     Eigen::VectorXd column;       ///< first column of H
     Eigen::VectorXd gap;          ///< g0_i = max Z - Z_i >= 0
     std::vector<double> approach; ///< displacements, increasing, the last one 1 (or all zero)
+    double cap;                   ///< p_H, infinite where nothing yields
 
     double displacement_unit; ///< mm
     double pressure_unit;     ///< MPa, of a node's pressure
@@ -45,6 +46,7 @@ struct StepSolution {
     double stiffness = 0;     ///< sum of H_AA^-1 1
     Eigen::VectorXd tangent;  ///< H_AA^-1 1, where asked for
     double residual = 0;      ///< certificate
+    Index held = 0;           ///< nodes at the cap
 };
 
 /// The same in MPa and mm; `displacement` is its own, mm.

@@ -149,6 +149,62 @@ TEST_CASE("bad input to contact gets one line and exit code 2, and leaves no fil
     CHECK(folder.names().size() == 4);
 }
 
+TEST_CASE("the load may end at a pressure or stand at given ones") {
+    const Folder folder;
+    folder.write("g.json", one_wave);
+    std::string header;
+    REQUIRE(rugosa("contact --genome g.json --to-pressure 0.01 --steps 5 --out to.csv", folder.path()).code ==
+            0);
+    const auto to = rows_of(folder / "to.csv", header);
+    REQUIRE(to.size() == 5);
+    CHECK(to[4][1] == Approx(0.01).epsilon(4e-6));
+    REQUIRE(rugosa("contact --genome g.json --pressures 0.001,0.004,0.01 --out at.csv", folder.path()).code ==
+            0);
+    const auto at = rows_of(folder / "at.csv", header);
+    REQUIRE(at.size() == 3);
+    CHECK(at[1][1] == Approx(0.004).epsilon(4e-6));
+    CHECK(at[2][0] == Approx(to[4][0]).epsilon(4e-6));
+    for (const auto& [words, expected] : std::vector<std::pair<std::string, std::string>>{
+             {"--pressures 0.1,0.1", "increasing"},
+             {"--pressures 0.1,x", "'x'"},
+             {"--pressures 0.1 --reach 0.5", "one of --reach"},
+             {"--pressures 0.1 --to-pressure 0.5", "one of --reach"},
+             {"--pressures 0.1 --steps 4", "--steps"},
+             {"--to-pressure 0", "--to-pressure: 0 given"}})
+        check_refused(rugosa("contact --genome g.json --out c.csv " + words, folder.path()), expected);
+}
+
+TEST_CASE("a hardness is held, counted and told; friction writes partial slip beside the curve") {
+    const Folder folder;
+    folder.write("g.json", one_wave);
+    std::string header;
+    REQUIRE(rugosa("contact --genome g.json --friction 0.3 --out c.csv", folder.path()).code == 0);
+    const auto normal = rows_of(folder / "c.csv", header), slip = rows_of(folder / "c-slip.csv", header);
+    CHECK(header == "tangential_displacement_mm,tangential_traction_MPa,tangential_stiffness_MPa_per_mm,"
+                    "stick_fraction");
+    REQUIRE(slip.size() == 21);
+    CHECK(slip[20][1] == Approx(0.3 * normal[19][1]));
+    CHECK(slip[0][3] == 1);
+    check_refused(rugosa("contact --genome g.json --friction 0.3 --out c.csv", folder.path()), "--force");
+
+    const Ended hard = rugosa("contact --genome g.json --hardness 0.05 --out h.csv", folder.path());
+    INFO(hard.err);
+    REQUIRE(hard.code == 0);
+    CHECK_THAT(hard.out, Catch::Contains("bear the hardness"));
+    const auto held = rows_of(folder / "h.csv", header);
+    CHECK(held[19][1] < normal[19][1]);
+    const json account = json::parse(rough::read_whole(folder / "h.json"));
+    CHECK(account["nodes_at_hardness"] > 0);
+    for (const auto& [words, expected] :
+         std::vector<std::pair<std::string, std::string>>{{"--hardness 0.05 --friction 0.3", "--friction"},
+                                                          {"--hardness 0.05 --accuracy 0.01", "hardness"},
+                                                          {"--hardness 0.05 --solver nested", "hardness"},
+                                                          {"--hardness -1", "--hardness: -1 given"},
+                                                          {"--friction 0", "--friction: 0 given"}})
+        check_refused(rugosa("contact --genome g.json --out d.csv " + words, folder.path()), expected);
+    CHECK_FALSE(std::filesystem::exists(folder / "d.csv"));
+}
+
 TEST_CASE("a curve is not written over unasked") {
     const Folder folder;
     folder.write("g.json", one_wave);

@@ -93,7 +93,7 @@ TEST_CASE("the interface is as stiff as the body on a periodic half-plane, and r
         CHECK(std::isfinite(interface_stiffness(full)[0]));
         CHECK(std::isinf(interface_stiffness(full)[1]));
         CHECK(interface_secants(full).y.allFinite());
-        CHECK(interface_secants(full).y[2] > 1e9);
+        CHECK(interface_secants(full).y[2] > 1e5);
     }
     CHECK_THROWS(interface_stiffness(response_of(std::vector<LoadStep>(2), Solver::nested, 1)));
 }

@@ -110,6 +110,63 @@ TEST_CASE("load steps to a pressure end at that pressure") {
     }
 }
 
+TEST_CASE("load steps at given pressures bear these pressures, and have no gradient") {
+    std::mt19937_64 random(15);
+    for (Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
+        Model model = paper_model(256);
+        model.body.kernel = kernel;
+        model.body.strip_width = 0.002;
+        model.grid.wraps = kernel == Kernel::periodic;
+        model.loading.reach = 0.9;
+        const Genome genome = random_genome(random, 1, 1, 0.84942, 0.02);
+        const double highest = respond(genome, model).pressure.tail(1)[0];
+        model.loading.pressures = {0.01 * highest, 0.3 * highest, 0.35 * highest};
+        model.contact.solver = Solver::nested;
+        const Response response = respond(genome, model);
+        REQUIRE(response.steps() == 3);
+        for (Index j = 0; j < 3; ++j)
+            CHECK(response.pressure[j] ==
+                  Approx(model.loading.pressures[static_cast<std::size_t>(j)]).epsilon(1e-11));
+        const Profile profile = sample(genome, model.grid);
+        CHECK_THROWS_WITH(respond_with_gradient(profile, model.body, model.loading),
+                          Catch::Contains("gradient"));
+        std::swap(model.loading.pressures[0], model.loading.pressures[1]);
+        CHECK_THROWS_WITH(respond(genome, model), Catch::Contains("increasing"));
+    }
+}
+
+TEST_CASE("with a hardness the derivative of the pressures is that of the elastic nodes alone") {
+    std::mt19937_64 random(16);
+    Model model = paper_model(96);
+    const Genome genome = random_genome(random, 1, 1, 0.84942, 0.1);
+    ContactOptions options;
+    options.states = true;
+    const Profile profile = sample(genome, model.grid);
+    const double range = displacement_range(profile, model.body.kernel);
+    model.body.hardness =
+        0.4 * solve_contact(profile, model.body, {range}, options).states[0].pressure.maxCoeff();
+    const auto answer = respond_with_gradient(profile, model.body, model.loading);
+    CHECK(answer.response.held_nodes > 0);
+    const double step = 1e-7 * range;
+    for (Index node = 0; node < 96; node += 7) {
+        Profile up = profile, down = profile;
+        up.heights[node] += step;
+        down.heights[node] -= step;
+        const Response right = respond(up, model.body, model.loading),
+                       left = respond(down, model.body, model.loading);
+        if (right.contact_fraction != left.contact_fraction || right.held_nodes != left.held_nodes ||
+            right.range != left.range)
+            continue;
+        const Eigen::VectorXd slope = (right.pressure - left.pressure) / (2 * step);
+        // A node that becomes held within the probe bends one row at most.
+        const Eigen::ArrayXd off = (slope - answer.gradient.pressure.col(node)).array().abs();
+        CHECK((off > 1e-4 * answer.gradient.pressure.cwiseAbs().maxCoeff()).count() <= 1);
+    }
+    CHECK_THROWS_WITH(scaled(answer.response, 2), Catch::Contains("hardness"));
+    CHECK_THROWS_WITH(respond_with_gradient(profile, model.body, model.loading, {}, true),
+                      Catch::Contains("hardness"));
+}
+
 TEST_CASE("a scaled profile has scaled pressures and the same stiffness and contact") {
     std::mt19937_64 random(12);
     for (int i = 0; i < 10; ++i) {

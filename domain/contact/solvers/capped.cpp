@@ -1,0 +1,144 @@
+#include "domain/contact/solvers/capped.hpp"
+
+#include "domain/contact/solvers/certificate.hpp"
+#include "domain/contact/solvers/set_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rough {
+
+namespace {
+
+/// Of gaps, over the approach, at which a step is solved.
+constexpr double settled = 1e-11;
+/// How far the residual falls before the bounds are looked at again.
+constexpr double loosening = 0.01;
+/// Armijo's share of the descent that the gradient promises.
+constexpr double share = 1e-4;
+constexpr int most_rounds = 500, most_halvings = 40;
+constexpr long most_iterations = 2000;
+constexpr double tangent_tolerance = 1e-10;
+
+class CappedContact {
+  public:
+    explicit CappedContact(const ContactProblem& problem, const ContactOptions& options)
+        : problem_(problem), options_(options), solver_(problem), free_(problem.nodes()),
+          load_(problem.nodes()), tangent_(problem.nodes()) {}
+
+    StepSolution press(double approach) {
+        goal_ = (approach - problem_.gap.array()).matrix();
+        solver_.load(load_);
+        const double enough = settled * approach;
+        double worst = std::numeric_limits<double>::infinity();
+        for (int round = 0; round < most_rounds; ++round) {
+            check_stop(options_);
+            const double before = worst;
+            worst = find_free(0.5 * enough);
+            // Rounding may allow no better; the certificate judges.
+            if (worst <= enough || (worst >= 0.5 * before && worst <= 100 * enough))
+                break;
+            if (!descend(std::max(0.1 * enough, loosening * worst)))
+                break;
+        }
+        return solution();
+    }
+    const Eigen::VectorXd& pressure() const { return load_.pressure; }
+    long applies() const { return solver_.applies(); }
+
+  private:
+    /// Frees the nodes between the bounds and those that a bound holds back; returns their largest residual.
+    double find_free(double negligible) {
+        double worst = 0;
+        Index deepest = 0, count = 0;
+        for (Index i = 0; i < problem_.nodes(); ++i) {
+            const double p = load_.pressure[i], gap = load_.displacement[i] - goal_[i];
+            if ((p <= 0 && gap >= -negligible) || (p >= problem_.cap && gap <= negligible)) {
+                free_.erase(i);
+                continue;
+            }
+            free_.insert(i);
+            ++count;
+            worst = std::max(worst, std::abs(gap));
+            if (problem_.gap[i] > problem_.gap[deepest])
+                deepest = i;
+        }
+        // All nodes of a periodic profile together are a singular matrix; the lowest can wait.
+        if (problem_.kernel == Kernel::periodic && count == problem_.nodes())
+            free_.erase(deepest);
+        free_.collect();
+        return worst;
+    }
+
+    /// One projected Newton step; false where none descends any more.
+    bool descend(double residual) {
+        Loaded newton = load_;
+        solver_.improve(
+            free_, [&](Index i) { return goal_[i]; }, newton, Enough{residual}, most_iterations);
+        const Eigen::VectorXd direction = newton.pressure - load_.pressure;
+        Loaded next(problem_.nodes());
+        double length = 1;
+        for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
+            next.pressure = (load_.pressure + length * direction).cwiseMax(0).cwiseMin(problem_.cap);
+            solver_.load(next);
+            const Eigen::VectorXd step = next.pressure - load_.pressure;
+            const double promised = step.dot(load_.displacement - goal_);
+            // A quadratic changes by the mean of its gradients at both ends.
+            const double change = 0.5 * (promised + step.dot(next.displacement - goal_));
+            if (promised < 0 && change <= share * promised) {
+                std::swap(load_, next);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    StepSolution solution() {
+        std::vector<int> touching;
+        ContactSet elastic(problem_.nodes());
+        for (Index i = 0; i < problem_.nodes(); ++i)
+            if (load_.pressure[i] > 0) {
+                touching.push_back(static_cast<int>(i));
+                if (load_.pressure[i] < problem_.cap)
+                    elastic.insert(i);
+            }
+        elastic.collect();
+        solver_.tangent(elastic, tangent_tolerance, true, tangent_);
+        StepSolution step = step_solution(elastic, load_, tangent_, false);
+        step.held = static_cast<Index>(touching.size() - elastic.nodes().size());
+        step.pressure = load_.pressure(touching);
+        if (options_.states)
+            step.tangent = tangent_.pressure(touching);
+        step.nodes = std::move(touching);
+        return step;
+    }
+
+    const ContactProblem& problem_;
+    const ContactOptions& options_;
+    SetSolver solver_;
+    ContactSet free_;
+    Loaded load_, tangent_;
+    Eigen::VectorXd goal_; ///< Delta - g0
+};
+
+} // namespace
+
+Solution solve_capped(const ContactProblem& problem, const ContactOptions& options) {
+    CappedContact contact(problem, options);
+    SplitOperator check(problem.column);
+    Solution solution;
+    for (const double approach : problem.approach) {
+        StepSolution step = contact.press(approach);
+        const Eigen::VectorXd displacement = check.apply(contact.pressure());
+        step.residual = certify(problem, approach, step.nodes, step.pressure, displacement.data()).residual();
+        const double tolerance = direct_tolerance(problem, approach, step.pressure, step.stiffness);
+        if (!(step.residual <= tolerance))
+            fail("capped active set", problem, approach, step.residual, tolerance);
+        solution.steps.push_back(std::move(step));
+    }
+    solution.iterations = contact.applies();
+    return solution;
+}
+
+} // namespace rough

@@ -1,0 +1,95 @@
+#include "domain/contact/solvers/choice.hpp"
+#include "domain/contact/solvers/nested.hpp"
+#include "domain/errors.hpp"
+#include "tests/domain/contact/scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <random>
+
+using namespace rough;
+
+namespace {
+
+/// Raised nodes on a flat or wavy periodic profile, 1 mm long.
+Profile raised(Index nodes, const std::vector<Index>& where, double height, double wave = 0) {
+    Profile profile{Eigen::VectorXd::Zero(nodes), 1.0 / static_cast<double>(nodes)};
+    for (Index i = 0; i < nodes; ++i)
+        profile.heights[i] = wave * std::cos(6.283185307179586 * static_cast<double>(i) * profile.spacing);
+    for (const Index i : where)
+        profile.heights[i] += height;
+    return profile;
+}
+
+const Body periodic{Kernel::periodic, 1, 1, 0};
+
+} // namespace
+
+TEST_CASE("auto sees a single raised node wherever it stands, and presses the rest by the active set",
+          "[contact]") {
+    for (const Index at : {5000, 5008}) {
+        const Profile profile = raised(16384, {at}, 1e-3);
+        const ContactCurve curve = solve_contact(profile, periodic, scenes::load_steps(profile, 4, 0.95));
+        INFO(curve.choice);
+        CHECK(curve.steps.back().contact_nodes > 4000);
+        CHECK(curve.solver == Solver::active_set);
+        CHECK_THAT(curve.choice, !Catch::Contains("handed over"));
+    }
+}
+
+TEST_CASE("a factor that needs far more work or memory than predicted hands over, and the curve is the same",
+          "[contact]") {
+    // Every eighth node is a pit: the sample that predicts the contact sees hardly anything else.
+    Profile profile = raised(4096, {}, 0, 1e-6);
+    for (Index i = 0; i < 4096; i += 8)
+        profile.heights[i] -= i == 2048 ? 0 : 1e-3;
+    std::vector<double> steps;
+    const double full = profile.heights.maxCoeff() - profile.heights.mean();
+    for (const double part : {0.002, 0.005, 0.01, 0.5, 0.9})
+        steps.push_back(part * full);
+    ContactOptions nested;
+    nested.solver = Solver::nested;
+    const ContactCurve direct = solve_contact(profile, periodic, steps, nested);
+    for (const double memory : {2e9, 4e6}) {
+        ContactOptions options;
+        options.memory_limit = memory;
+        const ContactCurve curve = solve_contact(profile, periodic, steps, options);
+        INFO(curve.choice);
+        CHECK_THAT(curve.choice, Catch::Contains("handed over to active-set"));
+        CHECK(curve.solver == Solver::active_set);
+        REQUIRE(curve.steps.size() == steps.size());
+        for (std::size_t j = 0; j < steps.size(); ++j) {
+            CHECK(curve.steps[j].pressure == Approx(direct.steps[j].pressure).epsilon(3e-6));
+            CHECK(curve.steps[j].displacement == steps[j]);
+        }
+    }
+}
+
+TEST_CASE("the nested factor gives up once it has worked more than it may, and keeps its steps",
+          "[contact]") {
+    const Profile profile = raised(1000, {500}, 1e-3, 1e-4);
+    const ContactProblem problem = make_problem(profile, periodic, scenes::load_steps(profile, 5, 0.8));
+    Solution whole, part;
+    solve_nested(problem, {}, std::numeric_limits<double>::infinity(), whole);
+    CHECK(whole.steps.size() == 5);
+    const double last = static_cast<double>(whole.steps.back().nodes.size());
+    CHECK_THROWS_AS(solve_nested(problem, {}, 0.1 * last * last * last / 6, part), NotConverged);
+    CHECK(part.steps.size() < 5);
+}
+
+TEST_CASE("near full contact a rough periodic profile passes a certificate as wide as rounding is",
+          "[contact]") {
+    std::mt19937_64 random(51);
+    std::normal_distribution<double> normal;
+    Profile profile{Eigen::VectorXd(4097), 1.0 / 4097};
+    for (double& height : profile.heights)
+        height = normal(random);
+    const double full = profile.heights.maxCoeff() - profile.heights.mean();
+    for (const Solver solver : {Solver::nested, Solver::automatic}) {
+        ContactOptions options;
+        options.solver = solver;
+        const ContactCurve curve = solve_contact(profile, periodic, {0.9 * full, 0.9999 * full}, options);
+        CHECK(curve.steps.back().contact_fraction > 0.5);
+        CHECK(curve.steps.back().kkt_residual < (solver == Solver::nested ? 1e-8 : 2e-6));
+    }
+}

@@ -1,0 +1,126 @@
+#include "domain/contact/kernel.hpp"
+#include "domain/contact/solvers/oracle.hpp"
+#include "domain/contact/stepped.hpp"
+#include "tests/domain/contact/scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <random>
+
+using namespace rough;
+
+namespace {
+
+struct Scene {
+    Profile profile;
+    Body body;
+    std::vector<double> displacements;
+    double highest = 0; ///< node pressure without a hardness, MPa
+};
+
+/// Waves and noise on a random body, pressed far.
+Scene random_scene(std::mt19937_64& random, Kernel kernel, Index nodes) {
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const bool periodic = kernel == Kernel::periodic;
+    const double length = std::pow(10, 3 * uniform(random) - 2);
+    Scene scene;
+    scene.profile = {Eigen::VectorXd(nodes), length / static_cast<double>(periodic ? nodes : nodes - 1)};
+    const double phase = 6 * uniform(random), noise = 0.3 * uniform(random);
+    for (Index i = 0; i < nodes; ++i) {
+        const double x = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(nodes);
+        scene.profile.heights[i] =
+            0.01 * length * (std::cos(x + phase) + 0.4 * std::cos(3 * x) + noise * uniform(random));
+    }
+    scene.body = {kernel, std::pow(10, 5 * uniform(random)), length * (0.3 + 2 * uniform(random)),
+                  length * std::pow(10, -3 * uniform(random))};
+    const double range = periodic ? scene.profile.heights.maxCoeff() - scene.profile.heights.mean()
+                                  : scene.profile.heights.maxCoeff() - scene.profile.heights.minCoeff();
+    for (const double part : {0.05, 0.2, 0.5, 0.9})
+        scene.displacements.push_back(part * range);
+    ContactOptions options;
+    options.states = true;
+    scene.highest = solve_contact(scene.profile, scene.body, scene.displacements, options)
+                        .states.back()
+                        .pressure.maxCoeff();
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE("pressures held at a hardness are those of a dense projected solver, on every kernel",
+          "[contact]") {
+    std::mt19937_64 random(41);
+    Index held = 0;
+    for (int trial = 0; trial < 24; ++trial) {
+        Scene scene = random_scene(random, static_cast<Kernel>(trial % 3), 16 + trial);
+        scene.body.hardness =
+            scene.highest * std::array{0.05, 0.3, 0.6, 0.9}[static_cast<std::size_t>(trial % 4)];
+        ContactOptions options;
+        options.states = true;
+        const ContactCurve curve = solve_contact(scene.profile, scene.body, scene.displacements, options);
+        const Oracle oracle = consult_oracle(scene.profile, scene.body, scene.displacements);
+        for (std::size_t j = 0; j < curve.steps.size(); ++j) {
+            const LoadStep& step = curve.steps[j];
+            INFO("trial " << trial << ", step " << j << ", held " << step.held_nodes);
+            CHECK(step.pressure == Approx(oracle.pressure[j]).epsilon(1e-9));
+            CHECK(step.tangent_stiffness == Approx(oracle.tangent_stiffness[j])
+                                                .epsilon(1e-9)
+                                                .margin(1e-9 * curve.steps[0].tangent_stiffness));
+            CHECK(step.contact_nodes == oracle.contact_nodes[j]);
+            CHECK(step.held_nodes == oracle.held_nodes[j]);
+            CHECK(step.kkt_residual < 1e-10);
+            for (std::size_t k = 0; k < curve.states[j].nodes.size(); ++k) {
+                const auto node = static_cast<std::size_t>(curve.states[j].nodes[k]);
+                const double p = curve.states[j].pressure[static_cast<Index>(k)];
+                CHECK(std::abs(p - oracle.node_pressure[j][node]) <= 1e-9 * scene.body.hardness);
+                CHECK(p <= scene.body.hardness * (1 + 1e-15));
+                if (p >= scene.body.hardness * (1 - 1e-15))
+                    CHECK(curve.states[j].tangent[static_cast<Index>(k)] == 0);
+            }
+            held += step.held_nodes;
+        }
+    }
+    CHECK(held > 100);
+}
+
+TEST_CASE("a hardness that no node reaches changes nothing, and one that all reach bears no more",
+          "[contact]") {
+    std::mt19937_64 random(42);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
+        Scene scene = random_scene(random, kernel, 1500);
+        const ContactCurve elastic = solve_contact(scene.profile, scene.body, scene.displacements);
+        scene.body.hardness = 1.01 * scene.highest;
+        const ContactCurve hard = solve_contact(scene.profile, scene.body, scene.displacements);
+        for (std::size_t j = 0; j < elastic.steps.size(); ++j) {
+            CHECK(hard.steps[j].pressure == Approx(elastic.steps[j].pressure).epsilon(2e-6));
+            CHECK(hard.steps[j].tangent_stiffness ==
+                  Approx(elastic.steps[j].tangent_stiffness).epsilon(2e-6));
+            CHECK(hard.steps[j].held_nodes == 0);
+        }
+        scene.body.hardness = 0.1 * scene.highest;
+        const ContactCurve soft = solve_contact(scene.profile, scene.body, scene.displacements);
+        for (std::size_t j = 0; j < soft.steps.size(); ++j)
+            CHECK(soft.steps[j].pressure < elastic.steps[j].pressure);
+        CHECK(soft.steps.back().held_nodes > 0);
+        // By load: the same curve.
+        const double between = 0.5 * (soft.steps[1].pressure + soft.steps[2].pressure);
+        const ContactCurve loaded = solve_contact_at_pressures(scene.profile, scene.body, {between});
+        CHECK(loaded.steps[0].pressure == Approx(between).epsilon(1e-9));
+        CHECK(loaded.steps[0].displacement > soft.steps[1].displacement);
+        CHECK(loaded.steps[0].displacement < soft.steps[2].displacement);
+        CHECK_THROWS_WITH(solve_contact_at_pressures(scene.profile, scene.body, {1.1 * scene.body.hardness}),
+                          Catch::Contains("hardness"));
+    }
+}
+
+TEST_CASE("what takes contact to be nested refuses a hardness", "[contact]") {
+    Scene scene;
+    scene.profile = {Eigen::Vector4d(0, 1, 0.5, 0), 0.1};
+    scene.body.hardness = 0.5;
+    ContactOptions options;
+    options.solver = Solver::nested;
+    CHECK_THROWS_WITH(solve_contact(scene.profile, scene.body, {0.1}, options), Catch::Contains("hardness"));
+    CHECK_THROWS_WITH(SteppedContact(scene.profile, scene.body, {0.1}, {}), Catch::Contains("hardness"));
+    scene.body.hardness = 0;
+    CHECK_THROWS_WITH(solve_contact(scene.profile, scene.body, {0.1}), Catch::Contains("hardness 0 MPa"));
+}
