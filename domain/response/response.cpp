@@ -2,6 +2,7 @@
 
 #include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
+#include "domain/contact/solvers/choice.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/smooth_area.hpp"
 
@@ -133,7 +134,8 @@ double displacement_at_pressure(const Profile& profile, const Body& given, doubl
     const bool periodic = body.kernel == Kernel::periodic;
     const double farthest = periodic ? range * (1 - 1e-9) : std::numeric_limits<double>::infinity();
     // An iterative solver's pressures are good to its tolerance: aim so far above that none ends below.
-    const bool direct = options.solver == Solver::nested || options.solver == Solver::nnls;
+    const bool direct = options.solver == Solver::nested || options.solver == Solver::nnls ||
+                        (options.solver == Solver::automatic && profile.nodes() <= always_nested);
     const double slack = direct ? 0 : 2 * options.tolerance;
     const double aim = pressure * (1 + slack), enough = std::max(1e-12, slack / 4) * pressure;
     double displacement = std::min(farthest, first_guess(profile, body, pressure, options, range));

@@ -14,9 +14,6 @@ namespace rough {
 
 namespace {
 
-/// Up to this many nodes the factor always wins.
-constexpr Index small = 768;
-
 // Nanoseconds on the machine that they were fitted on, by benchmark_choice; only their ratios matter. Its
 // curves are of random profiles on every kernel, with 5 to 80 load steps, and those count whose two costs are
 // within a factor of seven: elsewhere the choice is plain.
@@ -67,7 +64,7 @@ double nested_cost(double nodes, double contact, double steps) {
 double active_set_cost(double nodes, double steps) { return steps * applies_per_step * apply_cost(nodes); }
 
 double most_nested_work(const ContactProblem& problem) {
-    if (problem.nodes() <= small)
+    if (problem.nodes() <= always_nested)
         return std::numeric_limits<double>::infinity();
     const double steps = static_cast<double>(problem.approach.size());
     return patience * active_set_cost(static_cast<double>(problem.nodes()), steps) / per_elimination;
@@ -77,8 +74,8 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
     std::ostringstream reason;
     if (std::isfinite(problem.cap))
         return {Solver::active_set, "active-set: pressures are held at the hardness, contact is not nested"};
-    if (problem.nodes() <= small || problem.approach.empty() || problem.approach.back() == 0) {
-        reason << "nested: up to " << small << " nodes the factor is always the fastest";
+    if (problem.nodes() <= always_nested || problem.approach.empty() || problem.approach.back() == 0) {
+        reason << "nested: up to " << always_nested << " nodes the factor is always the fastest";
         return {Solver::nested, reason.str()};
     }
     const double n = static_cast<double>(problem.nodes()),

@@ -6,6 +6,9 @@
 
 namespace rough {
 
+/// Up to this many nodes the factor always wins.
+constexpr Index always_nested = 768;
+
 /// What `automatic` takes, and why in words.
 struct SolverChoice {
     Solver solver;      ///< the nested factor or the active set

@@ -157,13 +157,13 @@ TEST_CASE("the load may end at a pressure or stand at given ones") {
             0);
     const auto to = rows_of(folder / "to.csv", header);
     REQUIRE(to.size() == 5);
-    CHECK(to[4][1] == Approx(0.01).epsilon(4e-6));
+    CHECK(to[4][1] == Approx(0.01).epsilon(1e-10));
     REQUIRE(rugosa("contact --genome g.json --pressures 0.001,0.004,0.01 --out at.csv", folder.path()).code ==
             0);
     const auto at = rows_of(folder / "at.csv", header);
     REQUIRE(at.size() == 3);
-    CHECK(at[1][1] == Approx(0.004).epsilon(4e-6));
-    CHECK(at[2][0] == Approx(to[4][0]).epsilon(4e-6));
+    CHECK(at[1][1] == Approx(0.004).epsilon(1e-10));
+    CHECK(at[2][0] == Approx(to[4][0]).epsilon(1e-10));
     for (const auto& [words, expected] : std::vector<std::pair<std::string, std::string>>{
              {"--pressures 0.1,0.1", "increasing"},
              {"--pressures 0.1,x", "'x'"},
