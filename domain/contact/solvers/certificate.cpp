@@ -15,16 +15,25 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
     constexpr double none = std::numeric_limits<double>::infinity();
     if (!std::isfinite(mean) || !std::isfinite(u.sum())) // a NaN anywhere is no solution at all
         return {none, none, none, none};
-    Eigen::ArrayXd depth = approach - (problem.gap + u).array();
+    const bool yields = std::isfinite(problem.cap);
     double misfit = 0;
     for (std::size_t k = 0; k < contact.size(); ++k) {
-        double& here = depth[contact[k]];
-        if (pressure[static_cast<Index>(k)] >= problem.cap)
-            here = std::min(here, 0.0);
-        misfit = std::max(misfit, std::abs(here));
+        const double gap = u[contact[k]] - (approach - problem.gap[contact[k]]);
+        const bool held = yields && pressure[static_cast<Index>(k)] >= problem.cap;
+        misfit = std::max(misfit, held ? gap : std::abs(gap));
     }
-    // Penetration is sought over all nodes: on the contact set it is part of |gap|.
-    const double penetration = std::max(0.0, depth.maxCoeff());
+    // Penetration is sought over all nodes: on the contact set it is part of |gap|. Held nodes may sink in.
+    double deepest = 0;
+    if (yields) {
+        Eigen::ArrayXd depth = approach - (problem.gap + u).array();
+        for (std::size_t k = 0; k < contact.size(); ++k)
+            if (pressure[static_cast<Index>(k)] >= problem.cap)
+                depth[contact[k]] = 0;
+        deepest = depth.maxCoeff();
+    } else {
+        deepest = (approach - (problem.gap + u).array()).maxCoeff();
+    }
+    const double penetration = std::max(0.0, deepest);
     const auto over_mean = [mean](double excess) {
         return !(excess > 0) ? 0 : mean > 0 ? excess / mean : none;
     };
