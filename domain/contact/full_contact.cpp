@@ -63,13 +63,15 @@ double known_sum(const Key& key, const ContactProblem& problem) {
 
 } // namespace
 
-double full_contact_stiffness(Index nodes, double spacing, const Body& body) {
-    if (body.kernel == Kernel::periodic)
+double full_contact_stiffness(Index nodes, double spacing, const Body& given) {
+    if (given.kernel == Kernel::periodic)
         return std::numeric_limits<double>::infinity();
     const Profile flat{Eigen::VectorXd::Zero(nodes), spacing};
+    const double length = profile_length(flat, given.kernel);
+    const Body body = completed(given, length);
     make_problem(flat, body, {}); // refuses what has no solution
     Body at_length = body;
-    at_length.datum = profile_length(flat, body.kernel);
+    at_length.datum = length;
     const ContactProblem problem = make_problem(flat, at_length, {});
     const bool strip = body.kernel == Kernel::strip;
     const double stiffness =
@@ -77,7 +79,6 @@ double full_contact_stiffness(Index nodes, double spacing, const Body& body) {
     if (strip)
         return stiffness;
     // 1/K(d) = 1/K(L) + (2 L/(pi E*)) ln(d/L)
-    const double length = at_length.datum;
     return 1 / (1 / stiffness -
                 datum_sensitivity(1, length, body.effective_modulus) * std::log(body.datum / length));
 }
