@@ -1,6 +1,7 @@
 #include "domain/database/build.hpp"
 #include "domain/database/codec.hpp"
 #include "domain/database/screen.hpp"
+#include "domain/database/sqlite.hpp"
 #include "domain/database/starts.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
