@@ -18,7 +18,7 @@ int operators(const Words& words) {
         return 0;
     read_command_line(words, {});
     rough::DesignSetup two_targets;
-    two_targets.goals.resize(2);
+    two_targets.targets.resize(2);
     std::cout << ga::listing(rough::design_registry(two_targets));
     const auto list = [](const std::string& title, const ga::Variants& variants) {
         std::cout << "\n" << title << "\n";
@@ -27,7 +27,7 @@ int operators(const Words& words) {
     };
     list("variants of rugosa design and of experiments of kind variants", rough::design_variants());
     const rough::Vocabulary vocabulary{std::make_shared<rough::DominanceRule>(rough::Model{})};
-    list("variants of the paper's experiment, where sample, shape, fit and a second target are not to be had",
+    list("variants of the paper's experiment, where shape, fit and a second target are not to be had",
          rough::paper_variants(vocabulary));
     return 0;
 }

@@ -6,9 +6,9 @@
 #include "apps/prompt/voice.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/units.hpp"
-#include "domain/design/out_of_reach.hpp"
 #include "domain/errors.hpp"
 #include "domain/target/like.hpp"
+#include "domain/target/out_of_reach.hpp"
 #include "domain/target/recorded.hpp"
 #include "domain/text/atomic_file.hpp"
 
@@ -38,7 +38,7 @@ std::vector<Setting> target_settings() {
 }
 
 struct Made {
-    rough::Goal goal;
+    rough::Target goal;
     rough::Model model;
 };
 
@@ -51,7 +51,7 @@ Made made_target(const Settings& settings) {
                 "--to: missing, expected the last pressure (MPa) or displacement (mm) of the formula");
         const auto y = formula(settings.text("formula"), against_pressure(quantity) ? "p" : "d", "--formula");
         const rough::Model model = model_from(settings);
-        rough::Goal goal = rough::even_goal(quantity, "--formula", points, settings.positive("to"), y);
+        rough::Target goal = rough::even_target(quantity, "--formula", points, settings.positive("to"), y);
         goal.recorded = recorded_model(model);
         return {std::move(goal), model};
     }
@@ -62,19 +62,16 @@ Made made_target(const Settings& settings) {
     rough::Model loaded = model;
     const double last = settings.has("to") ? settings.positive("to") : 0;
     (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) = last;
-    return {goal_like(source.on(model.grid), loaded, source.name, quantity, points, last), model};
+    return {target_like(source.on(model.grid), loaded, source.name, quantity, points, last), model};
 }
 
 /// Says what the target is; gives the exit code, 3 where it is out of reach.
-int report(const rough::Goal& goal, const rough::Model& model) {
+int report(const rough::Target& goal, const rough::Model& model) {
     const rough::Columns columns = columns_of(goal.quantity);
     say(goal.name + ": " + std::to_string(goal.points()) + " points of " + columns.y + " from " +
         readable(goal.y.minCoeff(), 4) + " to " + readable(goal.y.maxCoeff(), 4) + " against " + columns.x +
         " up to " + readable(goal.last(), 4) + (goal.has_band() ? ", with a band" : ""));
-    rough::DesignSetup setup;
-    setup.model = model;
-    setup.goals = {goal};
-    const auto reasons = rough::out_of_reach(setup);
+    const auto reasons = rough::out_of_reach({goal}, model);
     for (const auto& reason : reasons)
         say(reason.verdict() + "; no similarity is above " + readable(reason.bound, 4));
     return reasons.empty() ? 0 : 3;
@@ -103,7 +100,7 @@ int target(const Words& words) {
         throw rough::InputError("target: expected one of --formula, --genome, --like and --check");
     if (settings.has("check")) {
         const rough::Model model = model_from(settings);
-        const rough::Goal goal = goal_from(settings, settings.text("check"), model);
+        const rough::Target goal = goal_from(settings, settings.text("check"), model);
         for (const auto& note : without_effect(settings, {settings.text("check")}))
             say(note);
         return report(goal, model);

@@ -18,7 +18,7 @@ const std::map<std::string, std::string> flag_of{{"kernel", "kernel"},
                                                  {"strip_width_mm", "strip-width"}};
 
 /// Names all that differs, and the flags with which nothing would.
-void expect_same_model(const rough::Goal& goal, const rough::Model& model) {
+void expect_same_model(const rough::Target& goal, const rough::Model& model) {
     const auto differences = recorded_differences(goal, model);
     std::string flags;
     for (const auto& [key, recorded, own] : differences) {
@@ -35,13 +35,13 @@ void expect_same_model(const rough::Goal& goal, const rough::Model& model) {
 
 } // namespace
 
-rough::Goal goal_from(const Settings& settings, const std::string& file, const rough::Model& model) {
+rough::Target goal_from(const Settings& settings, const std::string& file, const rough::Model& model) {
     // C = 2 K/(E* (rho1 + rho2))
     const double conductance_to_stiffness =
         settings.has("resistivity") ? 0.5 * model.body.effective_modulus * settings.positive("resistivity")
                                     : 0;
-    rough::Goal goal =
-        placing(settings, "", [&] { return rough::read_goal(file, conductance_to_stiffness); });
+    rough::Target goal =
+        placing(settings, "", [&] { return rough::read_target(file, conductance_to_stiffness); });
     expect_same_model(goal, model);
     return goal;
 }

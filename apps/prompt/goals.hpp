@@ -2,13 +2,13 @@
 
 #include "apps/prompt/settings.hpp"
 #include "domain/response/model.hpp"
-#include "domain/target/goal.hpp"
+#include "domain/target/target.hpp"
 
 namespace app {
 
 /// Reads a target file for a model; a conductance by --resistivity. Throws rough::InputError where the file
 /// cannot be read, or where what it records of its model is not so.
-rough::Goal goal_from(const Settings& settings, const std::string& file, const rough::Model& model);
+rough::Target goal_from(const Settings& settings, const std::string& file, const rough::Model& model);
 
 /// A line for each flag that was given and decides nothing: of another kernel, or of targets that these are
 /// not (`targets`, their files).

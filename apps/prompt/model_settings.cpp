@@ -65,8 +65,7 @@ std::vector<Setting> model_settings(const std::string& prefix) {
         {prefix + "reach", "", "largest displacement over the profile's range [1; periodic: 0.95]"},
         {prefix + "solver", name_of(usual.contact.solver),
          "contact solver: auto, nested, nnls, polonsky-keer or active-set"},
-        {prefix + "tolerance", plain(usual.contact.tolerance),
-         "relative tolerance of the iterative solvers"},
+        {prefix + "tolerance", plain(usual.contact.tolerance), "relative tolerance of the iterative solvers"},
     };
     for (Setting& setting : settings)
         setting.group = "The model: grid, elastic body, load steps, solver";

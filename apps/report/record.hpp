@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/accuracy/respond.hpp"
-#include "domain/target/goal.hpp"
+#include "domain/target/target.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -60,7 +60,7 @@ struct Record {
     rough::Model model;                 ///< of the search
     std::vector<rough::Model> loaded;   ///< the same, one for each way in which the target is loaded
     std::optional<double> max_pressure; ///< MPa, of Eq. 11; none: amplitude is a gene
-    rough::Goal target;
+    rough::Target target;
     std::vector<VariantRun> variants;
 };
 

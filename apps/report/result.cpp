@@ -75,7 +75,7 @@ json model_json(const rough::Model& model) {
     return result;
 }
 
-json target_json(const rough::Goal& target) {
+json target_json(const rough::Target& target) {
     const rough::Columns columns = columns_of(target.quantity);
     json points = json::array();
     for (rough::Index k = 0; k < target.points(); ++k) {

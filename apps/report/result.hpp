@@ -15,7 +15,7 @@ VariantRun variant_run(const std::string& name, const rough::SearchResult& found
 nlohmann::json model_json(const rough::Model& model);
 
 /// Name and points, in the columns of the target's file.
-nlohmann::json target_json(const rough::Goal& target);
+nlohmann::json target_json(const rough::Target& target);
 
 /// version, command, seed and threads: what every result.json begins with.
 nlohmann::json origin_json(const Origin& origin);

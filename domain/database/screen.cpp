@@ -1,6 +1,7 @@
 #include "domain/database/screen.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/target/similarity.hpp"
 #include "ga/parallel.hpp"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ struct Points {
     bool stretches_y = false;
 };
 
-/// One genome's stored curves, in the goals' order.
+/// One genome's stored curves, in the targets' order.
 using Curves = std::vector<Points>;
 
 void take_secants(Points& points, const double* pressure, std::size_t steps, double displacement_step) {
@@ -65,11 +66,11 @@ void take_from_origin(Points& points, const double* x, double x_factor, const do
     }
 }
 
-/// Reads the stored numbers of a genome as the goals ask.
+/// Reads the stored numbers of a genome as the targets ask.
 class Reader {
   public:
-    Reader(const StoredCurves& curves, const Model& model, const std::vector<Goal>& goals)
-        : curves_(curves), goals_(goals), steps_(static_cast<std::size_t>(model.loading.steps)),
+    Reader(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets)
+        : curves_(curves), goals_(targets), steps_(static_cast<std::size_t>(model.loading.steps)),
           of_range_(load_displacements(1, model.loading, model.body.kernel)) {}
 
     void read(std::size_t g, Curves& into) const {
@@ -94,36 +95,35 @@ class Reader {
                 break;
             }
     }
-    /// Where a genome's curve ends for a goal, at scale 1.
-    double end(std::size_t g, const Goal& goal) const {
-        return goal.against_pressure() ? curves_.pressure[(g + 1) * steps_ - 1]
-                                       : of_range_.back() * curves_.range[g];
+    /// Where a genome's curve ends for a target, at scale 1.
+    double end(std::size_t g, const Target& target) const {
+        return target.against_pressure() ? curves_.pressure[(g + 1) * steps_ - 1]
+                                         : of_range_.back() * curves_.range[g];
     }
 
   private:
     const StoredCurves& curves_;
-    const std::vector<Goal>& goals_;
+    const std::vector<Target>& goals_;
     std::size_t steps_;
     std::vector<double> of_range_; ///< displacements of the load steps over the height range
 };
 
 /// The similarity at a scale; stops below `bar`, where the exact value does not matter.
-double similarity_above(const Curves& curves, const std::vector<Goal>& goals, double scale, double bar) {
+double similarity_above(const Curves& curves, const std::vector<Target>& targets, double scale, double bar) {
     double worst = 0;
-    for (std::size_t i = 0; i < goals.size(); ++i) {
-        const Goal& goal = goals[i];
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const Target& target = targets[i];
         const Points& points = curves[i];
         std::size_t left = 0;
         const std::size_t last = points.x.size() - 2;
-        for (Index k = 0; k < goal.points() && 1 - worst >= bar; ++k) {
-            const double at = goal.x[k] / scale;
+        for (Index k = 0; k < target.points() && 1 - worst >= bar; ++k) {
+            const double at = target.x[k] / scale;
             while (left < last && at >= points.x[left + 1])
                 ++left;
             const double share = (at - points.x[left]) / (points.x[left + 1] - points.x[left]);
             const double y = ((1 - share) * points.y[left] + share * points.y[left + 1]) *
                              (points.stretches_y ? scale : 1);
-            const double wanted = goal.has_band() ? std::clamp(y, goal.lower[k], goal.upper[k]) : goal.y[k];
-            worst = std::max(worst, goal.weight * std::abs(y - wanted) / goal.y[k]);
+            worst = std::max(worst, std::abs(misfit(target, k, y)));
         }
     }
     return 1 - worst;
@@ -133,13 +133,13 @@ constexpr int amplitudes = 33;
 double amplitude(double smallest, double step) { return smallest * std::exp2(step / 8); }
 
 /// Narrows a free amplitude between the neighbours of the best of the coarse ones (golden section).
-Match settled(Match match, const Curves& curves, const std::vector<Goal>& goals, double smallest) {
+Match settled(Match match, const Curves& curves, const std::vector<Target>& targets, double smallest) {
     const double golden = (std::sqrt(5.0) - 1) / 2;
     double low = std::max(match.scale / amplitude(1, 1), smallest), high = match.scale * amplitude(1, 1);
     for (int turn = 0; turn < 30; ++turn) {
         const double a = high - golden * (high - low), b = low + golden * (high - low);
-        const double at_a = similarity_above(curves, goals, a, -HUGE_VAL);
-        const double at_b = similarity_above(curves, goals, b, -HUGE_VAL);
+        const double at_a = similarity_above(curves, targets, a, -HUGE_VAL);
+        const double at_b = similarity_above(curves, targets, b, -HUGE_VAL);
         const double best = std::max(at_a, at_b);
         if (best > match.similarity)
             match = {match.index, best, at_a >= at_b ? a : b};
@@ -148,42 +148,43 @@ Match settled(Match match, const Curves& curves, const std::vector<Goal>& goals,
     return match;
 }
 
-void check(const StoredCurves& curves, const std::vector<Goal>& goals, const ScreenOptions& options) {
-    for (const Goal& goal : goals) {
-        validate(goal);
-        if (options.max_pressure > 0 && goal.against_pressure() &&
-            goal.last() > options.max_pressure * (1 + 1e-9))
-            refuse("target ", goal.name, ": reaches ", goal.last(),
+void check(const StoredCurves& curves, const std::vector<Target>& targets, const ScreenOptions& options) {
+    for (const Target& target : targets) {
+        validate(target);
+        if (options.max_pressure > 0 && target.against_pressure() &&
+            target.last() > options.max_pressure * (1 + 1e-9))
+            refuse("target ", target.name, ": reaches ", target.last(),
                    " MPa, expected at most the pressure that genomes are rescaled to, ", options.max_pressure,
                    " MPa");
     }
-    if (goals.empty())
+    if (targets.empty())
         throw InputError("genome database: no target given, expected one to screen for");
     if (curves.index.empty())
         throw InputError("genome database: nothing is stored in it, expected genomes to screen");
-    if (need_fractions(goals) && curves.fraction.size() != curves.pressure.size())
+    if (need_fractions(targets) && curves.fraction.size() != curves.pressure.size())
         throw InputError("genome database: contact fractions were not read, but the target needs them");
 }
 
 } // namespace
 
-bool need_fractions(const std::vector<Goal>& goals) {
-    return std::any_of(goals.begin(), goals.end(), [](const Goal& goal) { return is_area(goal.quantity); });
+bool need_fractions(const std::vector<Target>& targets) {
+    return std::any_of(targets.begin(), targets.end(),
+                       [](const Target& target) { return is_area(target.quantity); });
 }
 
-std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Goal>& goals,
+std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets,
                           const ScreenOptions& options) {
-    check(curves, goals, options);
+    check(curves, targets, options);
     const bool rescaled = options.max_pressure > 0;
-    const Reader reader(curves, model, goals);
+    const Reader reader(curves, model, targets);
     const auto steps = static_cast<std::size_t>(model.loading.steps);
     const auto covering = [&](std::size_t g) {
         double scale = 0;
-        for (const Goal& goal : goals)
-            scale = std::max(scale, goal.last() / reader.end(g, goal));
+        for (const Target& target : targets)
+            scale = std::max(scale, target.last() / reader.end(g, target));
         return scale;
     };
-    // The margin lets the same genome on a finer grid, whose curve ends elsewhere, cover the goals too.
+    // The margin lets the same genome on a finer grid, whose curve ends elsewhere, cover the targets too.
     const auto smallest = [&](std::size_t g) {
         return rescaled ? options.max_pressure / curves.pressure[(g + 1) * steps - 1] : 1.02 * covering(g);
     };
@@ -205,7 +206,7 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
             for (int a = 0; a < (rescaled ? 1 : amplitudes); ++a) {
                 const double scale = amplitude(smallest(g), a);
                 const double bar = std::max(best[part].bar(), match.similarity);
-                const double similarity = similarity_above(stored, goals, scale, bar);
+                const double similarity = similarity_above(stored, targets, scale, bar);
                 if (similarity > match.similarity)
                     match = {g, similarity, scale};
             }
@@ -222,7 +223,7 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
         const auto g = static_cast<std::size_t>(match.index);
         if (!rescaled) {
             reader.read(g, stored);
-            match = settled(match, stored, goals, smallest(g));
+            match = settled(match, stored, targets, smallest(g));
         }
         match.index = curves.index[g];
     }

@@ -10,7 +10,7 @@ std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& s
     const ScreenOptions options{setup.max_pressure.value_or(0), count, threads};
     std::vector<Genome> genomes;
     for (const Match& match :
-         screen(store.curves(need_fractions(setup.goals)), setup.model, setup.goals, options)) {
+         screen(store.curves(need_fractions(setup.targets)), setup.model, setup.targets, options)) {
         Genome genome = store.genome(match.index);
         genome.scale *= match.scale;
         genomes.push_back(folded(std::move(genome)));

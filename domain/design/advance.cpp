@@ -38,24 +38,24 @@ class Rising {
 };
 
 /// K(P) of a load curve: secants from (0, 0) on, at their mean pressures.
-Rising stiffness_of(const Goal& goal) {
-    Eigen::VectorXd P(goal.points()), K(goal.points());
+Rising stiffness_of(const Target& target) {
+    Eigen::VectorXd P(target.points()), K(target.points());
     double x = 0, y = 0;
-    for (Index k = 0; k < goal.points(); ++k) {
-        P[k] = 0.5 * (goal.y[k] + y);
-        K[k] = std::max(0.0, goal.y[k] - y) / (goal.x[k] - x);
-        x = goal.x[k], y = goal.y[k];
+    for (Index k = 0; k < target.points(); ++k) {
+        P[k] = 0.5 * (target.y[k] + y);
+        K[k] = std::max(0.0, target.y[k] - y) / (target.x[k] - x);
+        x = target.x[k], y = target.y[k];
     }
     return {P, K};
 }
 
 } // namespace
 
-Advance advance_for(const Goal& goal, Index nodes) {
-    const bool by_area = is_area(goal.quantity);
+Advance advance_for(const Target& target, Index nodes) {
+    const bool by_area = is_area(target.quantity);
     const Rising curve =
-        goal.quantity == Quantity::load_at_displacement ? stiffness_of(goal) : Rising(goal.x, goal.y);
-    return [=, quantity = goal.quantity](const Eigen::VectorXd& stiffness) {
+        target.quantity == Quantity::load_at_displacement ? stiffness_of(target) : Rising(target.x, target.y);
+    return [=, quantity = target.quantity](const Eigen::VectorXd& stiffness) {
         const auto most = static_cast<std::size_t>(stiffness.size());
         // Where (pressure, or displacement) the first k + 1 nodes begin to be the contact set.
         std::vector<double> begins(most + 1, 0.0);

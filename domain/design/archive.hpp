@@ -1,7 +1,7 @@
 #pragma once
 
-#include "domain/design/problem.hpp"
 #include "domain/mwm/stored.hpp"
+#include "domain/problem/problem.hpp"
 #include "ga/individual.hpp"
 
 #include <algorithm>

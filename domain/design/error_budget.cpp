@@ -1,17 +1,17 @@
 #include "domain/design/error_budget.hpp"
 
-#include "domain/design/defaults.hpp"
+#include "domain/problem/setup.hpp"
 
 namespace rough {
 
 std::vector<ErrorSource> error_budget(const DesignSetup& given, const Answer& answer) {
     const DesignSetup setup = completed(given);
     const Model own = exactly(setup.model);
-    const Goal& goal = setup.goals.front();
+    const Target& target = setup.targets.front();
     const auto values = [&](const Model& model) {
         const DesignResponse response = respond(setup, answer.genome, model);
-        const Curve curve = curve_of(goal.quantity, response.responses[response.of_goal.front()]);
-        return Eigen::VectorXd(goal.x.unaryExpr([&](double x) { return curve.at(x); }));
+        const Curve curve = curve_of(target.quantity, response.responses[response.of_goal.front()]);
+        return Eigen::VectorXd(target.x.unaryExpr([&](double x) { return curve.at(x); }));
     };
     const Eigen::VectorXd base = values(own);
     std::vector<ErrorSource> budget;

@@ -16,7 +16,7 @@ ga::Population<Genome> Shape::operator()(ga::Population<Genome>, ga::Context<Des
 }
 
 ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
-    auto registry = ga::vocabulary<DesignProblem>();
+    auto registry = engine_words();
     add_words(registry, Vocabulary{std::make_shared<DominanceRule>(setup.model)});
     registry.add({"shape",
                   "roughness",
@@ -26,14 +26,14 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
                      return ga::Stage<DesignProblem>(Shape(a.count("n")));
                  });
     registry.add("fit", "roughness",
-                 "each genome in the amplitude at which it meets the first goal best; nothing under Eq. 11",
+                 "each genome in the amplitude at which it meets the first target best; nothing under Eq. 11",
                  ga::transform(
                      "fit", [setup](const Genome& genome) { return with_fitting_amplitude(setup, genome); }));
-    for (std::size_t g = 0; g < setup.goals.size(); ++g) {
+    for (std::size_t g = 0; g < setup.targets.size(); ++g) {
         const std::string name = "reduce goal" + std::to_string(g + 1);
-        registry.add(name, "roughness", "keeps the chromosomes that follow that goal by themselves (M-CCO)",
+        registry.add(name, "roughness", "keeps the chromosomes that follow that target by themselves (M-CCO)",
                      ga::transform(name, [setup, g](const Genome& genome) {
-                         return reduced_to_goal(setup, genome, g);
+                         return reduced_to_target(setup, genome, g);
                      }));
     }
     const double length = setup.model.grid.length;

@@ -2,6 +2,7 @@
 
 #include "domain/design/starts.hpp"
 #include "domain/paper/vocabulary.hpp"
+#include "domain/problem/pipeline.hpp"
 
 namespace rough {
 
@@ -22,7 +23,7 @@ struct Shape : ga::Operator {
 };
 
 /// What text pipelines for a design are made of: the engine's words, roughness's, and `shape`, `fit`, and
-/// `reduce goal1` and on, one a goal.
+/// `reduce goal1` and on, one a target.
 ga::Registry<DesignProblem> design_registry(const DesignSetup& setup);
 
 } // namespace rough

@@ -2,10 +2,10 @@
 
 #include "domain/design/archive.hpp"
 #include "domain/design/pipelines.hpp"
-#include "domain/design/stored.hpp"
 #include "domain/design/within_limits.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/sobol.hpp"
+#include "domain/problem/stored.hpp"
 #include "domain/text/json.hpp"
 #include "ga/checkpoint.hpp"
 
@@ -23,8 +23,6 @@ constexpr int attempts = 8;
 /// Share of the time that is kept for bringing an answer within the limits.
 constexpr double share_for_limits = 0.1;
 constexpr std::size_t shown_compromises = 24;
-constexpr Index exactly_reported = 16385;
-constexpr double reported_tolerance = 1e-10;
 
 Answer answer_of(const DesignSetup& searched, const Genome& genome) {
     const DesignSetup setup = as_reported(searched);
@@ -113,13 +111,6 @@ bool makes_its_own_starts(const std::string& pipeline) {
 }
 
 } // namespace
-
-DesignSetup as_reported(DesignSetup searched) {
-    DesignSetup setup = exactly(std::move(searched));
-    if (refined(setup.model, 4).grid.nodes <= exactly_reported)
-        setup.model.contact.tolerance = std::min(setup.model.contact.tolerance, reported_tolerance);
-    return setup;
-}
 
 bool holds_limits(const DesignSetup& setup, const Genome& genome) {
     const auto all = margins(genome, setup.model.grid, setup.limits);

@@ -68,13 +68,9 @@ struct SearchResult {
 };
 
 /// The ways to search that have a name, as text: `default`, `in-line`, `multistart`, `plain`, `sog`, `gco`,
-/// `cco`, for two goals `mcco` and `nsga2`, `esch`, `crs2`. Those that do not begin with `shape` or `sample`
-/// work on the Sobol database.
+/// `cco`, for two targets `mcco` and `nsga2`, `esch`, `crs2`. Those that do not begin with `shape` or
+/// `sample` work on the Sobol database.
 const std::map<std::string, std::string>& design_variants();
-
-/// The set-up as answers are reported under: solved throughout, to nine digits of a similarity by whatever
-/// solver on grids whose finer one has up to 16385 nodes, to the solver's tolerance on larger ones.
-DesignSetup as_reported(DesignSetup searched);
 
 /// Whether the genome (in final amplitude) is within every limit.
 bool holds_limits(const DesignSetup& setup, const Genome& genome);

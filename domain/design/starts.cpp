@@ -1,7 +1,6 @@
 #include "domain/design/starts.hpp"
 
 #include "domain/design/advance.hpp"
-#include "domain/design/defaults.hpp"
 #include "domain/design/shape_to_waves.hpp"
 
 #include <algorithm>
@@ -46,34 +45,22 @@ std::vector<int> drawn_order(Index nodes, bool wraps, ga::Stream& random) {
     return order;
 }
 
-double within(double value, double from, double to) { return std::clamp(value, from, std::max(from, to)); }
-
-Series drawn_series(const DesignSetup& setup, double H, double gamma, double lambda) {
-    const GeneBounds& b = setup.bounds;
-    Series series{1,
-                  within(H, b.H_from, b.H_to),
-                  within(gamma, b.gamma_from, b.gamma_to),
-                  within(lambda, std::max(b.lambda_from, setup.limits.shortest_wave), b.lambda_to),
-                  {}};
-    return series;
-}
-
 constexpr Index shaping_nodes = 256;
 
 } // namespace
 
 Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     const DesignSetup setup = completed(given);
-    const Goal& goal = setup.goals.front();
+    const Target& target = setup.targets.front();
     Grid grid = setup.model.grid;
     grid.nodes = std::min(grid.nodes, shaping_nodes);
     const double L = grid.length, infinity = std::numeric_limits<double>::infinity();
-    const double last_pressure = setup.max_pressure        ? *setup.max_pressure
-                                 : goal.against_pressure() ? goal.last()
-                                                           : infinity;
+    const double last_pressure = setup.max_pressure          ? *setup.max_pressure
+                                 : target.against_pressure() ? target.last()
+                                                             : infinity;
     InverseProfile inverse = inverse_profile(
         grid.nodes, grid.spacing(), setup.model.body, drawn_order(grid.nodes, grid.wraps, random),
-        advance_for(goal, grid.nodes), last_pressure, goal.against_pressure() ? infinity : goal.last());
+        advance_for(target, grid.nodes), last_pressure, target.against_pressure() ? infinity : target.last());
     if (setup.max_pressure)
         inverse = with_range_at_last(std::move(inverse));
     const double gamma = random.uniform(1.3, 1.6);
@@ -84,55 +71,6 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
                                                   gamma * random.uniform(1.05, 1.2),
                                                   lambda * random.uniform(0.6, 0.9))};
     return shaped_as(inverse.profile, series, setup.limits.shortest_wave);
-}
-
-Genome drawn_start(const DesignSetup& given, ga::Stream random) {
-    const DesignSetup setup = completed(given);
-    Genome genome{1, {}};
-    for (int s = 0; s < 2; ++s) {
-        Series series = drawn_series(setup, random.uniform(0.5, 1.5), random.uniform(1.4, 2.0),
-                                     setup.model.grid.length * (s == 0 ? 1 : random.uniform(0.6, 1.6)));
-        series.A = s == 0 ? 1 : std::exp(random.uniform(-1.5, 1.5));
-        for (int n = 1; n <= last_chromosome(series.lambda, series.gamma, setup.limits.shortest_wave); ++n)
-            series.chromosomes.push_back({n, {random.uniform(0, 2 * std::numbers::pi)}});
-        genome.series.push_back(series);
-    }
-    return genome;
-}
-
-Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome) {
-    if (setup.max_pressure)
-        return genome;
-    const Goal& goal = setup.goals.front();
-    Model model = setup.model;
-    model.loading = {std::max(40, model.loading.steps), model.loading.reach};
-    const Response response = respond(folded(genome), model);
-    const double own =
-        goal.against_pressure() ? response.pressure.tail(1)[0] : response.displacement.tail(1)[0];
-    // Misfit over the part of the goal that this amplitude covers; what it does not counts as missed wholly.
-    const auto misfit_at = [&](double scale) {
-        const Curve curve = curve_of(goal.quantity, scaled(response, scale));
-        double worst = 0;
-        for (Index k = 0; k < goal.points(); ++k)
-            worst = std::max(worst, goal.x[k] > curve.to ? 1 : std::abs(curve.at(goal.x[k]) / goal.y[k] - 1));
-        return worst;
-    };
-    const double least = goal.last() / own;
-    double best = least, misfit = std::numeric_limits<double>::infinity(), ratio = std::pow(2.0, 0.5);
-    for (int i = 0; i < 33; ++i) {
-        const double scale = least * std::pow(ratio, i);
-        if (const double here = misfit_at(scale); here < misfit)
-            best = scale, misfit = here;
-    }
-    for (int round = 0; round < 12; ++round) {
-        ratio = std::sqrt(ratio);
-        for (const double scale : {best * ratio, best / ratio})
-            if (const double here = misfit_at(scale); here < misfit)
-                best = scale, misfit = here;
-    }
-    Genome fitted = folded(genome);
-    fitted.scale = best;
-    return folded(fitted);
 }
 
 } // namespace rough

@@ -2,7 +2,6 @@
 
 #include "domain/errors.hpp"
 #include "domain/mwm/length_scales.hpp"
-#include "domain/numerics/statistics.hpp"
 
 #include <algorithm>
 
@@ -10,38 +9,34 @@ namespace rough {
 
 namespace {
 
-/// Of no chromosome that answers.
-constexpr double none = -2;
-
-double correlation(const Genome& alone, const Model& model, const Goal& goal) {
+std::optional<Curve> curve_alone(const Genome& alone, const Model& model, const Target& target) {
     const Profile profile = sample(alone, model.grid);
     if (is_flat(profile, alone))
-        return none;
+        return std::nullopt;
     Loading loading = model.loading;
-    (goal.against_pressure() ? loading.to_pressure : loading.to_displacement) = goal.last();
+    (target.against_pressure() ? loading.to_pressure : loading.to_displacement) = target.last();
     try {
-        const Curve curve = curve_of(goal.quantity, respond(profile, model.body, loading, model.contact));
-        const double found = pearson(goal.x.unaryExpr([&](double x) { return curve.held_at(x); }), goal.y);
-        return std::isnan(found) ? none : found;
+        return curve_of(target.quantity, respond(profile, model.body, loading, model.contact));
     } catch (const InputError&) { // periodic, in full contact below that load
-        return none;
+        return std::nullopt;
     }
 }
 
 } // namespace
 
-Genome reduced_to_goal(const DesignSetup& setup, const Genome& genome, std::size_t goal, double threshold) {
+Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target,
+                         double threshold) {
+    const Target& asked = setup.targets[target];
     const auto scales = length_scales(genome);
-    std::vector<double> found;
+    std::vector<std::optional<Curve>> alone;
     for (const LengthScale& scale : scales)
-        found.push_back(correlation(only(genome, scale), setup.model, setup.goals[goal]));
-    const double best = *std::max_element(found.begin(), found.end());
-    std::vector<std::pair<std::size_t, std::size_t>> kept;
-    for (std::size_t i = 0; i < scales.size(); ++i)
-        if (found[i] > threshold || (best <= threshold && found[i] == best))
-            kept.insert(kept.end(), scales[i].members.begin(), scales[i].members.end());
+        alone.push_back(curve_alone(only(genome, scale), setup.model, asked));
+    const DominantParts parts = dominant_parts({asked.x, asked.y}, alone, threshold);
     return filtered(genome, [&](std::size_t s, std::size_t c) {
-        return std::find(kept.begin(), kept.end(), std::pair(s, c)) != kept.end();
+        for (std::size_t i = 0; i < scales.size(); ++i)
+            if (std::count(scales[i].members.begin(), scales[i].members.end(), std::pair(s, c)))
+                return parts.dominant[i] != 0;
+        return false;
     });
 }
 

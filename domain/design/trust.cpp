@@ -1,9 +1,9 @@
 #include "domain/design/trust.hpp"
 
 #include "domain/contact/names.hpp"
-#include "domain/design/defaults.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/numerics/statistics.hpp"
+#include "domain/problem/setup.hpp"
 #include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
 
@@ -28,7 +28,7 @@ double compliance_of_datum(const Model& model, double factor) {
     return 2 * model.grid.length / (std::numbers::pi * model.body.effective_modulus) * std::log(factor);
 }
 
-/// The set-up without Eq. 11: the genome's own amplitude, loaded as far as the goals go.
+/// The set-up without Eq. 11: the genome's own amplitude, loaded as far as the targets go.
 DesignSetup in_final_amplitude(const DesignSetup& setup) {
     DesignSetup final = setup;
     final.max_pressure.reset();
@@ -110,18 +110,18 @@ std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const
         jobs.push_back({in_finer_steps, [&setup, &genome, &like = *options.like, steps] {
                             DesignSetup finer = setup;
                             const Response own = respond(like, steps.body, steps.loading, steps.contact);
-                            for (Goal& goal : finer.goals) {
-                                const Curve curve = curve_of(goal.quantity, own);
-                                for (Index k = 0; k < goal.points(); ++k)
-                                    goal.y[k] = curve.at(std::min(goal.x[k], curve.to));
+                            for (Target& target : finer.targets) {
+                                const Curve curve = curve_of(target.quantity, own);
+                                for (Index k = 0; k < target.points(); ++k)
+                                    target.y[k] = curve.at(std::min(target.x[k], curve.to));
                             }
                             return similarity(finer, respond(finer, genome, steps));
                         }});
     if (setup.model.body.kernel == Kernel::free) {
         DesignSetup far = in_final_amplitude(setup);
-        far.goals = with_datum(setup.goals, setup.model, 4);
+        far.targets = with_datum(setup.targets, setup.model, 4);
         far.model.body.datum *= 4;
-        if (!far.goals.empty())
+        if (!far.targets.empty())
             jobs.push_back({"4 times the datum, the target moved with it",
                             [far, &genome] { return similarity(far, respond(far, genome, far.model)); }});
     }
@@ -168,21 +168,21 @@ std::vector<Job> redrawn_phases(const DesignSetup& setup, const Genome& genome, 
 
 } // namespace
 
-std::vector<Goal> with_datum(const std::vector<Goal>& goals, const Model& model, double factor) {
+std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& model, double factor) {
     const double c = compliance_of_datum(model, factor);
-    std::vector<Goal> moved;
-    for (Goal goal : goals) {
+    std::vector<Target> moved;
+    for (Target target : targets) {
         const auto stiffer = [&](Eigen::VectorXd& K) { K = K.array() / (1 + c * K.array()); };
-        if (goal.quantity == Quantity::stiffness) {
-            stiffer(goal.y);
-            if (goal.has_band())
-                stiffer(goal.lower), stiffer(goal.upper);
-        } else if (goal.quantity == Quantity::load_at_displacement && !goal.has_band()) {
-            goal.x += c * goal.y;
-        } else if (goal.quantity != Quantity::area_at_pressure) {
+        if (target.quantity == Quantity::stiffness) {
+            stiffer(target.y);
+            if (target.has_band())
+                stiffer(target.lower), stiffer(target.upper);
+        } else if (target.quantity == Quantity::load_at_displacement && !target.has_band()) {
+            target.x += c * target.y;
+        } else if (target.quantity != Quantity::area_at_pressure) {
             continue;
         }
-        moved.push_back(std::move(goal));
+        moved.push_back(std::move(target));
     }
     return moved;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/design/problem.hpp"
+#include "domain/problem/problem.hpp"
 
 #include <limits>
 #include <optional>
@@ -12,7 +12,7 @@ struct TrustOptions {
     double noise = 0;                 ///< deviation of random height errors at the nodes, mm; 0: none
     int noise_draws = 20;             ///< how many noisy profiles
     int phase_draws = 30;             ///< how many genomes with phases drawn anew
-    std::optional<Profile> like = {}; ///< whose own response the goals are
+    std::optional<Profile> like = {}; ///< whose own response the targets are
     double hardness = 0;              ///< MPa, against the highest node pressure; 0: not given
     std::uint64_t seed = 1;           ///< of noise and redrawn phases
     int threads = 0;                  ///< 0: all
@@ -49,8 +49,8 @@ struct Trust {
 /// + (2 L/(pi E*)) ln 4 at the same load, displacements grow by (2 P L/(pi E*)) ln 4, areas stay.
 Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options);
 
-/// The goals as they read with the datum `factor` times farther; free kernel only. A goal against
+/// The targets as they read with the datum `factor` times farther; free kernel only. A target against
 /// displacement has no reading of its own where the load at its points is not known, and is left out.
-std::vector<Goal> with_datum(const std::vector<Goal>& goals, const Model& model, double factor);
+std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& model, double factor);
 
 } // namespace rough

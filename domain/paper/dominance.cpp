@@ -2,11 +2,9 @@
 
 #include "domain/mwm/length_scales.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/response/curve.hpp"
 
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace rough {
 
@@ -25,6 +23,28 @@ std::optional<Curve> stiffness_of(const Genome& genome, const LengthScale& scale
 
 } // namespace
 
+DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional<Curve>>& parts,
+                             double threshold, DominanceReading reading) {
+    DominantParts result;
+    double best = -std::numeric_limits<double>::infinity();
+    for (const auto& part : parts) {
+        double correlation = undefined;
+        if (part && reading == DominanceReading::same_step)
+            correlation = pearson(whole.y, part->y);
+        else if (part)
+            correlation = pearson(whole.y, whole.x.unaryExpr([&](double x) { return part->held_at(x); }));
+        if (correlation > best)
+            best = correlation;
+        result.correlation.push_back(correlation);
+        result.dominant.push_back(correlation > threshold); // Algorithm 1
+    }
+    result.only_best = !(best > threshold);
+    if (result.only_best) // ours: the paper is silent on genomes of which none passes
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            result.dominant[i] = !std::isfinite(best) || result.correlation[i] == best;
+    return result;
+}
+
 Dominance DominanceRule::operator()(const Genome& genome) const {
     const std::string key = shape_key(genome);
     {
@@ -38,35 +58,23 @@ Dominance DominanceRule::operator()(const Genome& genome) const {
 }
 
 Dominance DominanceRule::judged(const Genome& genome) const {
+    const auto scales = length_scales(genome);
+    std::vector<std::optional<Curve>> alone;
+    for (const LengthScale& scale : scales)
+        alone.push_back(stiffness_of(genome, scale, model_));
+    const DominantParts parts =
+        dominant_parts(secant_stiffness(respond(genome, model_)), alone, dominance_threshold, reading_);
     Dominance result;
+    result.only_best = parts.only_best;
     for (const auto& series : genome.series) {
         result.correlation.emplace_back(series.chromosomes.size(), undefined);
         result.dominant.emplace_back(series.chromosomes.size(), char{0});
     }
-    const Curve whole = secant_stiffness(respond(genome, model_));
-    const auto scales = length_scales(genome);
-    double best = -std::numeric_limits<double>::infinity();
-    for (const LengthScale& scale : scales) {
-        double correlation = undefined;
-        if (const auto curve = stiffness_of(genome, scale, model_)) {
-            Eigen::ArrayXd K = curve->y;
-            if (reading_ == DominanceReading::same_pressure)
-                for (Index j = 0; j < K.size(); ++j)
-                    K[j] = curve->held_at(whole.x[j]);
-            correlation = pearson(whole.y, K);
+    for (std::size_t i = 0; i < scales.size(); ++i)
+        for (const auto& [s, c] : scales[i].members) {
+            result.correlation[s][c] = parts.correlation[i];
+            result.dominant[s][c] = parts.dominant[i];
         }
-        if (correlation > best)
-            best = correlation;
-        for (const auto& [s, c] : scale.members) {
-            result.correlation[s][c] = correlation;
-            result.dominant[s][c] = correlation > threshold_; // Algorithm 1
-        }
-    }
-    result.only_best = !(best > threshold_);
-    if (result.only_best) // ours: the paper is silent on genomes of which none passes
-        for (std::size_t s = 0; s < result.dominant.size(); ++s)
-            for (std::size_t c = 0; c < result.dominant[s].size(); ++c)
-                result.dominant[s][c] = !std::isfinite(best) || result.correlation[s][c] == best;
     return result;
 }
 

@@ -13,12 +13,22 @@ auto refine_by(Form form, int n_it, const ga::Variables<Genome>& variables) {
 
 } // namespace
 
-PaperPipeline sog(const Vocabulary& words, Form form) { // Algorithm 3
+DesignSetup paper_setup(Model model, Target target, double max_pressure, double threshold, PhaseReach reach) {
+    DesignSetup setup;
+    setup.model = std::move(model);
+    setup.targets = {std::move(target)};
+    setup.max_pressure = max_pressure;
+    setup.threshold = threshold;
+    setup.phases = reach;
+    return setup;
+}
+
+Pipeline sog(const Vocabulary& words, Form form) { // Algorithm 3
     const auto dominant = words.dominant(), others = words.others();
     return score() | best(3) | refine_by(form, 5, dominant) | refine_by(form, 2, others) | best(1);
 }
 
-PaperPipeline gco(const Vocabulary& words, Form form) { // Algorithm 4
+Pipeline gco(const Vocabulary& words, Form form) { // Algorithm 4
     const auto dominant = words.dominant(), others = words.others();
     const auto U1 = score("low") | above(0.95, at_least(3));
     const auto U2 = score("high") | above(0.95, at_least(3));
@@ -26,14 +36,14 @@ PaperPipeline gco(const Vocabulary& words, Form form) { // Algorithm 4
            refine_by(form, 2, others) | best(1);
 }
 
-PaperPipeline cco(const Vocabulary& words, Form form) { // Algorithm 5
+Pipeline cco(const Vocabulary& words, Form form) { // Algorithm 5
     const auto U1 = score("low") | above(0.95, at_least(3)) | words.reduce_dominant();
     const auto U2 = score("high") | above(0.95, at_least(3)) | words.reduce_dominant();
     return pair(U1, U2, words.unite()) | score() | best(3) | refine_by(form, 3, words.phases()) | best(1);
 }
 
-Registry<RescaledProblem> paper_registry(const Vocabulary& words) {
-    auto registry = vocabulary<RescaledProblem>();
+Registry<DesignProblem> paper_registry(const Vocabulary& words) {
+    auto registry = engine_words();
     add_words(registry, words);
     return registry;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "domain/paper/phases.hpp"
+#include "domain/paper/dominance.hpp"
+#include "domain/problem/phases.hpp"
 #include "ga/ga.hpp"
 #include "ga/text/parser.hpp"
 #include "ga/text/vocabulary.hpp"
@@ -16,17 +17,9 @@ struct Vocabulary {
     PhaseReach reach = {};                     ///< of every refined phase
 
     /// The choice `dominant`: phases of dominant chromosomes.
-    ga::Variables<Genome> dominant() const {
-        return {"dominant", [*this](const Genome& genome) {
-                    return dominant_phase_variables(genome, (*rule)(genome), reach);
-                }};
-    }
+    ga::Variables<Genome> dominant() const { return phases_where("dominant", true); }
     /// The choice `others`: phases of all the other chromosomes.
-    ga::Variables<Genome> others() const {
-        return {"others", [*this](const Genome& genome) {
-                    return other_phase_variables(genome, (*rule)(genome), reach);
-                }};
-    }
+    ga::Variables<Genome> others() const { return phases_where("others", false); }
     /// The choice `phases`: every phase.
     ga::Variables<Genome> phases() const {
         return {"phases", [*this](const Genome& genome) { return phase_variables(genome, reach); }};
@@ -42,6 +35,16 @@ struct Vocabulary {
     static ga::Combine<Genome> unite() {
         return {"unite", [](const ga::Individual<Genome>& left, const ga::Individual<Genome>& right) {
                     return std::optional(sum(left.genome, right.genome));
+                }};
+    }
+
+  private:
+    ga::Variables<Genome> phases_where(const char* name, bool dominant) const {
+        return {name, [rule = rule, reach = reach, dominant](const Genome& genome) {
+                    const Dominance dominance = (*rule)(genome);
+                    return phase_variables(genome, reach, [&](std::size_t s, std::size_t c) {
+                        return dominance.at(s, c) == dominant;
+                    });
                 }};
     }
 };

@@ -22,15 +22,4 @@ CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& 
     return result;
 }
 
-CurveJacobian rescaled_jacobian(const Response& response, const ResponseJacobian& jacobian,
-                                double max_pressure) {
-    CurveJacobian result = secant_jacobian(response, jacobian);
-    const Curve curve = secant_stiffness(response);
-    const double last = response.pressure[response.steps() - 1];
-    const double factor = max_pressure / last;
-    const Eigen::RowVectorXd d_factor = -factor / last * jacobian.pressure.row(response.steps() - 1);
-    result.x = factor * result.x + curve.x * d_factor;
-    return result;
-}
-
 } // namespace rough

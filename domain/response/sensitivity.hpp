@@ -33,8 +33,4 @@ struct CurveJacobian {
 /// d(pi_j, K_j)/dgene of secant_stiffness(response).
 CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& jacobian);
 
-/// The same for secant_stiffness stretched by p_max/P_nt (Eq. 11): the factor moves with the genes, too.
-CurveJacobian rescaled_jacobian(const Response& response, const ResponseJacobian& jacobian,
-                                double max_pressure);
-
 } // namespace rough

@@ -41,15 +41,15 @@ std::map<std::string, std::string> recorded_model(const Model& model) {
     return recorded;
 }
 
-std::vector<RecordedDifference> recorded_differences(const Goal& goal, const Model& model) {
+std::vector<RecordedDifference> recorded_differences(const Target& target, const Model& model) {
     const auto own = recorded_model(model);
     std::vector<RecordedDifference> differences;
     for (const char* key : recorded_keys) {
-        const auto there = goal.recorded.find(key), here = own.find(key);
-        if (there == goal.recorded.end() || there->second.empty())
+        const auto there = target.recorded.find(key), here = own.find(key);
+        if (there == target.recorded.end() || there->second.empty())
             continue;
         const std::string value = here == own.end() ? "" : here->second;
-        if (here == own.end() || !same(key, there->second, value, goal.name))
+        if (here == own.end() || !same(key, there->second, value, target.name))
             differences.push_back({key, there->second, as_read(key, value)});
     }
     return differences;
@@ -63,9 +63,9 @@ std::string in_words(const std::vector<RecordedDifference>& differences) {
     return words;
 }
 
-void expect_recorded(const Goal& goal, const Model& model) {
-    if (const auto differences = recorded_differences(goal, model); !differences.empty())
-        throw InputError(goal.name + ": recorded with " + in_words(differences) +
+void expect_recorded(const Target& target, const Model& model) {
+    if (const auto differences = recorded_differences(target, model); !differences.empty())
+        throw InputError(target.name + ": recorded with " + in_words(differences) +
                          ", expected the same, as the target depends on it");
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/response/model.hpp"
-#include "domain/target/goal.hpp"
+#include "domain/target/target.hpp"
 
 namespace rough {
 
@@ -17,12 +17,12 @@ struct RecordedDifference {
 
 /// All of them, in the order kernel, length, modulus, datum, strip width; numbers may differ by 1e-9,
 /// relative. Throws InputError where a recorded number is none.
-std::vector<RecordedDifference> recorded_differences(const Goal& goal, const Model& model);
+std::vector<RecordedDifference> recorded_differences(const Target& target, const Model& model);
 
 /// In words: "kernel strip (here free), length_mm 0.004 (here 0.84942)".
 std::string in_words(const std::vector<RecordedDifference>& differences);
 
 /// Throws InputError that names all differences, as the target depends on them.
-void expect_recorded(const Goal& goal, const Model& model);
+void expect_recorded(const Target& target, const Model& model);
 
 } // namespace rough

@@ -128,13 +128,11 @@ class Halfway {
 
 } // namespace
 
-SimilarityBound::SimilarityBound(const Target& target, const std::vector<Index>& points, double max_pressure,
-                                 double stiffest)
-    : stiffest_(stiffest) {
-    for (const Index k : points) {
-        at_.push_back(target.pressure[k] / max_pressure);
-        wanted_.push_back(target.stiffness[k]);
-    }
+void SimilarityBound::add(const Target& target, const std::vector<Index>& points) {
+    for (const Index k : points)
+        points_.push_back(
+            {target.x[k] / max_pressure_, (target.has_band() ? target.lower : target.y)[k] / target.y[k],
+             (target.has_band() ? target.upper : target.y)[k] / target.y[k], target.y[k], target.weight});
 }
 
 double SimilarityBound::operator()(const std::vector<LoadStep>& first, std::size_t count,
@@ -148,9 +146,10 @@ double SimilarityBound::operator()(const std::vector<LoadStep>& first, std::size
         const double to = part + 1 < parts ? from * ratio : most;
         curve.suppose(from, to);
         double worst = 0;
-        for (std::size_t k = 0; k < at_.size() && 1 - worst > best; ++k)
-            worst = std::max({worst, curve.least(at_[k] * from) / wanted_[k] - 1,
-                              1 - curve.most(at_[k] * to) / wanted_[k]});
+        for (auto point = points_.begin(); point != points_.end() && 1 - worst > best; ++point)
+            worst = std::max({worst,
+                              point->weight * (curve.least(point->at * from) / point->wanted - point->upper),
+                              point->weight * (point->lower - curve.most(point->at * to) / point->wanted)});
         best = std::max(best, 1 - worst);
     }
     return best + rounding;

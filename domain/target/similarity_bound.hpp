@@ -13,10 +13,12 @@ namespace rough {
 /// which Eq. 11 stretches the curve by.
 class SimilarityBound {
   public:
-    /// Over these points of the target; `max_pressure` is Eq. 11's (MPa), `stiffest` bounds every tangent
-    /// (MPa/mm), infinite where nothing does.
-    SimilarityBound(const Target& target, const std::vector<Index>& points, double max_pressure,
-                    double stiffest);
+    /// `max_pressure` is Eq. 11's (MPa), `stiffest` bounds every tangent (MPa/mm), infinite where nothing
+    /// does.
+    SimilarityBound(double max_pressure, double stiffest)
+        : max_pressure_(max_pressure), stiffest_(stiffest) {}
+    /// Counts these points of a target of stiffness, too.
+    void add(const Target& target, const std::vector<Index>& points);
 
     /// `first` are at least 2 of the `count` load steps, which are even. Exact but for rounding, for which it
     /// leaves room; an estimate where the secants of all steps are `foretold` (MPa/mm): those to come are
@@ -25,8 +27,12 @@ class SimilarityBound {
                       const std::vector<double>& foretold = {}) const;
 
   private:
-    std::vector<double> at_, wanted_; ///< pressure over max_pressure, stiffness
-    double stiffest_;
+    /// Pressure over max_pressure; what a curve may be there, over y_k; y_k.
+    struct Point {
+        double at, lower, upper, wanted, weight;
+    };
+    double max_pressure_, stiffest_;
+    std::vector<Point> points_;
 };
 
 } // namespace rough

@@ -4,44 +4,126 @@
 #include "domain/target/target_table.hpp"
 
 #include <cmath>
+#include <sstream>
+#include <vector>
 
 namespace rough {
 
 namespace {
 
-constexpr const char* header = "pressure_MPa,stiffness_MPa_per_mm";
+constexpr Quantity quantities[] = {Quantity::stiffness, Quantity::area_at_pressure,
+                                   Quantity::area_at_displacement, Quantity::load_at_displacement};
+constexpr const char* expected_columns = "expected pressure_MPa with stiffness_MPa_per_mm, contact_fraction "
+                                         "or conductance, or displacement_mm with "
+                                         "contact_fraction or pressure_MPa; optionally lower and upper";
 
 } // namespace
 
+Columns columns_of(Quantity quantity) {
+    switch (quantity) {
+    case Quantity::stiffness:
+        return {"pressure_MPa", "stiffness_MPa_per_mm"};
+    case Quantity::area_at_pressure:
+        return {"pressure_MPa", "contact_fraction"};
+    case Quantity::area_at_displacement:
+        return {"displacement_mm", "contact_fraction"};
+    case Quantity::load_at_displacement:
+        return {"displacement_mm", "pressure_MPa"};
+    }
+    throw InputError("quantity: unknown");
+}
+
 void validate(const Target& target) {
-    const auto fail = [&](Eigen::Index k, const std::string& what, double value) {
-        refuse(target.name, ": point ", k + 1, ": ", what, " is ", value, ", expected ",
-               what == "stiffness" ? "a finite number greater than 0 (MPa/mm)"
-                                   : "finite numbers greater than 0 (MPa), increasing");
+    const Columns columns = columns_of(target.quantity);
+    const auto fail = [&](Index k, const std::string& column, double value, const std::string& expected) {
+        refuse(target.name, ": point ", k + 1, ": ", column, " is ", value, ", expected ", expected);
     };
+    const bool of_area = is_area(target.quantity);
     if (target.points() == 0)
         throw InputError(target.name + ": no points given, expected at least one");
     double last = 0;
-    for (Eigen::Index k = 0; k < target.points(); ++k) {
-        if (!std::isfinite(target.pressure[k]) || target.pressure[k] <= last)
-            fail(k, "pressure", target.pressure[k]);
-        if (!std::isfinite(target.stiffness[k]) || target.stiffness[k] <= 0)
-            fail(k, "stiffness", target.stiffness[k]);
-        last = target.pressure[k];
+    for (Index k = 0; k < target.points(); ++k) {
+        if (!std::isfinite(target.x[k]) || target.x[k] <= last)
+            fail(k, columns.x, target.x[k], "finite numbers greater than 0, increasing");
+        if (!std::isfinite(target.y[k]) || target.y[k] <= 0 || (of_area && target.y[k] > 1))
+            fail(k, columns.y, target.y[k],
+                 of_area ? "a number greater than 0, at most 1" : "a finite number greater than 0");
+        if (target.has_band() && !(target.lower[k] <= target.y[k]))
+            fail(k, "lower", target.lower[k], std::string("a number no greater than ") + columns.y);
+        if (target.has_band() && !(target.upper[k] >= target.y[k]))
+            fail(k, "upper", target.upper[k], std::string("a number no less than ") + columns.y);
+        last = target.x[k];
     }
 }
 
-Target read_target(const std::filesystem::path& file) {
-    const TargetTable table = read_target_table(file);
-    // What a file records of its model is held against none here, so such a file is refused.
-    if (table.header_text() != header || !table.recorded.empty())
-        throw InputError(
-            file.string() + ":" + std::to_string(table.header_line) + ": \"" +
-            (table.recorded.empty() ? table.header_text() : "# " + table.recorded.begin()->first + ": ...") +
-            "\" given, expected the header " + header);
-    Target target{file.string(), table.column(0), table.column(1)};
+Target read_target(const std::filesystem::path& file, double conductance_to_stiffness) {
+    const TargetTable cells = read_target_table(file);
+    Target target;
+    target.name = file.string();
+    target.recorded = cells.recorded;
+    int x = -1, y = -1;
+    double factor = 1;
+    for (const Quantity quantity : quantities) {
+        const Columns columns = columns_of(quantity);
+        if (cells.place_of(columns.x) >= 0 && cells.place_of(columns.y) >= 0) {
+            if (y >= 0)
+                throw InputError(file.string() + ":1: more than one curve given, expected one a file");
+            target.quantity = quantity, x = cells.place_of(columns.x), y = cells.place_of(columns.y);
+        }
+    }
+    if (y < 0 && cells.place_of("pressure_MPa") >= 0 && cells.place_of("conductance") >= 0) {
+        if (!(conductance_to_stiffness > 0))
+            throw InputError(
+                file.string() +
+                    ": a conductance given, expected a resistivity with it: C = 2 K/(E* resistivity)",
+                "resistivity");
+        x = cells.place_of("pressure_MPa"), y = cells.place_of("conductance");
+        factor = conductance_to_stiffness;
+    }
+    const int lower = cells.place_of("lower"), upper = cells.place_of("upper");
+    const std::size_t known = (x >= 0) + (y >= 0) + (lower >= 0) + (upper >= 0);
+    if (x < 0 || y < 0 || known != cells.header.size() || (lower >= 0) != (upper >= 0)) {
+        throw InputError(file.string() + ": columns \"" + cells.header_text() + "\" given, " +
+                         expected_columns);
+    }
+    target.x = cells.column(x);
+    target.y = cells.column(y, factor);
+    if (lower >= 0) {
+        target.lower = cells.column(lower, factor);
+        target.upper = cells.column(upper, factor);
+    }
     validate(target);
     return target;
+}
+
+std::string to_csv(const Target& target) {
+    std::ostringstream out;
+    out.precision(17);
+    for (const auto& [key, value] : target.recorded)
+        out << "# " << key << ": " << value << "\n";
+    const Columns columns = columns_of(target.quantity);
+    out << columns.x << "," << columns.y << (target.has_band() ? ",lower,upper" : "") << "\n";
+    for (Index k = 0; k < target.points(); ++k) {
+        out << target.x[k] << "," << target.y[k];
+        if (target.has_band())
+            out << "," << target.lower[k] << "," << target.upper[k];
+        out << "\n";
+    }
+    return out.str();
+}
+
+Curve curve_of(Quantity quantity, const Response& response) {
+    switch (quantity) {
+    case Quantity::stiffness:
+        return secant_stiffness(response);
+    case Quantity::area_at_pressure:
+        return area_against_pressure(response);
+    case Quantity::area_at_displacement:
+        return area_against_displacement(response);
+    case Quantity::load_at_displacement:
+        return load_against_displacement(response);
+    }
+    throw InputError("quantity: unknown");
 }
 
 } // namespace rough

@@ -1,28 +1,70 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "domain/response/curve.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace rough {
 
-/// A stiffness curve that is asked for.
-struct Target {
-    std::string name;          ///< where it came from
-    Eigen::VectorXd pressure;  ///< xi_k, MPa, > 0, increasing
-    Eigen::VectorXd stiffness; ///< y_k, MPa/mm, > 0
-
-    Eigen::Index points() const { return pressure.size(); }            ///< how many
-    double highest_pressure() const { return pressure[points() - 1]; } ///< MPa
+/// What a target curve is of, and against what.
+enum class Quantity {
+    stiffness,            ///< K (MPa/mm) against mean pressure (MPa)
+    area_at_pressure,     ///< contact fraction against mean pressure (MPa)
+    area_at_displacement, ///< contact fraction against displacement from the highest point (mm)
+    load_at_displacement, ///< mean pressure (MPa) against displacement (mm)
 };
 
-/// Throws InputError that names the row (1-based) and value: no points, or zero, negative, non-finite,
-/// unsorted or duplicate pressures, or stiffness not greater than zero.
+/// Whether it is of contact fractions.
+inline bool is_area(Quantity quantity) {
+    return quantity == Quantity::area_at_pressure || quantity == Quantity::area_at_displacement;
+}
+/// Whether it is against a mean pressure (MPa), not a displacement (mm).
+inline bool against_pressure(Quantity quantity) {
+    return quantity == Quantity::stiffness || quantity == Quantity::area_at_pressure;
+}
+
+/// One curve that is asked for, with how much it counts and, where given, the band that satisfies it.
+struct Target {
+    Quantity quantity = Quantity::stiffness; ///< what the curve is of
+    std::string name;                        ///< where it came from
+    Eigen::VectorXd x;                       ///< points in the quantity's units, > 0 and increasing
+    Eigen::VectorXd y;                       ///< the same many, > 0
+    Eigen::VectorXd lower;                   ///< band about y, or empty
+    Eigen::VectorXd upper;                   ///< band about y, or empty
+    double weight = 1;                       ///< (0, 1]: a misfit counts so much
+    std::map<std::string, std::string>
+        recorded; ///< "kernel", "datum_mm", ...: what the file says of its model
+
+    Index points() const { return x.size(); }       ///< how many
+    double last() const { return x[points() - 1]; } ///< the largest x
+    /// Whether x is a mean pressure (MPa), not a displacement (mm).
+    bool against_pressure() const { return rough::against_pressure(quantity); }
+    bool has_band() const { return lower.size() > 0; } ///< whether a band is given
+};
+
+/// The columns of a quantity's file, e.g. "pressure_MPa" and "stiffness_MPa_per_mm".
+struct Columns {
+    const char* x; ///< what it is given against
+    const char* y; ///< what is asked for
+};
+/// As target files head them.
+Columns columns_of(Quantity quantity);
+
+/// Throws InputError that names the row (1-based) and value: no points; x not increasing from above 0; y not
+/// above 0 (contact fractions: nor above 1); a band that does not hold y.
 void validate(const Target& target);
 
-/// Reads a CSV with the columns pressure_MPa,stiffness_MPa_per_mm, header first. Throws InputError with file
-/// and line.
-Target read_target(const std::filesystem::path& file);
+/// Reads a target: CSV, header first, any columns order; `#` lines before the header record the model as
+/// "# key: value". The column `conductance` stands for K by C = 2 K/(E* resistivities) (Barber 2003), where
+/// `conductance_to_stiffness` is E* resistivities/2; 0 refuses it. Throws InputError with file and line.
+Target read_target(const std::filesystem::path& file, double conductance_to_stiffness = 0);
+
+/// The target as a file: the recorded lines, the header, a row a point with 17 digits.
+std::string to_csv(const Target& target);
+
+/// The curve of a response that a target of that quantity is compared with.
+Curve curve_of(Quantity quantity, const Response& response);
 
 } // namespace rough

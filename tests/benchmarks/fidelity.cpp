@@ -25,7 +25,7 @@ struct Ran {
 };
 
 /// The least of three, as other work on the machine only ever adds.
-Ran run(const ga::Stage<RescaledProblem>& pipeline, const RescaledProblem& problem,
+Ran run(const ga::Stage<DesignProblem>& pipeline, const DesignProblem& problem,
         const std::vector<Genome>& genomes, bool screening) {
     Ran best{{}, {}, 1e300};
     for (int round = 0; round < 3; ++round) {
@@ -53,10 +53,10 @@ int main(int count, char** words) {
     const auto genomes = sobol_database({.shortest = paper.grid.spacing()});
     const Vocabulary vocabulary{std::make_shared<DominanceRule>(model)};
     using namespace ga;
-    const Stage<RescaledProblem> database = score() | best(3);
-    const Stage<RescaledProblem> pairs = pair(score("low") | above(0.95, at_least(3)),
-                                              score("high") | above(0.95, at_least(3)), vocabulary.unite()) |
-                                         score() | best(3);
+    const Stage<DesignProblem> database = score() | best(3);
+    const Stage<DesignProblem> pairs = pair(score("low") | above(0.95, at_least(3)),
+                                            score("high") | above(0.95, at_least(3)), vocabulary.unite()) |
+                                       score() | best(3);
     const Outlook outlook =
         count > 2 && std::string_view(words[2]) == "foretold" ? Outlook::foretold : Outlook::proven;
     const auto targets = count > 3 ? testing::random_targets(20, static_cast<unsigned>(std::atol(words[3])))
@@ -65,7 +65,9 @@ int main(int count, char** words) {
         std::vector<double> gains, whole;
         int equal = 0;
         for (const Target& target : targets) {
-            const RescaledProblem problem(model, target, 1.6e-4, 0.8e-4, nullptr, {}, outlook);
+            DesignSetup setup = paper_setup(model, target, 1.6e-4, 0.8e-4);
+            setup.outlook = outlook;
+            const DesignProblem problem(setup);
             const Ran fine = run(pipeline, problem, genomes, false);
             const Ran quick = run(pipeline, problem, genomes, true);
             equal += same(fine.survivors, quick.survivors);

@@ -7,9 +7,9 @@
 #include "domain/accuracy/respond.hpp"
 #include "domain/database/build.hpp"
 #include "domain/database/starts.hpp"
-#include "domain/design/problem.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/paper/variants.hpp"
+#include "domain/problem/problem.hpp"
 #include "domain/profile/fractal.hpp"
 #include "ga/stopwatch.hpp"
 #include "tests/benchmarks/measure.hpp"
@@ -21,46 +21,46 @@ using rough::testing::median;
 
 namespace {
 
-Goal answer_of(const Profile& profile, const Model& model, const std::string& name) {
+Target answer_of(const Profile& profile, const Model& model, const std::string& name) {
     const Curve curve = secant_stiffness(respond(profile, model.body, model.loading));
-    Goal goal;
-    goal.name = name;
-    goal.x = Eigen::VectorXd::LinSpaced(20, curve.to / 20, curve.to);
-    goal.y = goal.x.unaryExpr([&](double pressure) { return curve.at(pressure); });
-    return goal;
+    Target target;
+    target.name = name;
+    target.x = Eigen::VectorXd::LinSpaced(20, curve.to / 20, curve.to);
+    target.y = target.x.unaryExpr([&](double pressure) { return curve.at(pressure); });
+    return target;
 }
 
 /// Twelve unseen genomes of two series, six fractal profiles that are no MWM series, and the paper's kind of
 /// curve.
-std::vector<Goal> targets(const DatabaseSetup& setup) {
-    std::vector<Goal> goals;
+std::vector<Target> targets(const DatabaseSetup& setup) {
+    std::vector<Target> targets;
     GenomeLaw law = setup.law;
     law.series = 2;
     law.seed = 987654321;
     for (std::uint64_t i = 0; i < 12; ++i)
-        goals.push_back(
+        targets.push_back(
             answer_of(sample(drawn(law, i), setup.model.grid), setup.model, "genome " + std::to_string(i)));
     for (int i = 0; i < 6; ++i)
-        goals.push_back(answer_of(
+        targets.push_back(answer_of(
             fractal_profile(setup.model.grid, 0.5 + 0.08 * i, 1e-3, 100 + static_cast<std::uint64_t>(i)),
             setup.model, "fractal " + std::to_string(i)));
     for (const char* name : {"target_paper", "target_heldout"}) {
-        goals.push_back(read_goal(std::string(RUGOSA_TEST_DATA) + "/" + name + ".csv"));
-        goals.back().name = name;
+        targets.push_back(read_target(std::string(RUGOSA_TEST_DATA) + "/" + name + ".csv"));
+        targets.back().name = name;
     }
-    return goals;
+    return targets;
 }
 
 struct Reached {
     double screened, similarity, refined, seconds;
 };
 
-Reached in_line(const char* file, const Goal& goal, double seconds) {
+Reached in_line(const char* file, const Target& target, double seconds) {
     const ga::Stopwatch clock;
     const GenomeStore store = GenomeStore::open(file);
     DesignSetup setup;
     setup.model = store.setup().model;
-    setup.goals = {goal};
+    setup.targets = {target};
     setup.limits.shortest_wave = store.setup().law.shortest;
     const auto genomes = stored_starts(store, setup, 8);
     const DesignProblem problem(setup);
@@ -75,10 +75,9 @@ Reached in_line(const char* file, const Goal& goal, double seconds) {
 }
 
 /// The best that a variant of the paper reaches from its own hundred genomes.
-double by_variant(const char* name, const Goal& goal, const Model& model) {
-    const Target target{goal.name, goal.x, goal.y};
-    const double highest = target.highest_pressure();
-    const RescaledProblem problem(model, target, highest, 0.5 * highest);
+double by_variant(const char* name, const Target& target, const Model& model) {
+    const double highest = target.last();
+    const DesignProblem problem(paper_setup(model, target, highest, 0.5 * highest));
     const Vocabulary words{std::make_shared<DominanceRule>(model)};
     const auto pipeline = name == std::string("sog")   ? sog(words)
                           : name == std::string("gco") ? gco(words)
@@ -101,14 +100,14 @@ int main(int count, char** arguments) {
     std::vector<double> screened, reached, refined, taken, sogs, gcos, ccos;
     std::printf("%-16s %9s %9s %9s %8s %8s %8s %8s\n", "target", "screened", "reached", "refined", "seconds",
                 "sog", "gco", "cco");
-    for (const Goal& goal : targets(setup)) {
-        const Reached r = in_line(file, goal, seconds);
+    for (const Target& target : targets(setup)) {
+        const Reached r = in_line(file, target, seconds);
         screened.push_back(r.screened), reached.push_back(r.similarity), refined.push_back(r.refined);
         taken.push_back(r.seconds);
-        sogs.push_back(by_variant("sog", goal, setup.model));
-        gcos.push_back(by_variant("gco", goal, setup.model));
-        ccos.push_back(by_variant("cco", goal, setup.model));
-        std::printf("%-16s %9.4f %9.4f %9.4f %8.3f %8.4f %8.4f %8.4f\n", goal.name.c_str(), r.screened,
+        sogs.push_back(by_variant("sog", target, setup.model));
+        gcos.push_back(by_variant("gco", target, setup.model));
+        ccos.push_back(by_variant("cco", target, setup.model));
+        std::printf("%-16s %9.4f %9.4f %9.4f %8.3f %8.4f %8.4f %8.4f\n", target.name.c_str(), r.screened,
                     r.similarity, r.refined, r.seconds, sogs.back(), gcos.back(), ccos.back());
     }
     std::printf("%-16s %9.4f %9.4f %9.4f %8.3f %8.4f %8.4f %8.4f\n", "median", median(screened),

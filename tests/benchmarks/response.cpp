@@ -4,7 +4,6 @@
 
 #include "domain/accuracy/respond.hpp"
 #include "domain/mwm/sobol.hpp"
-#include "domain/paper/rescaled_problem.hpp"
 #include "ga/stopwatch.hpp"
 #include "tests/benchmarks/measure.hpp"
 

@@ -23,11 +23,10 @@ inline std::vector<Target> random_targets(int count, unsigned seed) {
         const Response response =
             respond(random_genome(random, 1 + i % 2, 1, paper.grid.length, shortest), paper);
         const Curve curve = stretched(secant_stiffness(response), highest / response.pressure.tail(1)[0]);
-        Target target{"random genome " + std::to_string(i + 1), Eigen::VectorXd(20), Eigen::VectorXd(20)};
-        for (Index k = 0; k < 20; ++k) {
-            target.pressure[k] = highest * static_cast<double>(k + 1) / 20;
-            target.stiffness[k] = curve.at(target.pressure[k]);
-        }
+        Target target;
+        target.name = "random genome " + std::to_string(i + 1);
+        target.x = Eigen::VectorXd::LinSpaced(20, highest / 20, highest);
+        target.y = target.x.unaryExpr([&](double p) { return curve.at(p); });
         targets.push_back(target);
     }
     return targets;

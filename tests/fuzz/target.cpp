@@ -1,4 +1,5 @@
-#include "domain/target/goal.hpp"
+#include "domain/target/target.hpp"
+
 #include "tests/fuzz/reader.hpp"
 
-FUZZ(target) { rough::read_goal(fuzz::as_file(bytes), 1); }
+FUZZ(target) { rough::read_target(fuzz::as_file(bytes), 1); }

@@ -5,6 +5,7 @@
 #include "domain/database/screen.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
+#include "domain/target/similarity.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/stopwatch.hpp"
 
@@ -40,7 +41,7 @@ void expect_set_up(const rough::GenomeStore& store, const Settings& settings) {
 
 /// The match's similarity at 4(N-1)+1 nodes; Eq. 11 anew where it applies.
 double refined_similarity(const rough::Genome& genome, const rough::Match& match, const rough::Model& model,
-                          const rough::Goal& goal, double max_pressure) {
+                          const rough::Target& goal, double max_pressure) {
     const rough::Response response = respond(genome, refined(model, 4));
     const double factor =
         max_pressure > 0 ? max_pressure / response.pressure[response.steps() - 1] : match.scale;
@@ -70,7 +71,7 @@ int database_query(const Words& words) {
         options.max_pressure = settings.pressure("max-pressure");
     options.best = static_cast<std::size_t>(settings.whole("best", 1, 10000));
     options.threads = settings.threads("threads");
-    const rough::Goal goal = rough::read_goal(settings.text("target"));
+    const rough::Target goal = rough::read_target(settings.text("target"));
 
     const ga::Stopwatch clock;
     const rough::GenomeStore store = rough::GenomeStore::open(settings.text("file"));

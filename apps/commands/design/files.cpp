@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-json weighted_json(const rough::Goal& goal) {
+json weighted_json(const rough::Target& goal) {
     json result = target_json(goal);
     result["weight"] = goal.weight;
     return result;
@@ -67,10 +67,10 @@ json design_json(const DesignRun& run) {
                                run.searched.model,
                                loaded_models(run.searched),
                                run.setup.max_pressure,
-                               run.setup.goals.front(),
+                               run.setup.targets.front(),
                                {variant}});
-    result["target"] = weighted_json(run.setup.goals.front());
-    for (const rough::Goal& goal : run.setup.goals)
+    result["target"] = weighted_json(run.setup.targets.front());
+    for (const rough::Target& goal : run.setup.targets)
         result["targets"].push_back(weighted_json(goal));
     result["verdict"] = run.verdict;
     result["interrupted"] = run.interrupted;

@@ -3,6 +3,7 @@
 #include "apps/report/page.hpp"
 #include "apps/report/units.hpp"
 #include "domain/contact/names.hpp"
+#include "domain/target/similarity.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -16,7 +17,7 @@ struct Shown {
     Unit unit;        ///< of x
 };
 
-Shown shown_as(const rough::Goal& goal) {
+Shown shown_as(const rough::Target& goal) {
     const bool by_pressure = goal.against_pressure();
     const Unit unit = by_pressure ? pressure_unit(goal.last()) : length_unit(goal.last());
     const std::string x =
@@ -32,7 +33,7 @@ Shown shown_as(const rough::Goal& goal) {
 }
 
 Plot goal_plot(const DesignRun& run, std::size_t g) {
-    const rough::Goal& goal = run.setup.goals[g];
+    const rough::Target& goal = run.setup.targets[g];
     const Shown shown = shown_as(goal);
     Plot plot;
     plot.alt = shown.y + " that was asked for and that the answer gives, on both grids";
@@ -42,8 +43,7 @@ Plot goal_plot(const DesignRun& run, std::size_t g) {
     for (const auto& [refine, label, dash] :
          {std::tuple(1, "answer", Dash::solid), std::tuple(4, "on a grid four times finer", Dash::dashed)}) {
         const auto response = respond(run.setup, run.found.best.genome, refined(run.setup.model, refine));
-        const rough::Curve curve =
-            to_its_end(curve_of(goal.quantity, response.responses[response.of_goal[g]]));
+        const rough::Curve curve = to_its_end(response.curves[g]);
         plot.series.push_back({label, shown.unit.factor * curve.x, curve.y,
                                refine == 1 ? Colour::blue : Colour::orange, Style::line, 2, dash});
     }
@@ -56,7 +56,7 @@ Plot goal_plot(const DesignRun& run, std::size_t g) {
 }
 
 Plot misfit_plot(const DesignRun& run, std::size_t g) {
-    const rough::Goal& goal = run.setup.goals[g];
+    const rough::Target& goal = run.setup.targets[g];
     const Shown shown = shown_as(goal);
     Plot plot;
     plot.alt = "How far the answer is off at each point of the target, in percent";
@@ -66,10 +66,9 @@ Plot misfit_plot(const DesignRun& run, std::size_t g) {
     plot.guides = {{0, true}};
     for (const int refine : {1, 4}) {
         const auto response = respond(run.setup, run.found.best.genome, refined(run.setup.model, refine));
-        plot.series.push_back(
-            {refine == 1 ? "answer" : "on a grid four times finer", shown.unit.factor * goal.x,
-             100 * misfit(goal, curve_of(goal.quantity, response.responses[response.of_goal[g]])),
-             refine == 1 ? Colour::blue : Colour::orange, Style::line_points, 1.5});
+        plot.series.push_back({refine == 1 ? "answer" : "on a grid four times finer",
+                               shown.unit.factor * goal.x, 100 * misfit(goal, response.curves[g]),
+                               refine == 1 ? Colour::blue : Colour::orange, Style::line_points, 1.5});
     }
     return plot;
 }
@@ -116,7 +115,7 @@ Plot profile_plot(const DesignRun& run) {
 
 void add_answer(Page& page, const DesignRun& run) {
     page.section("The answer");
-    for (std::size_t g = 0; g < run.setup.goals.size(); ++g)
+    for (std::size_t g = 0; g < run.setup.targets.size(); ++g)
         page.figure(
             {"goal-" + std::to_string(g + 1),
              "Figure " + std::to_string(g + 1) + ". Asked and found.",
@@ -148,8 +147,8 @@ Plot front_plot(const DesignRun& run) {
     Plot plot;
     plot.alt = "Similarity to the second target against that to the first, of the genomes that no other is "
                "better than in both";
-    plot.x = {"Similarity to " + run.setup.goals[0].name};
-    plot.y = {"Similarity to " + run.setup.goals[1].name};
+    plot.x = {"Similarity to " + run.setup.targets[0].name};
+    plot.y = {"Similarity to " + run.setup.targets[1].name};
     plot.series = {{"front", column(&rough::Compromise::similarity, 0),
                     column(&rough::Compromise::similarity, 1), Colour::blue, Style::line_points, 2},
                    {"on a grid four times finer", column(&rough::Compromise::similarity_refined, 0),
@@ -175,7 +174,7 @@ void add_alternatives(Page& page, const DesignRun& run) {
                "better one of as they are and one of them mirrored; answers that differ by " +
                readable(rough::different) + " or more are listed.");
     Figure surfaces{"profiles",
-                    "Figure " + std::to_string(run.setup.goals.size() + 1) + ". The surfaces.",
+                    "Figure " + std::to_string(run.setup.targets.size() + 1) + ". The surfaces.",
                     "Heights under the highest point of each.",
                     {profile_plot(run)}};
     if (run.trust_options.like) {

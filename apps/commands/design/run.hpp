@@ -1,9 +1,9 @@
 #pragma once
 
 #include "apps/report/record.hpp"
-#include "domain/design/out_of_reach.hpp"
 #include "domain/design/search.hpp"
 #include "domain/design/trust.hpp"
+#include "domain/target/out_of_reach.hpp"
 
 #include <optional>
 #include <string>

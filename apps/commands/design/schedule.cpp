@@ -48,7 +48,7 @@ Schedule::Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& 
     trust_ = longer * (6 * both_ + 60 * coarse) / threads_;
     if (pictures && limit >= 5) {
         Plot target;
-        target.series.push_back({"", setup.goals[0].x, setup.goals[0].y, Colour::text, Style::points, 2});
+        target.series.push_back({"", setup.targets[0].x, setup.targets[0].y, Colour::text, Style::points, 2});
         page_ = 4 * seconds_of(0, [&] { draw({target}, "plot", look); }) + longer * 2 * both_;
     }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/design/problem.hpp"
+#include "domain/problem/problem.hpp"
 #include "ga/stopwatch.hpp"
 
 #include <algorithm>

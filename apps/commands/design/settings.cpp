@@ -5,8 +5,8 @@
 #include "apps/prompt/scan_settings.hpp"
 #include "apps/report/units.hpp"
 #include "domain/database/starts.hpp"
-#include "domain/design/defaults.hpp"
 #include "domain/errors.hpp"
+#include "domain/problem/setup.hpp"
 #include "domain/target/like.hpp"
 #include "domain/text/words.hpp"
 
@@ -22,8 +22,8 @@ constexpr double worth_the_name = 0.99;
 /// A target whose exact bound is below this is called out of reach, where --reach-similarity is not given.
 constexpr double exact_enough = 0.999;
 
-std::vector<rough::Goal> goals_from(const Settings& settings, const rough::Model& model) {
-    std::vector<rough::Goal> goals;
+std::vector<rough::Target> goals_from(const Settings& settings, const rough::Model& model) {
+    std::vector<rough::Target> goals;
     for (const std::string& file : rough::listed(settings.text("target")))
         goals.push_back(goal_from(settings, file, model));
     if (settings.has("weights")) {
@@ -39,7 +39,7 @@ std::vector<rough::Goal> goals_from(const Settings& settings, const rough::Model
                                         " given, expected numbers greater than 0");
             largest = std::max(largest, goals[i].weight);
         }
-        for (rough::Goal& goal : goals)
+        for (rough::Target& goal : goals)
             goal.weight /= largest;
     }
     return goals;
@@ -136,15 +136,15 @@ DesignRun design_from(const Settings& settings) {
         run.trust_options.like = scan.on(own.grid);
         setup.model = own;
         setup.model.grid.nodes = nodes_from(settings, rough::Grid().nodes);
-        setup.goals = {goal_like(*run.trust_options.like, own, scan.name, rough::Quantity::stiffness,
-                                 settings.whole("points", 2, 100000), setup.max_pressure.value_or(0))};
+        setup.targets = {target_like(*run.trust_options.like, own, scan.name, rough::Quantity::stiffness,
+                                     settings.whole("points", 2, 100000), setup.max_pressure.value_or(0))};
     } else {
         expect_none(settings, joined({scan_settings(), {{"points", "", ""}}}),
                     "given with --target, expected with --like only");
         setup.model = model_from(settings);
-        setup.goals = goals_from(settings, setup.model);
+        setup.targets = goals_from(settings, setup.model);
     }
-    for (const rough::Goal& goal : setup.goals)
+    for (const rough::Target& goal : setup.targets)
         if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
             throw rough::InputError("--max-pressure: " + settings.text("max-pressure") +
                                     " MPa given, expected at least the last pressure of " + goal.name + ", " +
@@ -192,7 +192,7 @@ DesignRun design_from(const Settings& settings) {
                                std::to_string(options.starts.size()));
     }
 
-    run.out_of_reach = rough::out_of_reach(setup);
+    run.out_of_reach = rough::out_of_reach(setup.targets, setup.model, setup.max_pressure);
     for (const auto& reason : run.out_of_reach)
         run.bound = std::min(run.bound, reason.bound);
     if (run.bound >= options.reach.value_or(exact_enough))

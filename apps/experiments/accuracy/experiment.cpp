@@ -58,7 +58,7 @@ class AccuracyStudy {
         run_.origin = conditions.origin;
         rough::DesignSetup& setup = run_.setup;
         setup.model = model_;
-        setup.goals = {rough::read_goal(target_files(settings_, "targets.files").front())};
+        setup.targets = {rough::read_target(target_files(settings_, "targets.files").front())};
         setup.max_pressure = max_pressure();
     }
 
@@ -121,11 +121,12 @@ class AccuracyStudy {
                 rough::Model model = rough::exactly(model_);
                 model.grid.nodes = std::lround(nodes);
                 const rough::Target target = rough::read_target(file);
-                const rough::RescaledProblem problem(model, target, max_pressure(), 0.5 * max_pressure());
+                const rough::DesignProblem problem(
+                    paper_setup(model, target, max_pressure(), 0.5 * max_pressure()));
                 const rough::Vocabulary words{std::make_shared<rough::DominanceRule>(model)};
                 using namespace ga;
-                const rough::PaperPipeline front = score() | best(3);
-                const rough::PaperPipeline pairing =
+                const rough::Pipeline front = score() | best(3);
+                const rough::Pipeline pairing =
                     pair(score("low") | above(0.95, at_least(3)), score("high") | above(0.95, at_least(3)),
                          words.unite()) |
                     score() | best(3);
@@ -135,10 +136,10 @@ class AccuracyStudy {
             }
     }
 
-    SearchRow compared(SearchRow row, const rough::PaperPipeline& pipeline,
-                       const rough::RescaledProblem& problem) const {
-        const auto genomes =
-            rough::sobol_database({.lambda = problem.model().grid.length, .shortest = model_.grid.spacing()});
+    SearchRow compared(SearchRow row, const rough::Pipeline& pipeline,
+                       const rough::DesignProblem& problem) const {
+        const auto genomes = rough::sobol_database(
+            {.lambda = problem.setup().model.grid.length, .shortest = model_.grid.spacing()});
         ga::Result<rough::Genome> whole, screened;
         const auto searched = [&](bool screening) {
             return ga::run(pipeline, problem, ga::population(genomes),

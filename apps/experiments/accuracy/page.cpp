@@ -111,7 +111,7 @@ void add_budget(Page& page, const AccuracyRun& run) {
     if (run.design.name.empty())
         return;
     page.section("The error budget of a designed surface");
-    page.prose("The surface was designed for the target " + run.setup.goals.front().name +
+    page.prose("The surface was designed for the target " + run.setup.targets.front().name +
                "; each row says by how much its K(p) moves at the target's points, relative and at most, "
                "when one thing is changed and Eq. 11 applied anew.");
     Table table{"", {"Kind", "Source", "Size"}, {}, {false, false, true}};

@@ -37,7 +37,8 @@ Csv budget_table(const AccuracyRun& run) {
 
 void write_accuracy_study(const AccuracyRun& run, const std::filesystem::path& folder) {
     const rough::DesignSetup& setup = run.setup;
-    Record record{run.origin, setup.model, loaded_models(setup), setup.max_pressure, setup.goals.front(), {}};
+    Record record{run.origin,         setup.model,           loaded_models(setup),
+                  setup.max_pressure, setup.targets.front(), {}};
     if (!run.design.name.empty())
         record.variants.push_back(run.design);
     nlohmann::json result = result_json(record);

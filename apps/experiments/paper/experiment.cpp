@@ -6,8 +6,9 @@
 #include "apps/report/recorder.hpp"
 #include "apps/report/result.hpp"
 #include "domain/errors.hpp"
-#include "domain/paper/stored.hpp"
 #include "domain/paper/variants.hpp"
+#include "domain/problem/stored.hpp"
+#include "domain/target/similarity.hpp"
 #include "domain/text/json.hpp"
 #include "ga/checkpoint.hpp"
 #include "ga/observers/log.hpp"
@@ -21,12 +22,12 @@ namespace app {
 
 namespace {
 
+using rough::DesignProblem;
 using rough::DominanceRule;
-using rough::RescaledProblem;
 
 struct Variant {
     std::string name;
-    rough::PaperPipeline pipeline;
+    rough::Pipeline pipeline;
 };
 
 /// How far refinement moves a phase.
@@ -59,10 +60,9 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
         texts[name] = settings.text("variants." + name);
     }
     for (const auto& name : own)
-        variants.push_back(
-            {name, read_at(settings, "variants." + name, [&] {
-                 return ga::Parser<RescaledProblem>(paper_registry(words), texts).variant(name);
-             })});
+        variants.push_back({name, read_at(settings, "variants." + name, [&] {
+                                return ga::Parser<DesignProblem>(paper_registry(words), texts).variant(name);
+                            })});
     return variants;
 }
 
@@ -85,17 +85,14 @@ class Paper {
     }
 
     void design(TargetRun& target) {
-        const RescaledProblem problem(
-            run_.searched, target.target, run_.max_pressure, target.p_bar, nullptr, {},
-            fidelity_ == estimated ? rough::Outlook::foretold : rough::Outlook::proven);
+        rough::DesignSetup setup = setup_for(target, target.p_bar);
+        setup.outlook = fidelity_ == estimated ? rough::Outlook::foretold : rough::Outlook::proven;
+        const DesignProblem problem(setup);
+        const auto low = points_of_half(setup, false), high = points_of_half(setup, true);
         for (const Answered& one : run_.database) {
-            const rough::Curve curve = secant_stiffness(one.response);
-            const auto points = [&](double from, double to) {
-                return points_within(target.target, {from, to});
-            };
+            const Eigen::VectorXd misfits = misfit(target.target, secant_stiffness(one.response));
             target.database.push_back(
-                {similarity(target.target, curve), similarity(target.target, curve, points(0, target.p_bar)),
-                 similarity(target.target, curve, points(target.p_bar, run_.max_pressure))});
+                {similarity(misfits), similarity(misfits(low)), similarity(misfits(high))});
         }
         for (const Variant& variant : variants_) {
             if (conditions_.stop)
@@ -103,7 +100,7 @@ class Paper {
             conditions_.progress.show(target.title + ": " + variant.name);
             if (auto run = read_at(settings_, "variants." + variant.name,
                                    [&] { return run_kept(variant, problem, target.title); })) {
-                run->similarity_refined = similarity(problem, run->answer.genome, 4);
+                run->similarity_refined = similarity(as_reported(setup), run->answer.genome, 4);
                 target.variants.push_back(std::move(*run));
             }
         }
@@ -120,8 +117,7 @@ class Paper {
             const double fraction =
                 count > 1 ? from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1)
                           : from;
-            const RescaledProblem problem(run_.searched, target.target, run_.max_pressure,
-                                          fraction * run_.max_pressure, memory_);
+            const DesignProblem problem(setup_for(target, fraction * run_.max_pressure), memory_);
             for (const std::size_t cross_over : {1, 2}) {
                 if (conditions_.stop)
                     return;
@@ -135,15 +131,19 @@ class Paper {
     }
 
   private:
+    rough::DesignSetup setup_for(const TargetRun& target, double p_bar) const {
+        return paper_setup(run_.searched, target.target, run_.max_pressure, p_bar, reach_from(settings_));
+    }
+
     rough::Vocabulary words_by(rough::DominanceReading reading) const {
         return {std::make_shared<DominanceRule>(run_.searched, reading), reach_from(settings_)};
     }
 
     using Run = ga::Result<rough::Genome>;
 
-    Run run_pipeline(const Variant& variant, const RescaledProblem& problem,
+    Run run_pipeline(const Variant& variant, const DesignProblem& problem,
                      const std::vector<ga::Observer<rough::Genome>>& observers,
-                     ga::Keeper<RescaledProblem>* keeper = nullptr, bool screening = false) const {
+                     ga::Keeper<DesignProblem>* keeper = nullptr, bool screening = false) const {
         ga::RunOptions options;
         options.variant = variant.name;
         options.seed = run_.origin.seed;
@@ -154,22 +154,23 @@ class Paper {
     }
 
     /// Nothing when it was stopped before a genome was scored.
-    std::optional<VariantRun> run_variant(const Variant& variant, const RescaledProblem& problem) const {
+    std::optional<VariantRun> run_variant(const Variant& variant, const DesignProblem& problem) const {
         std::vector<StageRecord> stages;
         const Run result = run_pipeline(variant, problem, {recorder(stages)});
         return told(variant, problem, result, std::move(stages));
     }
 
     /// The same with a checkpoint and a log of every stage in the run's folder.
-    std::optional<VariantRun> run_kept(const Variant& variant, const RescaledProblem& problem,
+    std::optional<VariantRun> run_kept(const Variant& variant, const DesignProblem& problem,
                                        const std::string& title) const {
         const std::string name = title + "-" + variant.name;
         for (const char* folder : {"checkpoints", "log"})
             std::filesystem::create_directories(conditions_.folder / folder);
         std::vector<StageRecord> stages;
         ga::Log log(conditions_.folder / "log" / (name + ".csv"));
-        ga::Checkpoints<RescaledProblem> checkpoints(conditions_.folder / "checkpoints" / (name + ".cbor"),
-                                                     description(problem), conditions_.resume);
+        ga::Checkpoints<DesignProblem> checkpoints(conditions_.folder / "checkpoints" / (name + ".cbor"),
+                                                   rough::json_text(description(problem.setup()), true),
+                                                   conditions_.resume);
         checkpoints.keep("stages", stages);
         checkpoints.keep("log", log.position);
         const Run result = run_pipeline(variant, problem, {recorder(stages), log.observer(problem)},
@@ -183,15 +184,7 @@ class Paper {
         return run;
     }
 
-    /// What decides a variant's result beside its pipeline, seed and start.
-    static std::string description(const RescaledProblem& problem) {
-        nlohmann::json settings = model_json(problem.model());
-        settings["target"] = target_json(goal_of(problem.target()));
-        settings["max_pressure_MPa"] = problem.max_pressure();
-        return rough::json_text(settings, true);
-    }
-
-    std::optional<VariantRun> told(const Variant& variant, const RescaledProblem& problem, const Run& result,
+    std::optional<VariantRun> told(const Variant& variant, const DesignProblem& problem, const Run& result,
                                    std::vector<StageRecord> stages) const {
         if (result.population.empty())
             return std::nullopt;
@@ -200,9 +193,9 @@ class Paper {
         run.stages = std::move(stages);
         run.seconds = result.seconds;
         run.notes = result.notes;
-        run.answer.genome = in_final_form(problem, result.population.front().genome);
+        run.answer.genome = in_final_form(problem.setup(), result.population.front().genome);
         run.answer.response = respond(run.answer.genome, run_.model);
-        run.similarity = similarity(problem, run.answer.genome);
+        run.similarity = similarity(as_reported(problem.setup()), run.answer.genome);
         run.curves = result.counters.evaluations;
         run.gradients = result.counters.gradients;
         return run;

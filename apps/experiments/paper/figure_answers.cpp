@@ -32,8 +32,8 @@ Figure answers_figure(const PaperRun& run) {
                   {}};
     for (const TargetRun& target : run.targets) {
         Plot stiffness = response_plot(run, target, "Stiffness K (MPa/mm)", rough::secant_stiffness);
-        stiffness.series.push_back({"target", pressure_unit(run.max_pressure).factor * target.target.pressure,
-                                    target.target.stiffness, Colour::text, Style::points, 2});
+        stiffness.series.push_back({"target", pressure_unit(run.max_pressure).factor * target.target.x,
+                                    target.target.y, Colour::text, Style::points, 2});
         figure.panels.push_back(stiffness);
         figure.panels.push_back(
             response_plot(run, target, "Contact fraction A", rough::area_against_pressure));

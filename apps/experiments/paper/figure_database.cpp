@@ -7,8 +7,7 @@ namespace app {
 namespace {
 
 Series target_points(const rough::Target& target, double factor) {
-    return {
-        "target, " + target.name, factor * target.pressure, target.stiffness, Colour::text, Style::points, 2};
+    return {"target, " + target.name, factor * target.x, target.y, Colour::text, Style::points, 2};
 }
 
 Axis pressure_axis(const PaperRun& run) {

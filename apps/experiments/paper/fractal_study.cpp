@@ -1,20 +1,15 @@
 #include "apps/experiments/paper/fractal_study.hpp"
 
-#include "domain/numerics/statistics.hpp"
-#include "domain/response/curve.hpp"
+#include "domain/paper/dominance.hpp"
 #include "ga/parallel.hpp"
 #include "ga/random.hpp"
-
-#include <algorithm>
-#include <cmath>
 
 namespace app {
 
 namespace {
 
-constexpr double hurst = 0.8;      ///< of fracture surfaces (Bouchaud, Lapasset and Planes 1990)
-constexpr double rms = 1e-3;       ///< mm; a profile's K does not depend on its amplitude
-constexpr double threshold = 0.95; ///< of Algorithm 1
+constexpr double hurst = 0.8; ///< of fracture surfaces (Bouchaud, Lapasset and Planes 1990)
+constexpr double rms = 1e-3;  ///< mm; a profile's K does not depend on its amplitude
 
 FractalStudy study_of(const rough::Model& model, std::uint64_t seed) {
     const auto answer = [&](const rough::Profile& profile) {
@@ -24,22 +19,12 @@ FractalStudy study_of(const rough::Model& model, std::uint64_t seed) {
     study.whole = rough::fractal_profile(model.grid, hurst, rms, seed);
     study.whole_response = answer(study.whole);
     study.bands = rough::octave_bands(study.whole);
-    const rough::Curve whole = secant_stiffness(study.whole_response);
-    for (const rough::Band& band : study.bands) {
-        const rough::Curve alone = secant_stiffness(answer({band.heights, study.whole.spacing}));
-        Eigen::VectorXd held(whole.x.size());
-        for (Eigen::Index j = 0; j < held.size(); ++j)
-            held[j] = alone.held_at(whole.x[j]);
-        study.correlation.push_back(rough::pearson(whole.y, held));
-        study.dominant.push_back(study.correlation.back() > threshold);
-    }
-    if (std::find(study.dominant.begin(), study.dominant.end(), true) == study.dominant.end()) {
-        const auto best =
-            std::max_element(study.correlation.begin(), study.correlation.end(), [](double a, double b) {
-                return (std::isnan(a) ? -2 : a) < (std::isnan(b) ? -2 : b);
-            });
-        study.dominant[static_cast<std::size_t>(best - study.correlation.begin())] = true;
-    }
+    std::vector<std::optional<rough::Curve>> alone;
+    for (const rough::Band& band : study.bands)
+        alone.push_back(secant_stiffness(answer({band.heights, study.whole.spacing})));
+    const rough::DominantParts parts = dominant_parts(secant_stiffness(study.whole_response), alone);
+    study.correlation = parts.correlation;
+    study.dominant.assign(parts.dominant.begin(), parts.dominant.end());
     study.reduced = {Eigen::VectorXd::Zero(study.whole.nodes()), study.whole.spacing};
     for (std::size_t b = 0; b < study.bands.size(); ++b)
         if (study.dominant[b])

@@ -172,11 +172,11 @@ Claim trend(const PaperRun& run) {
         for (rough::Index k = 0; k < points; ++k) {
             double least = INFINITY, most = -INFINITY;
             for (const Answered& member : run.database) {
-                const double y = secant_stiffness(member.response).at(target.target.pressure[k]);
+                const double y = secant_stiffness(member.response).at(target.target.x[k]);
                 least = std::min(least, y);
                 most = std::max(most, y);
             }
-            inside += target.target.stiffness[k] >= least && target.target.stiffness[k] <= most;
+            inside += target.target.y[k] >= least && target.target.y[k] <= most;
         }
         measured += target.title + ": " + std::to_string(inside) + " of " + std::to_string(points) +
                     " points lie among the database's curves. ";

@@ -31,11 +31,22 @@ rough::DatabaseLayout layout_from(const Settings& settings, const rough::Model& 
 rough::Target target_of(const rough::Source& scan, const rough::Model& model, const std::string& name) {
     const rough::Response response = respond(scan.measured, model);
     const rough::Curve curve = secant_stiffness(response);
-    rough::Target target{name, Eigen::VectorXd(20), Eigen::VectorXd(20)};
-    for (rough::Index k = 0; k < 20; ++k) {
-        target.pressure[k] = curve.to * static_cast<double>(k + 1) / 20;
-        target.stiffness[k] = curve.at(target.pressure[k]);
-    }
+    rough::Target target;
+    target.name = name;
+    target.x.resize(20);
+    for (rough::Index k = 0; k < 20; ++k)
+        target.x[k] = curve.to * static_cast<double>(k + 1) / 20;
+    target.y = target.x.unaryExpr([&](double p) { return curve.at(p); });
+    return target;
+}
+
+/// The paper's targets are of K alone; what a file records of its model is held against none here.
+rough::Target stiffness_from(const std::string& file) {
+    rough::Target target = rough::read_target(file);
+    if (target.quantity != rough::Quantity::stiffness || target.has_band() || !target.recorded.empty())
+        throw rough::InputError(file +
+                                ": a target of another quantity, with a band or a recorded model given, "
+                                "expected pressure_MPa,stiffness_MPa_per_mm alone");
     return target;
 }
 
@@ -46,7 +57,7 @@ void take_measured_target(const Settings& settings, PaperRun& run) {
         run.searched.grid.nodes = 512;
     run.targets.push_back(
         {"measured", target_of(scan, run.searched, settings.text("target.profile")), 0, {}, {}, {}});
-    run.max_pressure = run.targets[0].target.highest_pressure();
+    run.max_pressure = run.targets[0].target.last();
 }
 
 void take_target_files(const Settings& settings, PaperRun& run) {
@@ -55,9 +66,9 @@ void take_target_files(const Settings& settings, PaperRun& run) {
                                 ": missing, expected a target (CSV), or target.profile, a measured profile");
     run.searched = model_from(settings, "model.");
     run.max_pressure = settings.pressure("paper.max-pressure");
-    run.targets.push_back({"drawn", rough::read_target(settings.path("target.file")), 0, {}, {}, {}});
+    run.targets.push_back({"drawn", stiffness_from(settings.path("target.file")), 0, {}, {}, {}});
     if (settings.has("heldout.file"))
-        run.targets.push_back({"held-out", rough::read_target(settings.path("heldout.file")), 0, {}, {}, {}});
+        run.targets.push_back({"held-out", stiffness_from(settings.path("heldout.file")), 0, {}, {}, {}});
 }
 
 } // namespace

@@ -55,24 +55,12 @@ void write_target_tables(const TargetRun& target, const std::filesystem::path& f
 
 } // namespace
 
-rough::Goal goal_of(const rough::Target& target) {
-    rough::Goal goal;
-    goal.name = target.name;
-    goal.x = target.pressure;
-    goal.y = target.stiffness;
-    return goal;
-}
-
 void write_paper(const PaperRun& run, const std::filesystem::path& folder) {
     for (const TargetRun& target : run.targets) {
         const auto place = &target == &run.targets.front() ? folder : subfolder(folder, "heldout");
         write_target_tables(target, place);
-        nlohmann::json result = result_json({run.origin,
-                                             run.searched,
-                                             {run.searched},
-                                             run.max_pressure,
-                                             goal_of(target.target),
-                                             target.variants});
+        nlohmann::json result = result_json(
+            {run.origin, run.searched, {run.searched}, run.max_pressure, target.target, target.variants});
         result["threshold_MPa"] = target.p_bar;
         write_json(place / "result.json", result);
     }

@@ -6,9 +6,6 @@
 
 namespace app {
 
-/// The target as result files tell it.
-rough::Goal goal_of(const rough::Target& target);
-
 /// Writes the run: genomes.csv (the database) and, for the first target to the folder and for the second to
 /// `heldout` in it, result.json, scores.csv, stages.csv, thresholds.csv and curves.csv (the answers'
 /// responses).

@@ -7,8 +7,8 @@
 #include "apps/report/output.hpp"
 #include "apps/report/recorder.hpp"
 #include "apps/report/result.hpp"
-#include "domain/design/defaults.hpp"
 #include "domain/numerics/statistics.hpp"
+#include "domain/problem/setup.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
 #include "ga/parallel.hpp"
@@ -30,8 +30,8 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
         RaceTarget target;
         target.setup.model = model_from(settings, "model.");
         target.setup.model.accuracy = accuracy_from(settings, "model.");
-        target.setup.goals = {rough::read_goal(path)};
-        target.setup.goals[0].name = path.stem().string();
+        target.setup.targets = {rough::read_target(path)};
+        target.setup.targets[0].name = path.stem().string();
         if (settings.has("targets.max-pressure"))
             target.setup.max_pressure = settings.pressure("targets.max-pressure");
         if (settings.has("targets.shortest-wave"))
@@ -41,7 +41,7 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
     }
     std::vector<std::string> names;
     for (const RaceTarget& target : targets)
-        names.push_back(target.setup.goals[0].name);
+        names.push_back(target.setup.targets[0].name);
     expect_distinct(names, {"result.json", "variants.csv", "report.html"}, settings.place("targets.files"));
     return targets;
 }
@@ -115,8 +115,8 @@ double median_when(const RaceVariant& variant, Reached reached) {
 
 json race_json(const Race& race, const RaceTarget& target) {
     const rough::DesignSetup& setup = target.setup;
-    Record record{race.origin,        setup.model,         loaded_models(setup),
-                  setup.max_pressure, setup.goals.front(), {}};
+    Record record{race.origin,        setup.model,           loaded_models(setup),
+                  setup.max_pressure, setup.targets.front(), {}};
     for (const RaceVariant& variant : target.variants)
         if (!variant.runs.empty())
             record.variants.push_back(variant.median_run().run);
@@ -191,7 +191,7 @@ Race raced(const Settings& settings, const Conditions& conditions) {
             const bool named = rough::design_variants().count(way) > 0;
             RaceVariant variant{name, way, {}};
             for (long i = 0; i < seeds && !conditions.stop; ++i) {
-                conditions.progress.show(target.setup.goals[0].name + ": " + name + ", run " +
+                conditions.progress.show(target.setup.targets[0].name + ": " + name + ", run " +
                                          std::to_string(i + 1) + " of " + std::to_string(seeds));
                 rough::SearchOptions options;
                 (named ? options.variant : options.pipeline) = way;
@@ -212,13 +212,13 @@ void write_race(const Race& race, const std::filesystem::path& folder) {
     Csv table("target,variant,seed,curves_and_gradients,seconds,similarity");
     for (const RaceTarget& target : race.targets) {
         const bool first = &target == &race.targets.front();
-        const auto place = first ? folder : subfolder(folder, target.setup.goals[0].name);
+        const auto place = first ? folder : subfolder(folder, target.setup.targets[0].name);
         write_json(place / "result.json", race_json(race, target));
         for (const RaceVariant& variant : target.variants)
             for (const RaceRun& run : variant.runs)
                 for (const Spent& spent : run.history)
-                    table.row(target.setup.goals[0].name, variant.name, run.seed, spent.asked, spent.seconds,
-                              spent.similarity);
+                    table.row(target.setup.targets[0].name, variant.name, run.seed, spent.asked,
+                              spent.seconds, spent.similarity);
     }
     rough::write_atomically(folder / "variants.csv", table.text());
 }

@@ -48,7 +48,7 @@ Plot shortfall_plot(const RaceTarget& target, const std::string& axis, double fr
 }
 
 void add_target(Page& page, const Race& race, const RaceTarget& target, std::size_t number) {
-    page.section("Target " + target.setup.goals[0].name);
+    page.section("Target " + target.setup.targets[0].name);
     double longest = 0.1;
     for (const auto& variant : target.variants)
         for (const auto& run : variant.runs)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/report/record.hpp"
-#include "domain/design/problem.hpp"
+#include "domain/problem/problem.hpp"
 
 #include <string>
 #include <vector>

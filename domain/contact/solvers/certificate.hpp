@@ -15,9 +15,9 @@ struct Certificate {
     double residual() const; ///< the largest of them
 };
 
-/// What a factor's residual may be, over the approach: 1e-9, or the bound of rounding where that is more, as it
-/// is near full contact. Cholesky's |H x - b| <= (3 m + 1) 2^-53 |L||L'||x| (Higham 2002, theorem 10.4), and
-/// |L||L'| <= h_0 entry by entry; p = L^-T (Delta z - v) with z'z = sum H_AA^-1 1 = `stiffness`, which
+/// What a factor's residual may be, over the approach: 1e-9, or the bound of rounding where that is more, as
+/// it is near full contact. Cholesky's |H x - b| <= (3 m + 1) 2^-53 |L||L'||x| (Higham 2002, theorem 10.4),
+/// and |L||L'| <= h_0 entry by entry; p = L^-T (Delta z - v) with z'z = sum H_AA^-1 1 = `stiffness`, which
 /// diverges as the last nodes touch, so that each of the two terms, all but cancelling, brings its own
 /// sqrt(h_0) |z| Delta.
 double direct_tolerance(const ContactProblem& problem, double approach, const Eigen::VectorXd& pressure,

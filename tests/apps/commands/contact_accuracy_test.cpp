@@ -1,6 +1,7 @@
-#include "domain/design/problem.hpp"
 #include "domain/mwm/genome_json.hpp"
-#include "domain/paper/rescaled_problem.hpp"
+#include "domain/paper/variants.hpp"
+#include "domain/problem/problem.hpp"
+#include "domain/target/similarity.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
@@ -45,10 +46,11 @@ TEST_CASE("an experiment within an accuracy says what it modelled, and its simil
     const json result = result_in(folder / "r/heldout");
     CHECK(result["accuracy"] == 0.01);
     CHECK(result["nodes"] == 1025);
-    rough::Target target{"again", Eigen::VectorXd(20), Eigen::VectorXd(20)};
+    rough::Target target;
+    target.x.resize(20), target.y.resize(20);
     for (rough::Index k = 0; k < 20; ++k) {
-        target.pressure[k] = result["target"]["points"][static_cast<std::size_t>(k)]["pressure_MPa"];
-        target.stiffness[k] = result["target"]["points"][static_cast<std::size_t>(k)]["stiffness_MPa_per_mm"];
+        target.x[k] = result["target"]["points"][static_cast<std::size_t>(k)]["pressure_MPa"];
+        target.y[k] = result["target"]["points"][static_cast<std::size_t>(k)]["stiffness_MPa_per_mm"];
     }
     bool coarser = false;
     for (const auto& [name, variant] : result["variants"].items()) {
@@ -75,7 +77,7 @@ TEST_CASE("a design within an accuracy says what it modelled, and its similariti
     const auto genome = rough::genome_from_json(variant["genome"], "genome");
     rough::DesignSetup setup;
     setup.model = model_of(result);
-    setup.goals = {rough::read_goal(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
+    setup.targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
     setup.max_pressure = 1.6e-4;
     CHECK(similarity(setup, genome) == Approx(variant["similarity"].get<double>()).margin(1e-9));
     CHECK(similarity(setup, genome, 4) == Approx(variant["similarity_refined"].get<double>()).margin(1e-9));

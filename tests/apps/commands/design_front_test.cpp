@@ -42,7 +42,7 @@ TEST_CASE("two targets give a front whose similarities follow from its genomes, 
     REQUIRE(front.size() > 1);
     rough::DesignSetup setup;
     setup.model.grid = {128, 0.84942, false};
-    setup.goals = {rough::read_goal(folder / "K.csv"), rough::read_goal(folder / "A.csv")};
+    setup.targets = {rough::read_target(folder / "K.csv"), rough::read_target(folder / "A.csv")};
     double best = -HUGE_VAL;
     for (const json& one : front) {
         const rough::Genome genome = rough::genome_from_json(one["genome"], "genome");

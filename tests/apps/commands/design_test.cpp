@@ -1,5 +1,5 @@
-#include "domain/design/problem.hpp"
 #include "domain/mwm/genome_json.hpp"
+#include "domain/problem/problem.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
@@ -24,7 +24,7 @@ rough::DesignSetup setup_of(const json& result) {
     setup.model.body.datum = result["datum_mm"];
     setup.model.loading.steps = result["steps"];
     setup.model.contact.solver = rough::Solver::nested;
-    setup.goals = {rough::read_goal(RUGOSA_TEST_DATA "/target_paper.csv")};
+    setup.targets = {rough::read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
     if (!result["max_pressure_MPa"].is_null())
         setup.max_pressure = result["max_pressure_MPa"].get<double>();
     return setup;

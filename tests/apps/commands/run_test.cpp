@@ -1,5 +1,6 @@
 #include "domain/mwm/genome_json.hpp"
-#include "domain/paper/rescaled_problem.hpp"
+#include "domain/paper/variants.hpp"
+#include "domain/target/similarity.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
@@ -40,11 +41,12 @@ TEST_CASE("the paper's experiment gives six variants on both targets, each simil
         model.grid = {result["nodes"], result["length_mm"], false};
         model.body.datum = result["datum_mm"];
         model.loading = {result["steps"], result["reach"]};
-        rough::Target target{"again", Eigen::VectorXd(20), Eigen::VectorXd(20)};
+        rough::Target target;
+        target.x.resize(20), target.y.resize(20);
         for (rough::Index k = 0; k < 20; ++k) {
             const json& point = result["target"]["points"][static_cast<std::size_t>(k)];
-            target.pressure[k] = point["pressure_MPa"];
-            target.stiffness[k] = point["stiffness_MPa_per_mm"];
+            target.x[k] = point["pressure_MPa"];
+            target.y[k] = point["stiffness_MPa_per_mm"];
         }
         for (const auto& [name, variant] : result["variants"].items()) {
             INFO(place << " " << name);
@@ -52,8 +54,8 @@ TEST_CASE("the paper's experiment gives six variants on both targets, each simil
             // The amplitude is in final form: no rescaling is needed on the run's own grid.
             CHECK(similarity(target, secant_stiffness(respond(genome, model))) ==
                   Approx(variant["similarity"].get<double>()).margin(1e-9));
-            const rough::RescaledProblem problem(model, target, result["max_pressure_MPa"], 8e-5);
-            CHECK(similarity(problem, genome, 4) ==
+            const auto setup = rough::paper_setup(model, target, result["max_pressure_MPa"], 8e-5);
+            CHECK(similarity(as_reported(setup), genome, 4) ==
                   Approx(variant["similarity_refined"].get<double>()).margin(1e-9));
             CHECK(variant["stages"].back()["candidates"].size() == 1);
             CHECK(variant["curves"].get<int>() >= 30);

@@ -1,6 +1,6 @@
 #include "apps/prompt/formula.hpp"
 #include "domain/errors.hpp"
-#include "domain/target/goal.hpp"
+#include "domain/target/target.hpp"
 #include "tests/apps/program.hpp"
 
 #include <catch2/catch.hpp>
@@ -43,7 +43,7 @@ TEST_CASE("a target made of a formula, a genome or a scan is read back with its 
             "target --formula '0.3 + 0.8 * sqrt(p / 1.6e-4)' --to 1.6e-4 --points 10 --band 0.02 --out f.csv",
             folder.path())
             .code == 0);
-    const rough::Goal made = rough::read_goal(folder / "f.csv");
+    const rough::Target made = rough::read_target(folder / "f.csv");
     CHECK(made.points() == 10);
     CHECK(made.y[9] == Approx(1.1));
     CHECK(made.upper[9] == Approx(1.122));
@@ -57,7 +57,7 @@ TEST_CASE("a target made of a formula, a genome or a scan is read back with its 
                                    folder.path());
         INFO(ended.err);
         REQUIRE(ended.code == 0); // what a profile answers is in reach
-        CHECK(rough::read_goal(folder / (std::string(quantity) + ".csv")).recorded.at("kernel") ==
+        CHECK(rough::read_target(folder / (std::string(quantity) + ".csv")).recorded.at("kernel") ==
               "periodic");
     }
     std::string scan = "x [um]\tz [nm]\n";
@@ -66,7 +66,7 @@ TEST_CASE("a target made of a formula, a genome or a scan is read back with its 
                 "\n";
     folder.write("scan.txt", scan);
     CHECK(rugosa("target --like scan.txt --out s.csv", folder.path()).code == 0);
-    CHECK(rough::read_goal(folder / "s.csv").points() == 20);
+    CHECK(rough::read_target(folder / "s.csv").points() == 20);
 }
 
 TEST_CASE("a target is checked against its own model, and called out of reach where it is") {

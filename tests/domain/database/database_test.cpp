@@ -6,6 +6,7 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/response/curve.hpp"
+#include "domain/target/similarity.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "tests/folder.hpp"
 
@@ -30,14 +31,15 @@ DatabaseSetup small_setup() {
 }
 
 /// Five points of the curve that a response gives at an amplitude, up to a part of its reach.
-Goal goal_of(const Response& response, double factor, double reach, Quantity quantity = Quantity::stiffness) {
+Target goal_of(const Response& response, double factor, double reach,
+               Quantity quantity = Quantity::stiffness) {
     const Curve curve = curve_of(quantity, scaled(response, factor));
-    Goal goal;
-    goal.quantity = quantity;
-    goal.name = "a stored genome";
-    goal.x = Eigen::VectorXd::LinSpaced(5, 0.2, 1) * (reach * curve.to);
-    goal.y = goal.x.unaryExpr([&](double x) { return curve.at(x); });
-    return goal;
+    Target target;
+    target.quantity = quantity;
+    target.name = "a stored genome";
+    target.x = Eigen::VectorXd::LinSpaced(5, 0.2, 1) * (reach * curve.to);
+    target.y = target.x.unaryExpr([&](double x) { return curve.at(x); });
+    return target;
 }
 
 } // namespace
@@ -195,21 +197,21 @@ TEST_CASE("screening by Eq. 11 finds the genomes that similarity ranks first, on
     build(store, {.genomes = 200});
     const double max_pressure = 1.6e-4;
     const auto factor = [&](std::uint64_t g) { return max_pressure / store.response(g).pressure[7]; };
-    std::vector<Goal> goals{goal_of(store.response(123), factor(123), 0.9),
-                            goal_of(store.response(123), factor(123), 0.9, Quantity::area_at_pressure)};
-    goals[1].weight = 0.5;
-    goals[0].lower = 0.98 * goals[0].y, goals[0].upper = 1.01 * goals[0].y;
+    std::vector<Target> targets{goal_of(store.response(123), factor(123), 0.9),
+                                goal_of(store.response(123), factor(123), 0.9, Quantity::area_at_pressure)};
+    targets[1].weight = 0.5;
+    targets[0].lower = 0.98 * targets[0].y, targets[0].upper = 1.01 * targets[0].y;
     std::vector<std::pair<double, std::uint64_t>> expected;
     for (std::uint64_t g = 0; g < 200; ++g) {
         const Response response = scaled(store.response(g), factor(g));
         double worst = 1;
-        for (const Goal& goal : goals)
-            worst = std::min(worst, similarity(goal, curve_of(goal.quantity, response)));
+        for (const Target& target : targets)
+            worst = std::min(worst, similarity(target, curve_of(target.quantity, response)));
         expected.emplace_back(-worst, g);
     }
     std::sort(expected.begin(), expected.end());
     for (const int threads : {1, 2, 5}) {
-        const auto matches = screen(store.curves(true), setup.model, goals,
+        const auto matches = screen(store.curves(true), setup.model, targets,
                                     {.max_pressure = max_pressure, .best = 20, .threads = threads});
         REQUIRE(matches.size() == 20);
         CHECK(matches[0].index == 123);
@@ -220,10 +222,10 @@ TEST_CASE("screening by Eq. 11 finds the genomes that similarity ranks first, on
             CHECK(matches[i].scale == Approx(factor(matches[i].index)));
         }
     }
-    CHECK_THROWS_WITH(screen(store.curves(true), setup.model, goals, {.max_pressure = 1e-5}),
+    CHECK_THROWS_WITH(screen(store.curves(true), setup.model, targets, {.max_pressure = 1e-5}),
                       Catch::Contains("reaches"));
-    CHECK_THROWS_WITH(screen(store.curves(), setup.model, goals, {}), Catch::Contains("fractions"));
-    CHECK_THROWS_AS(screen({}, setup.model, goals, {}), InputError);
+    CHECK_THROWS_WITH(screen(store.curves(), setup.model, targets, {}), Catch::Contains("fractions"));
+    CHECK_THROWS_AS(screen({}, setup.model, targets, {}), InputError);
     CHECK_THROWS_AS(screen(store.curves(), setup.model, {}, {}), InputError);
 }
 
@@ -238,8 +240,8 @@ TEST_CASE("screening with free amplitude finds a stored genome at the amplitude 
         for (const double reach : {0.95, 0.4, 0.3}) {
             if (quantity == Quantity::area_at_displacement && reach < 0.9)
                 continue; // a handful of touching nodes is many genomes' answer
-            const Goal goal = goal_of(store.response(77), 0.037, reach, quantity);
-            const auto matches = screen(curves, setup.model, {goal}, {.best = 3});
+            const Target target = goal_of(store.response(77), 0.037, reach, quantity);
+            const auto matches = screen(curves, setup.model, {target}, {.best = 3});
             INFO(int(quantity) << " " << reach);
             CHECK(matches[0].index == 77);
             CHECK(matches[0].scale == Approx(0.037).epsilon(1e-3));
@@ -247,23 +249,23 @@ TEST_CASE("screening with free amplitude finds a stored genome at the amplitude 
             for (const Match& match : matches) {
                 const Response response = scaled(store.response(match.index), match.scale);
                 CHECK(match.similarity ==
-                      Approx(similarity(goal, curve_of(quantity, response))).epsilon(1e-9));
+                      Approx(similarity(target, curve_of(quantity, response))).epsilon(1e-9));
             }
         }
 }
 
-TEST_CASE("stored starts meet a design's goals at their amplitude, and another model's are refused") {
+TEST_CASE("stored starts meet a design's targets at their amplitude, and another model's are refused") {
     const Folder folder;
     const DatabaseSetup setup = small_setup();
     GenomeStore store = GenomeStore::create(folder / "genomes.db", setup);
     build(store, {.genomes = 100});
     DesignSetup design;
     design.model = setup.model;
-    design.goals = {goal_of(store.response(5), 0.02, 0.9)};
+    design.targets = {goal_of(store.response(5), 0.02, 0.9)};
     const auto starts = stored_starts(store, design, 4);
     REQUIRE(starts.size() == 4);
     const Response response = respond(starts[0], setup.model);
-    CHECK(similarity(design.goals[0], curve_of(Quantity::stiffness, response)) > 0.999);
+    CHECK(similarity(design.targets[0], curve_of(Quantity::stiffness, response)) > 0.999);
     design.max_pressure = store.response(5).pressure[7] * 0.02;
     CHECK(respond(stored_starts(store, design, 1)[0], setup.model).pressure[7] ==
           Approx(*design.max_pressure));

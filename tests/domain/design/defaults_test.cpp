@@ -1,6 +1,6 @@
-#include "domain/design/defaults.hpp"
 #include "domain/design/error_budget.hpp"
 #include "domain/errors.hpp"
+#include "domain/problem/setup.hpp"
 #include "domain/target/like.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ Genome one_wave() { return {0.01, {{1, 0.8, 1.5, 2, {{1, {0.3}}, {2, {1.0}}}}}};
 DesignSetup set_up() {
     DesignSetup setup;
     setup.model.grid = {65, 2};
-    setup.goals = {goal_like(sample(one_wave(), setup.model.grid), setup.model, "a wave")};
+    setup.targets = {target_like(sample(one_wave(), setup.model.grid), setup.model, "a wave")};
     return setup;
 }
 
@@ -57,7 +57,7 @@ TEST_CASE("an error budget says by how much the curve moves when one thing is ch
     answer.similarity_refined = 0.8;
     const auto budget = error_budget(setup, answer);
     REQUIRE(budget.size() == 6);
-    const Goal& goal = setup.goals.front();
+    const Target& goal = setup.targets.front();
     const auto at_points = [&](const Model& model) {
         const Curve curve = secant_stiffness(respond(setup, one_wave(), model).responses.front());
         return Eigen::VectorXd(goal.x.unaryExpr([&](double p) { return curve.at(p); }));

@@ -2,6 +2,7 @@
 #include "domain/design/advance.hpp"
 #include "domain/design/shape_to_waves.hpp"
 #include "domain/response/curve.hpp"
+#include "domain/target/similarity.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
@@ -69,8 +70,8 @@ TEST_CASE("any order of nodes and any advance have a profile that comes into con
 }
 
 TEST_CASE("one asperity answers a rising stiffness curve as asked, for every kernel") {
-    Goal goal;
-    goal.x = Eigen::VectorXd::LinSpaced(20, 4e-6, 1.56e-4);
+    Target target;
+    target.x = Eigen::VectorXd::LinSpaced(20, 4e-6, 1.56e-4);
     for (const Kernel kernel : {Kernel::free, Kernel::strip, Kernel::periodic}) {
         const bool wraps = kernel == Kernel::periodic;
         const Index nodes = 256;
@@ -85,15 +86,15 @@ TEST_CASE("one asperity answers a rising stiffness curve as asked, for every ker
                 return std::vector<double>(static_cast<std::size_t>(K.size()), 1e-6);
             },
             infinity, infinity);
-        goal.y = least + (most - least) * (goal.x.array() / goal.x[19]).sqrt();
+        target.y = least + (most - least) * (target.x.array() / target.x[19]).sqrt();
         InverseProfile inverse =
-            inverse_profile(nodes, spacing, body, order, advance_for(goal, nodes), 1.6e-4, infinity);
+            inverse_profile(nodes, spacing, body, order, advance_for(target, nodes), 1.6e-4, infinity);
         CHECK(inverse.last_pressure == Approx(1.6e-4));
         const Response response =
             respond(inverse.profile, body, {.steps = 80, .to_displacement = inverse.last_displacement});
         CHECK(response.pressure[79] == Approx(1.6e-4).epsilon(1e-6));
         // 80 secants of a curve that is stepped from node to node
-        CHECK(similarity(goal, secant_stiffness(response)) > 0.97);
+        CHECK(similarity(target, secant_stiffness(response)) > 0.97);
 
         if (!wraps) {
             inverse = with_range_at_last(inverse);
@@ -110,19 +111,19 @@ TEST_CASE("load and contact fraction against load or displacement are met by the
     const double spacing = L / static_cast<double>(nodes - 1);
     for (const Quantity quantity :
          {Quantity::area_at_pressure, Quantity::area_at_displacement, Quantity::load_at_displacement}) {
-        Goal goal;
-        goal.quantity = quantity;
-        goal.x = Eigen::VectorXd::LinSpaced(20, 1e-5, 2e-4);
-        const Eigen::ArrayXd t = goal.x.array() / 2e-4;
-        goal.y = quantity == Quantity::load_at_displacement ? Eigen::VectorXd(8e-5 * t + 4e-5 * t.square())
-                                                            : Eigen::VectorXd(0.05 + 0.5 * t);
+        Target target;
+        target.quantity = quantity;
+        target.x = Eigen::VectorXd::LinSpaced(20, 1e-5, 2e-4);
+        const Eigen::ArrayXd t = target.x.array() / 2e-4;
+        target.y = quantity == Quantity::load_at_displacement ? Eigen::VectorXd(8e-5 * t + 4e-5 * t.square())
+                                                              : Eigen::VectorXd(0.05 + 0.5 * t);
         const InverseProfile inverse = inverse_profile(
-            nodes, spacing, body, outwards(nodes, 120), advance_for(goal, nodes),
-            goal.against_pressure() ? 2e-4 : infinity, goal.against_pressure() ? infinity : 2e-4);
+            nodes, spacing, body, outwards(nodes, 120), advance_for(target, nodes),
+            target.against_pressure() ? 2e-4 : infinity, target.against_pressure() ? infinity : 2e-4);
         const Response response =
             respond(inverse.profile, body, {.steps = 80, .to_displacement = inverse.last_displacement});
         INFO("quantity " << int(quantity));
-        CHECK(similarity(goal, curve_of(quantity, response)) > 0.95);
+        CHECK(similarity(target, curve_of(quantity, response)) > 0.95);
     }
 }
 

@@ -1,30 +1,30 @@
 #pragma once
 
-#include "domain/design/problem.hpp"
+#include "domain/problem/problem.hpp"
 #include "domain/profile/fractal.hpp"
 #include "tests/domain/random_genome.hpp"
 
 /// Twenty targets of stiffness: what unseen surfaces of several kinds answer, and formulas.
 namespace suite {
 
-using rough::Goal;
 using rough::Index;
+using rough::Target;
 
 struct Asked {
-    Goal goal;
+    Target target;
     bool attainable;
 };
 
 inline const rough::Grid grid{512, 0.84942, false};
 
 /// K at twenty even pressures up to the profile's full approach, as a measured curve would give it.
-inline Goal answer_of(const rough::Profile& profile, const std::string& name) {
+inline Target answer_of(const rough::Profile& profile, const std::string& name) {
     const rough::Curve curve = secant_stiffness(respond(profile, {}, {}));
-    Goal goal;
-    goal.name = name;
-    goal.x = Eigen::VectorXd::LinSpaced(20, curve.to / 20, curve.to);
-    goal.y = goal.x.unaryExpr([&](double p) { return curve.at(p); });
-    return goal;
+    Target target;
+    target.name = name;
+    target.x = Eigen::VectorXd::LinSpaced(20, curve.to / 20, curve.to);
+    target.y = target.x.unaryExpr([&](double p) { return curve.at(p); });
+    return target;
 }
 
 template <class Height>
@@ -36,12 +36,12 @@ rough::Profile profile_of(Height height) {
 }
 
 template <class Stiffness>
-Goal formula(const std::string& name, Stiffness stiffness) {
-    Goal goal;
-    goal.name = name;
-    goal.x = Eigen::VectorXd::LinSpaced(20, 8e-6, 1.6e-4);
-    goal.y = goal.x.unaryExpr([&](double p) { return stiffness(p / 1.6e-4); });
-    return goal;
+Target formula(const std::string& name, Stiffness stiffness) {
+    Target target;
+    target.name = name;
+    target.x = Eigen::VectorXd::LinSpaced(20, 8e-6, 1.6e-4);
+    target.y = target.x.unaryExpr([&](double p) { return stiffness(p / 1.6e-4); });
+    return target;
 }
 
 inline std::vector<Asked> targets() {

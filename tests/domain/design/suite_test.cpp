@@ -1,5 +1,5 @@
-#include "domain/design/out_of_reach.hpp"
 #include "domain/design/search.hpp"
+#include "domain/target/out_of_reach.hpp"
 #include "tests/domain/design/suite.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,17 +12,17 @@ TEST_CASE(
     int attainable = 0, met = 0;
     for (const suite::Asked& asked : suite::targets()) {
         DesignSetup setup;
-        setup.goals = {asked.goal};
+        setup.targets = {asked.target};
         setup.limits.shortest_wave = 8 * setup.model.grid.spacing();
-        INFO(asked.goal.name);
-        CHECK(out_of_reach(setup).empty() == asked.attainable);
+        INFO(asked.target.name);
+        CHECK(out_of_reach(setup.targets, setup.model).empty() == asked.attainable);
         if (!asked.attainable)
             continue;
         ++attainable;
         SearchOptions options;
         options.reach = 0.99;
         const Answer best = search(setup, options).best;
-        WARN(asked.goal.name << ": " << best.similarity << ", refined " << best.similarity_refined);
+        WARN(asked.target.name << ": " << best.similarity << ", refined " << best.similarity_refined);
         met += best.judged() >= 0.99;
     }
     CHECK(attainable == 17);
@@ -31,7 +31,7 @@ TEST_CASE(
 
 TEST_CASE("the drawn target is met to 0.999 on both grids from any seed", "[long]") {
     DesignSetup setup;
-    setup.goals = {read_goal(RUGOSA_TEST_DATA "/target_paper.csv")};
+    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
     setup.max_pressure = 1.6e-4;
     setup.limits.shortest_wave = 8 * setup.model.grid.spacing();
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {

@@ -1,5 +1,6 @@
 #include "domain/mwm/sobol.hpp"
 #include "domain/paper/variants.hpp"
+#include "domain/target/similarity.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -14,14 +15,15 @@ constexpr double p_max = 1.6e-4;
 /// A coarse set-up of the paper's experiment: 64 nodes, 30 genomes.
 struct Coarse {
     Model model{{64, 0.84942, false}, {}, {}, {}};
-    RescaledProblem problem{model, read_target(RUGOSA_TEST_DATA "/target_heldout.csv"), p_max, p_max / 2};
+    DesignProblem problem{
+        paper_setup(model, read_target(RUGOSA_TEST_DATA "/target_heldout.csv"), p_max, p_max / 2)};
     Vocabulary words{std::make_shared<DominanceRule>(model)};
     std::vector<Genome> genomes = sobol_database({.pairs = 6, .shortest = model.grid.spacing()});
 };
 
 using Stages = std::vector<std::pair<std::string, ga::Population<Genome>>>;
 
-ga::Result<Genome> run_on(const Coarse& coarse, const PaperPipeline& pipeline, int threads,
+ga::Result<Genome> run_on(const Coarse& coarse, const Pipeline& pipeline, int threads,
                           Stages* stages = nullptr) {
     ga::RunOptions options;
     options.variant = "test";
@@ -144,15 +146,15 @@ TEST_CASE("an answer's similarity can be computed again from its genome") {
     const Coarse coarse;
     for (auto algorithm : {sog, gco, cco}) {
         const auto answer = run_on(coarse, algorithm(coarse.words, Form::paper), 2).population.front();
-        CHECK(similarity(coarse.problem, answer.genome) == Approx(answer.value()).margin(1e-9));
+        CHECK(similarity(coarse.problem.setup(), answer.genome) == Approx(answer.value()).margin(1e-9));
         const Curve curve = secant_stiffness(respond(folded(answer.genome), coarse.model));
-        CHECK(similarity(coarse.problem.target(), curve) == Approx(answer.value()).margin(1e-9));
+        CHECK(similarity(coarse.problem.setup().targets[0], curve) == Approx(answer.value()).margin(1e-9));
     }
 }
 
 TEST_CASE("the paper's algorithms written as text take the same way and give the same bits as in code") {
     const Coarse coarse;
-    ga::Parser<RescaledProblem> parser(paper_registry(coarse.words), paper_variants(coarse.words));
+    ga::Parser<DesignProblem> parser(paper_registry(coarse.words), paper_variants(coarse.words));
     for (const auto& [name, algorithm] :
          {std::pair("sog", &sog), std::pair("gco", &gco), std::pair("cco", &cco)})
         for (Form form : {Form::paper, Form::minimax}) {
@@ -173,7 +175,7 @@ TEST_CASE("the paper's algorithms written as text take the same way and give the
 
 TEST_CASE("a genetic algorithm of one's own, written as text, improves on the database") {
     const Coarse coarse;
-    ga::Parser<RescaledProblem> parser(paper_registry(coarse.words), paper_variants(coarse.words));
+    ga::Parser<DesignProblem> parser(paper_registry(coarse.words), paper_variants(coarse.words));
     const auto mine =
         parser.parse("score | best 10 | repeat 3 { tournament 2 | cross uniform | mutate 0.1 | score | "
                      "refine lm | elite 5 } | best 1");

@@ -28,29 +28,30 @@ TEST_CASE("a target like a profile is that profile's own curve at even points") 
     const Profile profile = waves();
     const Model model = model_of(profile);
     const Curve own = secant_stiffness(respond(profile, model));
-    const Goal goal = goal_like(profile, model, "waves", Quantity::stiffness, 5);
-    CHECK(similarity(goal, own) == 1);
-    CHECK(goal.points() == 5);
-    CHECK(goal.x[0] == Approx(own.to / 5));
-    CHECK(goal.last() == own.to);
-    CHECK(goal_like(profile, model, "waves", Quantity::stiffness, 5, 0.25 * own.to).last() == 0.25 * own.to);
-    CHECK(goal_like(profile, model, "waves", Quantity::stiffness, 5, 2 * own.to).last() == own.to);
+    const Target target = target_like(profile, model, "waves", Quantity::stiffness, 5);
+    CHECK(similarity(target, own) == 1);
+    CHECK(target.points() == 5);
+    CHECK(target.x[0] == Approx(own.to / 5));
+    CHECK(target.last() == own.to);
+    CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 0.25 * own.to).last() ==
+          0.25 * own.to);
+    CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 2 * own.to).last() == own.to);
 }
 
 TEST_CASE("a target says what it was recorded with and is refused elsewhere") {
     const Profile profile = waves();
     Model model = model_of(profile);
-    const Goal goal = goal_like(profile, model, "waves.csv");
-    CHECK(goal.recorded.at("kernel") == "free");
-    CHECK(goal.recorded.at("datum_mm") == "1.27"); // left open: the length
-    CHECK(goal.recorded.count("nodes") == 0);
+    const Target target = target_like(profile, model, "waves.csv");
+    CHECK(target.recorded.at("kernel") == "free");
+    CHECK(target.recorded.at("datum_mm") == "1.27"); // left open: the length
+    CHECK(target.recorded.count("nodes") == 0);
     model.grid.nodes = 64;
     model.loading.steps = 40;
-    CHECK_NOTHROW(expect_recorded(goal, model));
+    CHECK_NOTHROW(expect_recorded(target, model));
     model.body.datum = 3;
-    CHECK_THROWS_WITH(expect_recorded(goal, model),
+    CHECK_THROWS_WITH(expect_recorded(target, model),
                       "waves.csv: recorded with datum_mm 1.27 (here 3), expected the same, as the target "
                       "depends on it");
     model.body.kernel = Kernel::strip;
-    CHECK(in_words(recorded_differences(goal, model)) == "kernel free (here strip), datum_mm 1.27");
+    CHECK(in_words(recorded_differences(target, model)) == "kernel free (here strip), datum_mm 1.27");
 }

@@ -1,7 +1,7 @@
 #include "domain/contact/stepped.hpp"
 #include "domain/mwm/sobol.hpp"
-#include "domain/paper/foretold.hpp"
 #include "domain/paper/variants.hpp"
+#include "domain/problem/foretold.hpp"
 #include "domain/target/similarity.hpp"
 #include "domain/target/similarity_bound.hpp"
 #include "domain/target/stiffness_limits.hpp"
@@ -78,9 +78,10 @@ TEST_CASE("no curve is more similar than its first steps allow, on every kernel"
                 points.erase(points.begin(), points.begin() + 10);
             // Stiffness of the kernel's own size, or every point would be far away.
             Target target = targets[t];
-            target.stiffness *= curve.at(highest) / target.stiffness[19];
-            const double similar = similarity(target, curve, points);
-            const SimilarityBound bound(target, points, highest, stiffest);
+            target.y *= curve.at(highest) / target.y[19];
+            const double similar = similarity(misfit(target, curve)(points));
+            SimilarityBound bound(highest, stiffest);
+            bound.add(target, points);
             for (std::size_t j = 2; j < steps.size(); ++j) {
                 INFO("trial " << trial << ", target " << t << ", steps " << j);
                 const double most = bound({steps.begin(), steps.begin() + static_cast<long>(j)}, 20);
@@ -135,7 +136,8 @@ TEST_CASE("the foretold bound is the tighter one, and covers at least 95 % of ra
                                       1.6e-4 / steps.back().pressure);
         const std::vector<double> secants = foretold_secants(profile, model, contact.displacements());
         for (const Target& target : targets) {
-            const SimilarityBound bound(target, points, 1.6e-4, stiffest);
+            SimilarityBound bound(1.6e-4, stiffest);
+            bound.add(target, points);
             const double similar = similarity(target, curve);
             bool below = false;
             for (std::size_t j = 2; j < steps.size(); j += 3) {
@@ -160,8 +162,8 @@ TEST_CASE("the three best of the database and of the pairs are the same when the
         const Model model = model_on(Kernel::free, nodes);
         const auto genomes = sobol_database({.pairs = 10, .phase_columns = 3, .shortest = 0.84942 / 511});
         using namespace ga;
-        const Stage<RescaledProblem> database = score() | best(3);
-        const Stage<RescaledProblem> pairs =
+        const Stage<DesignProblem> database = score() | best(3);
+        const Stage<DesignProblem> pairs =
             pair(score("low") | above(0.95, at_least(5)), score("high") | above(0.95, at_least(5)),
                  Vocabulary::unite()) |
             score() | best(3);
@@ -171,7 +173,9 @@ TEST_CASE("the three best of the database and of the pairs are the same when the
         if (nodes > 512) // a fine grid takes its time
             targets.resize(6);
         for (const Target& target : targets) {
-            const RescaledProblem problem(model, target, 1.6e-4, 0.8e-4, nullptr, {}, outlook);
+            DesignSetup setup = paper_setup(model, target, 1.6e-4, 0.8e-4);
+            setup.outlook = outlook;
+            const DesignProblem problem(setup);
             for (const auto& pipeline : {database, pairs}) {
                 const auto whole = ga::run(pipeline, problem, ga::population(genomes), {.threads = 2});
                 const auto screened =

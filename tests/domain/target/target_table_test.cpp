@@ -19,8 +19,8 @@ TEST_CASE(
         INFO(text);
         const Target target = read_target(folder.write("t.csv", text));
         REQUIRE(target.points() == 2);
-        CHECK(target.pressure == Eigen::Vector2d(1e-6, 2.5e-6));
-        CHECK(target.stiffness == Eigen::Vector2d(0.5, 1.25));
+        CHECK(target.x == Eigen::Vector2d(1e-6, 2.5e-6));
+        CHECK(target.y == Eigen::Vector2d(0.5, 1.25));
     }
 }
 

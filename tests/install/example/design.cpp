@@ -3,7 +3,7 @@
 #include <rugosa/domain.hpp>
 
 int main(int, char** arguments) {
-    const rough::DesignSetup setup{.goals = {rough::read_goal(arguments[1])}};
+    const rough::DesignSetup setup{.targets = {rough::read_target(arguments[1])}};
     const rough::SearchResult found =
         search(setup, {.pipeline = "shape 8 | score | best 2 | refine lm 10 | best 1"});
     std::cout << genome_file_text(found.best.genome, setup.model.grid.length);

@@ -1,5 +1,5 @@
 #include "domain/errors.hpp"
-#include "domain/target/goal.hpp"
+#include "domain/target/similarity.hpp"
 #include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
@@ -8,9 +8,9 @@ using namespace rough;
 
 namespace {
 
-Goal read_text(const std::string& text, double conductance_to_stiffness = 0) {
+Target read_text(const std::string& text, double conductance_to_stiffness = 0) {
     const tests::Folder folder;
-    return read_goal(folder.write("target.csv", text), conductance_to_stiffness);
+    return read_target(folder.write("target.csv", text), conductance_to_stiffness);
 }
 
 } // namespace
@@ -20,7 +20,7 @@ TEST_CASE("a target file says by its columns what it is of") {
     CHECK(read_text("pressure_MPa,contact_fraction\n1,0.2\n").quantity == Quantity::area_at_pressure);
     CHECK(read_text("displacement_mm,contact_fraction\n1,0.2\n").quantity == Quantity::area_at_displacement);
     CHECK(read_text("displacement_mm,pressure_MPa\n1,0.2\n").quantity == Quantity::load_at_displacement);
-    const Goal swapped = read_text("stiffness_MPa_per_mm , pressure_MPa\n2,1\n4,3\n");
+    const Target swapped = read_text("stiffness_MPa_per_mm , pressure_MPa\n2,1\n4,3\n");
     CHECK(swapped.x == Eigen::Vector2d(1, 3));
     CHECK(swapped.y == Eigen::Vector2d(2, 4));
 }
@@ -33,18 +33,18 @@ TEST_CASE("a conductance is read as the stiffness that has it") {
 }
 
 TEST_CASE("a target written is read back to the bits, with what it records of its model") {
-    Goal goal =
+    Target target =
         read_text("# kernel: strip\n# datum_mm: 0.84942\npressure_MPa,stiffness_MPa_per_mm,lower,upper\n"
                   "0.1,0.3,0.29,0.31\n0.2,0.7,0.6,0.8\n");
-    CHECK(goal.recorded.at("kernel") == "strip");
-    CHECK(goal.recorded.at("datum_mm") == "0.84942");
-    goal.x[0] = 0.1 + 1e-17;
-    goal.y[1] = 2.0 / 3;
-    const Goal again = read_text(to_csv(goal));
-    CHECK(again.x == goal.x);
-    CHECK(again.y == goal.y);
-    CHECK(again.lower == goal.lower);
-    CHECK(again.recorded == goal.recorded);
+    CHECK(target.recorded.at("kernel") == "strip");
+    CHECK(target.recorded.at("datum_mm") == "0.84942");
+    target.x[0] = 0.1 + 1e-17;
+    target.y[1] = 2.0 / 3;
+    const Target again = read_text(to_csv(target));
+    CHECK(again.x == target.x);
+    CHECK(again.y == target.y);
+    CHECK(again.lower == target.lower);
+    CHECK(again.recorded == target.recorded);
 }
 
 TEST_CASE("bad targets are refused by file, line and column") {
@@ -64,16 +64,16 @@ TEST_CASE("bad targets are refused by file, line and column") {
 }
 
 TEST_CASE("a misfit within the band counts for nothing, beyond it for its distance") {
-    Goal goal;
-    goal.x = Eigen::Vector3d(1, 2, 3);
-    goal.y = Eigen::Vector3d(10, 10, 10);
-    goal.lower = Eigen::Vector3d(8, 8, 8);
-    goal.upper = Eigen::Vector3d(11, 11, 11);
+    Target target;
+    target.x = Eigen::Vector3d(1, 2, 3);
+    target.y = Eigen::Vector3d(10, 10, 10);
+    target.lower = Eigen::Vector3d(8, 8, 8);
+    target.upper = Eigen::Vector3d(11, 11, 11);
     const Curve curve{Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(9, 12, 7), 0, 3};
-    CHECK(misfit(goal, curve).isApprox(Eigen::Vector3d(0, 0.1, -0.1), 1e-12));
-    CHECK(similarity(goal, curve) == Approx(0.9));
-    goal.weight = 0.5;
-    CHECK(similarity(goal, curve) == Approx(0.95));
-    goal.lower.resize(0), goal.upper.resize(0), goal.weight = 1;
-    CHECK(similarity(goal, curve) == Approx(0.7));
+    CHECK(misfit(target, curve).isApprox(Eigen::Vector3d(0, 0.1, -0.1), 1e-12));
+    CHECK(similarity(target, curve) == Approx(0.9));
+    target.weight = 0.5;
+    CHECK(similarity(target, curve) == Approx(0.95));
+    target.lower.resize(0), target.upper.resize(0), target.weight = 1;
+    CHECK(similarity(target, curve) == Approx(0.7));
 }

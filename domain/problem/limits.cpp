@@ -1,4 +1,4 @@
-#include "domain/design/limits.hpp"
+#include "domain/problem/limits.hpp"
 
 #include <algorithm>
 #include <cmath>

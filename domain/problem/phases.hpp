@@ -1,7 +1,9 @@
 #pragma once
 
-#include "domain/paper/dominance.hpp"
+#include "domain/mwm/genome.hpp"
 #include "ga/problem.hpp"
+
+#include <functional>
 
 namespace rough {
 
@@ -11,14 +13,12 @@ struct PhaseReach {
     double absolute = 0;   ///< rad, added to it
 };
 
-/// A variable for each phase of the genome, or of its dominant chromosomes alone, or of the others.
-std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach);
-/// Those of dominant chromosomes alone.
-std::vector<ga::Variable> dominant_phase_variables(const Genome& genome, const Dominance& dominance,
-                                                   PhaseReach reach);
-/// Those of the other chromosomes.
-std::vector<ga::Variable> other_phase_variables(const Genome& genome, const Dominance& dominance,
-                                                PhaseReach reach);
+/// Which chromosomes: by the place of their series and their own in it.
+using ChosenChromosomes = std::function<bool(std::size_t series, std::size_t chromosome)>;
+
+/// A variable for each phase of the genome, or of the chosen chromosomes alone.
+std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach,
+                                          const ChosenChromosomes& chosen = {});
 
 /// Those of macro-roughness, waves of at least an eighth of the profile's length (mm). Where the one ends
 /// and the other begins is our reading.

@@ -15,7 +15,7 @@ const char* const drawn_target = RUGOSA_TEST_DATA "/target_paper.csv";
 DesignSetup drawn_setup(Index nodes = 128) {
     DesignSetup setup;
     setup.model.grid.nodes = nodes;
-    setup.goals = {read_goal(drawn_target)};
+    setup.targets = {read_target(drawn_target)};
     setup.limits.shortest_wave = 8 * setup.model.grid.spacing();
     return setup;
 }
@@ -23,10 +23,10 @@ DesignSetup drawn_setup(Index nodes = 128) {
 /// The same with a contact area at each of the target's pressures beside it.
 DesignSetup drawn_with_area() {
     DesignSetup setup = drawn_setup();
-    Goal area = setup.goals[0];
+    Target area = setup.targets[0];
     area.quantity = Quantity::area_at_pressure;
     area.y = Eigen::VectorXd::LinSpaced(area.points(), 0.05, 0.6);
-    setup.goals.push_back(area);
+    setup.targets.push_back(area);
     return setup;
 }
 
@@ -38,14 +38,14 @@ std::vector<double> corners(const DesignSetup& setup, const Genome& genome, Inde
     for (const Response& one : response.responses)
         for (Index j = 0; j < one.steps(); ++j)
             marks.push_back(one.contact_fraction[j]);
-    for (std::size_t g = 0; g < setup.goals.size(); ++g) {
-        const Goal& goal = setup.goals[g];
-        const Curve curve = curve_of(goal.quantity, response.responses[response.of_goal[g]]);
-        for (Index k = 0; k < goal.points(); ++k) {
-            marks.push_back(static_cast<double>(segment_at(curve, goal.x[k]).left));
-            if (goal.has_band())
-                marks.push_back((curve.at(goal.x[k]) > goal.upper[k]) -
-                                (curve.at(goal.x[k]) < goal.lower[k]));
+    for (std::size_t g = 0; g < setup.targets.size(); ++g) {
+        const Target& target = setup.targets[g];
+        const Curve& curve = response.curves[g];
+        for (Index k = 0; k < target.points(); ++k) {
+            marks.push_back(static_cast<double>(segment_at(curve, target.x[k]).left));
+            if (target.has_band())
+                marks.push_back((curve.at(target.x[k]) > target.upper[k]) -
+                                (curve.at(target.x[k]) < target.lower[k]));
         }
     }
     Index highest, lowest;
@@ -100,17 +100,17 @@ TEST_CASE("the derivatives of the misfits follow differences in every gene, ampl
         }
 }
 
-TEST_CASE("they do so for loads against displacement, bands, weights and two goals at once") {
+TEST_CASE("they do so for loads against displacement, bands, weights and two targets at once") {
     std::mt19937_64 random(32);
     DesignSetup setup = drawn_setup();
-    Goal load;
+    Target load;
     load.quantity = Quantity::load_at_displacement;
     load.x = Eigen::VectorXd::LinSpaced(10, 1e-5, 2e-4);
     load.y = 0.6 * load.x;
     load.weight = 0.4;
-    setup.goals.push_back(load);
-    setup.goals[0].lower = 0.97 * setup.goals[0].y;
-    setup.goals[0].upper = 1.05 * setup.goals[0].y;
+    setup.targets.push_back(load);
+    setup.targets[0].lower = 0.97 * setup.targets[0].y;
+    setup.targets[0].upper = 1.05 * setup.targets[0].y;
     const Genome genome = with_fitting_amplitude(
         setup, testing::random_genome(random, 2, 1, 0.84942, setup.limits.shortest_wave));
     check_jacobian(setup, genome, "similarity");
@@ -120,10 +120,10 @@ TEST_CASE("they do so for contact fractions against pressure and displacement, w
     std::mt19937_64 random(35);
     for (const Quantity quantity : {Quantity::area_at_pressure, Quantity::area_at_displacement}) {
         DesignSetup setup = drawn_setup();
-        Goal& goal = setup.goals[0];
-        goal.quantity = quantity;
-        goal.x = Eigen::VectorXd::LinSpaced(10, 1e-5, 2e-4);
-        goal.y = Eigen::VectorXd::LinSpaced(10, 0.05, 0.6);
+        Target& target = setup.targets[0];
+        target.quantity = quantity;
+        target.x = Eigen::VectorXd::LinSpaced(10, 1e-5, 2e-4);
+        target.y = Eigen::VectorXd::LinSpaced(10, 0.05, 0.6);
         const Genome genome = with_fitting_amplitude(
             setup, testing::random_genome(random, 2, 1, 0.84942, setup.limits.shortest_wave));
         check_jacobian(setup, genome, "similarity");
@@ -212,16 +212,16 @@ TEST_CASE("what cannot be designed for together is refused") {
     setup.max_pressure = 1e-5;
     CHECK_THROWS_WITH(DesignProblem(setup), Contains("max-pressure"));
     setup.max_pressure = 1.6e-4;
-    setup.goals[0].weight = 2;
+    setup.targets[0].weight = 2;
     CHECK_THROWS_WITH(DesignProblem(setup), Contains("weight"));
-    setup.goals[0].weight = 1;
-    setup.goals[0].quantity = Quantity::load_at_displacement;
+    setup.targets[0].weight = 1;
+    setup.targets[0].quantity = Quantity::load_at_displacement;
     CHECK_THROWS_WITH(DesignProblem(setup), Contains("Eq. 11"));
-    setup.goals.clear();
+    setup.targets.clear();
     CHECK_THROWS_WITH(DesignProblem(setup), Contains("none given"));
 }
 
-TEST_CASE("with several goals each has an objective of its own, whose rows are its part of all") {
+TEST_CASE("with several targets each has an objective of its own, whose rows are its part of all") {
     DesignSetup setup = drawn_with_area();
     const DesignProblem problem(setup);
     const Genome genome = shaped_start(setup, ga::Stream(3));
@@ -235,7 +235,7 @@ TEST_CASE("with several goals each has an objective of its own, whose rows are i
     CHECK(problem.objectives().back().fitness(outcome) == 1 - outcome.misfits[1].cwiseAbs().maxCoeff());
 }
 
-TEST_CASE("what is reduced to a goal keeps the chromosomes that follow it, one at least") {
+TEST_CASE("what is reduced to a target keeps the chromosomes that follow it, one at least") {
     DesignSetup setup = drawn_setup();
     std::mt19937_64 random(34);
     for (int scene = 0; scene < 5; ++scene) {
@@ -246,14 +246,14 @@ TEST_CASE("what is reduced to a goal keeps the chromosomes that follow it, one a
                 n += series.chromosomes.size();
             return n;
         };
-        CHECK(count(reduced_to_goal(setup, genome, 0, -1.5)) == count(genome));
-        CHECK(count(reduced_to_goal(setup, genome, 0, 1)) == 1);
-        CHECK(count(reduced_to_goal(setup, genome, 0)) >= 1);
+        CHECK(count(reduced_to_target(setup, genome, 0, -1.5)) == count(genome));
+        CHECK(count(reduced_to_target(setup, genome, 0, 1)) == 1);
+        CHECK(count(reduced_to_target(setup, genome, 0)) >= 1);
         CHECK(macro_phases(genome, 0.84942).size() + micro_phases(genome, 0.84942).size() == count(genome));
     }
 }
 
-TEST_CASE("compromises are better than each other in one goal or another, and within the limits") {
+TEST_CASE("compromises are better than each other in one target or another, and within the limits") {
     DesignSetup setup = drawn_with_area();
     std::vector<Genome> genomes;
     for (std::uint64_t key = 0; key < 30; ++key)

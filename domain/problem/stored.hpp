@@ -1,8 +1,8 @@
 #pragma once
 
-#include "domain/design/problem.hpp"
 #include "domain/mwm/stored.hpp"
 #include "domain/numerics/stored.hpp"
+#include "domain/problem/problem.hpp"
 
 /// What checkpoints hold of a design: outcomes without loss, and the set-up that a run belongs to.
 namespace rough {
@@ -26,10 +26,10 @@ inline nlohmann::json description(const DesignSetup& setup) {
     const auto& [grid, body, loading, contact, accuracy] = setup.model;
     const GeneBounds& b = setup.bounds;
     const MakingLimits& l = setup.limits;
-    nlohmann::json goals = nlohmann::json::array();
-    for (const Goal& goal : setup.goals)
-        goals.push_back({static_cast<int>(goal.quantity), numbers_of(goal.x), numbers_of(goal.y),
-                         numbers_of(goal.lower), numbers_of(goal.upper), goal.weight});
+    nlohmann::json targets = nlohmann::json::array();
+    for (const Target& target : setup.targets)
+        targets.push_back({static_cast<int>(target.quantity), numbers_of(target.x), numbers_of(target.y),
+                           numbers_of(target.lower), numbers_of(target.upper), target.weight});
     return {{grid.nodes, grid.length, grid.wraps},
             {static_cast<int>(body.kernel), body.effective_modulus, body.datum, body.strip_width},
             {loading.steps, loading.reach},
@@ -37,7 +37,9 @@ inline nlohmann::json description(const DesignSetup& setup) {
             {b.H_from, b.H_to, b.gamma_from, b.gamma_to, b.lambda_from, b.lambda_to},
             {l.shortest_wave, l.largest_slope, l.largest_height, l.smallest_radius},
             setup.max_pressure.value_or(0),
-            goals};
+            setup.threshold.value_or(0),
+            setup.phases ? nlohmann::json{setup.phases->relative, setup.phases->absolute} : nlohmann::json(),
+            targets};
 }
 
 } // namespace rough

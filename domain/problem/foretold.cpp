@@ -1,4 +1,4 @@
-#include "domain/paper/foretold.hpp"
+#include "domain/problem/foretold.hpp"
 
 #include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"

@@ -1,16 +1,16 @@
-#include "domain/design/problem.hpp"
+#include "domain/problem/problem.hpp"
 
-#include "domain/design/defaults.hpp"
-#include "domain/design/loadings.hpp"
-#include "domain/design/rows.hpp"
-#include "domain/design/starts.hpp"
-#include "domain/errors.hpp"
 #include "domain/mwm/cross.hpp"
-#include "domain/target/recorded.hpp"
+#include "domain/problem/appraisal.hpp"
+#include "domain/problem/drawn_start.hpp"
+#include "domain/problem/rows.hpp"
+#include "domain/target/similarity.hpp"
+#include "domain/target/stiffness_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace rough {
 
@@ -22,59 +22,37 @@ constexpr double limit_guard = 2e-3;
 /// A limit's excess in units of misfit.
 constexpr double limit_weight = 30;
 
-std::string goal_objective(std::size_t goal) { return "goal" + std::to_string(goal + 1); }
+/// A grid this coarse tells full contact's stiffness from above, and at once.
+constexpr Index full_contact_nodes = 128;
 
-/// Points of the first goal in the lower or upper half of its range.
-std::vector<Index> half_of(const Goal& goal, bool upper) {
-    std::vector<Index> points;
-    for (Index k = 0; k < goal.points(); ++k)
-        if (upper ? goal.x[k] >= 0.5 * goal.last() : goal.x[k] <= 0.5 * goal.last())
-            points.push_back(k);
-    return points;
+double stiffest_of(Model model) {
+    model.grid.nodes = std::min(model.grid.nodes, full_contact_nodes);
+    return stiffness_limits(model).most;
 }
 
-void check(const DesignSetup& setup) {
-    if (setup.goals.empty())
-        throw InputError("target: none given, expected at least one");
-    for (const Goal& goal : setup.goals) {
-        validate(goal);
-        expect_recorded(goal, setup.model);
-        if (!(goal.weight > 0) || goal.weight > 1)
-            refuse(goal.name, ": weight ", goal.weight, " given, expected more than 0, at most 1");
-        if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
-            refuse(goal.name, ": pressures up to ", goal.last(),
-                   " MPa given, expected at most max-pressure, ", *setup.max_pressure, " MPa");
-        if (setup.max_pressure && !goal.against_pressure())
-            throw InputError(goal.name +
-                             ": a curve against displacement was given with max-pressure, expected "
-                             "one of the two: Eq. 11 fixes no displacement");
-    }
-}
+std::string target_objective(std::size_t target) { return "goal" + std::to_string(target + 1); }
 
 } // namespace
 
 double DesignOutcome::similarity() const {
-    double worst = 0;
+    double least = rough::similarity(misfits.front());
     for (const Eigen::VectorXd& misfit : misfits)
-        worst = std::max(worst, misfit.cwiseAbs().maxCoeff());
-    return 1 - worst;
+        least = std::min(least, rough::similarity(misfit));
+    return least;
 }
 
-DesignProblem::DesignProblem(DesignSetup setup)
-    : DesignProblem(std::make_shared<DesignSetup>(completed(std::move(setup)))) {}
-
-DesignProblem::DesignProblem(std::shared_ptr<DesignSetup> setup) : setup_(setup) {
-    check(*setup);
+DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory)
+    : setup_(std::make_shared<DesignSetup>(completed(std::move(setup)))), memory_(std::move(memory)),
+      stiffest_(stiffest_of(setup_->model)) {
+    validate(*setup_);
     // Below every genome within the limits, by how far it is over them.
     const auto limited = [](double similarity, const Outcome& outcome) {
         return outcome.excess > 0 ? std::min(similarity, 0.0) - 1 - outcome.excess : similarity;
     };
-    const auto part = [limited, this](bool upper) {
-        return [limited, points = half_of(setup_->goals.front(), upper)](const Outcome& outcome) {
-            double worst = 0;
-            for (const Index k : points)
-                worst = std::max(worst, std::abs(outcome.misfits.front()[k]));
-            return limited(1 - worst, outcome);
+    const auto part = [limited, this](bool high) {
+        return [limited, points = points_of_half(*setup_, high)](const Outcome& outcome) {
+            const Eigen::VectorXd& misfits = outcome.misfits.front();
+            return limited(points.empty() ? 1 : rough::similarity(misfits(points)), outcome);
         };
     };
     objectives_ = {
@@ -87,19 +65,33 @@ DesignProblem::DesignProblem(std::shared_ptr<DesignSetup> setup) : setup_(setup)
          }},
         {"low", part(false)},
         {"high", part(true)}};
-    for (std::size_t g = 0; g < setup_->goals.size(); ++g)
-        objectives_.push_back({goal_objective(g), [=](const Outcome& outcome) {
-                                   return limited(1 - outcome.misfits[g].cwiseAbs().maxCoeff(), outcome);
+    for (std::size_t t = 0; t < setup_->targets.size(); ++t)
+        objectives_.push_back({target_objective(t), [=](const Outcome& outcome) {
+                                   return limited(rough::similarity(outcome.misfits[t]), outcome);
                                }});
 }
 
 DesignOutcome DesignProblem::evaluate(const Genome& genome) const {
-    const DesignResponse response = respond(*setup_, genome, setup_->model);
+    if (memory_)
+        if (auto known = memory_->find(key(genome)))
+            return of_responses(genome, std::move(*known));
+    return of_responses(genome, pressed(*setup_, genome, setup_->model));
+}
+
+DesignOutcome DesignProblem::of_responses(const Genome& genome, std::vector<Response> responses) const {
+    if (memory_)
+        memory_->keep(key(genome), responses);
+    const DesignResponse response = in_final_amplitude(*setup_, std::move(responses));
     Outcome outcome{response.scale, misfits_of(*setup_, response), 0, genome};
-    if (setup_->max_pressure)
-        outcome.genome.scale = response.scale;
+    outcome.genome = settled(genome, outcome);
     outcome.excess = excess(outcome.genome, setup_->model.grid, setup_->limits);
     return outcome;
+}
+
+std::unique_ptr<ga::Appraisal<DesignOutcome>> DesignProblem::appraise(const Genome& genome) const {
+    if (memory_ && memory_->find(key(genome)))
+        return nullptr;
+    return step_by_step(*this, genome);
 }
 
 std::string DesignProblem::key(const Genome& genome) const {
@@ -125,6 +117,8 @@ void DesignProblem::cross_uniform(Genome& a, Genome& b, ga::Stream& stream) cons
 }
 
 std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
+    if (setup_->phases)
+        return phase_variables(genome, *setup_->phases);
     const GeneBounds& within = setup_->bounds;
     const auto places = gene_places(genome);
     const auto values = genes(genome);
@@ -167,23 +161,29 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
     return variables;
 }
 
+std::vector<Index> DesignProblem::points_of(const std::string& objective, std::size_t target) const {
+    if (objective == "low" || objective == "high")
+        return target == 0 ? points_of_half(*setup_, objective == "high") : std::vector<Index>();
+    std::vector<Index> points;
+    if (objective == "similarity" || objective == "judged" || objective == target_objective(target)) {
+        points.resize(static_cast<std::size_t>(setup_->targets[target].points()));
+        std::iota(points.begin(), points.end(), Index{0});
+    }
+    return points;
+}
+
 ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::string& objective) const {
     Genome shape = at_scale_one(genome, *setup_);
-    const Rows coarse = goal_rows(*setup_, shape, setup_->model);
-    ga::Sensitivity rows = coarse.goals;
-    if (objective == "judged")
-        rows = stacked(rows, goal_rows(*setup_, shape, refined(setup_->model, judged_refinement)).goals);
-    if (objective == "low" || objective == "high") {
-        const std::vector<Index> points = half_of(setup_->goals.front(), objective == "high");
-        rows = {Eigen::VectorXd(rows.residuals(points)), Eigen::MatrixXd(rows.jacobian(points, Eigen::all))};
-    }
+    const Rows coarse = misfit_rows(*setup_, shape, setup_->model);
+    std::vector<Index> chosen;
     Index first = 0;
-    for (std::size_t g = 0; g < setup_->goals.size(); first += setup_->goals[g++].points())
-        if (objective == goal_objective(g)) {
-            const Index points = setup_->goals[g].points();
-            rows = {Eigen::VectorXd(rows.residuals.segment(first, points)),
-                    Eigen::MatrixXd(rows.jacobian.middleRows(first, points))};
-        }
+    for (std::size_t t = 0; t < setup_->targets.size(); first += setup_->targets[t++].points())
+        for (const Index k : points_of(objective, t))
+            chosen.push_back(first + k);
+    ga::Sensitivity rows{Eigen::VectorXd(coarse.misfits.residuals(chosen)),
+                         Eigen::MatrixXd(coarse.misfits.jacobian(chosen, Eigen::all))};
+    if (objective == "judged")
+        rows = stacked(rows, misfit_rows(*setup_, shape, refined(setup_->model, judged_refinement)).misfits);
     if (setup_->limits.any_shape()) {
         if (setup_->max_pressure)
             shape.scale = coarse.factor;

@@ -1,0 +1,14 @@
+#include "domain/problem/pipeline.hpp"
+
+#include "ga/text/vocabulary.hpp"
+
+namespace rough {
+
+ga::Registry<DesignProblem> engine_words() { return ga::vocabulary<DesignProblem>(); }
+
+} // namespace rough
+
+template ga::Result<rough::Genome> ga::run(const rough::Pipeline&, const rough::DesignProblem&,
+                                           ga::Population<rough::Genome>, const ga::RunOptions&,
+                                           std::vector<ga::Observer<rough::Genome>>,
+                                           ga::Keeper<rough::DesignProblem>*);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "domain/problem/problem.hpp"
+#include "ga/run.hpp"
+#include "ga/text/registry.hpp"
+
+namespace rough {
+
+/// A pipeline on a design's problem, of which the paper's is one.
+using Pipeline = ga::Stage<DesignProblem>;
+
+/// The engine's words for text pipelines on it.
+ga::Registry<DesignProblem> engine_words();
+
+} // namespace rough
+
+// Compiled once, in pipeline.cpp: what runs pipelines is most of what the compiler has to do.
+extern template ga::Result<rough::Genome> ga::run(const rough::Pipeline&, const rough::DesignProblem&,
+                                                  ga::Population<rough::Genome>, const ga::RunOptions&,
+                                                  std::vector<ga::Observer<rough::Genome>>,
+                                                  ga::Keeper<rough::DesignProblem>*);

@@ -1,0 +1,125 @@
+#include "domain/problem/response.hpp"
+
+#include "domain/errors.hpp"
+#include "domain/target/similarity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rough {
+
+namespace {
+
+Model pressed_by(Model model, const Loading& loading) {
+    model.loading = loading;
+    return model;
+}
+
+} // namespace
+
+Loadings loadings_of(const DesignSetup& setup, const Loading& loading) {
+    Loadings result;
+    if (setup.max_pressure)
+        return {{loading}, std::vector<std::size_t>(setup.targets.size(), 0)};
+    double pressure = 0, displacement = 0;
+    for (const Target& target : setup.targets)
+        (target.against_pressure() ? pressure : displacement) =
+            std::max(target.against_pressure() ? pressure : displacement, target.last());
+    for (const auto& [to_pressure, to_displacement] :
+         {std::pair(pressure, 0.0), std::pair(0.0, displacement)})
+        if (to_pressure + to_displacement > 0) {
+            Loading one = loading;
+            one.to_pressure = to_pressure;
+            one.to_displacement = to_displacement;
+            result.each.push_back(one);
+        }
+    for (const Target& target : setup.targets)
+        result.of_target.push_back(target.against_pressure() ? 0 : result.each.size() - 1);
+    return result;
+}
+
+std::vector<Model> loaded_models(const DesignSetup& setup) {
+    std::vector<Model> models;
+    for (const Loading& loading : loadings_of(setup, setup.model.loading).each)
+        models.push_back(pressed_by(setup.model, loading));
+
+    return models;
+}
+
+Genome at_scale_one(Genome genome, const DesignSetup& setup) {
+    if (setup.max_pressure)
+        genome.scale = 1;
+    return genome;
+}
+
+double eq_11(const DesignSetup& setup, const Response& response) {
+    if (!setup.max_pressure)
+        return 1;
+    const double last = response.pressure[response.steps() - 1], factor = *setup.max_pressure / last;
+    if (!std::isfinite(factor) || !(factor > 0))
+        refuse("max-pressure: ", *setup.max_pressure, " MPa for a profile that carries ", last,
+               " MPa, expected two whose ratio fits double precision");
+    return factor;
+}
+
+DesignResponse in_final_amplitude(const DesignSetup& setup, std::vector<Response> pressed) {
+    const Loadings loadings = loadings_of(setup, setup.model.loading);
+    DesignResponse result;
+    result.scale = eq_11(setup, pressed.front());
+    for (std::size_t t = 0; t < setup.targets.size(); ++t)
+        result.curves.push_back(
+            stretched(curve_of(setup.targets[t].quantity, pressed[loadings.of_target[t]]), result.scale));
+    for (Response& response : pressed)
+        result.responses.push_back(scaled(std::move(response), result.scale));
+    return result;
+}
+
+std::vector<Response> pressed(const DesignSetup& setup, const Genome& genome, const Model& model) {
+    std::vector<Response> responses;
+    for (const Loading& loading : loadings_of(setup, model.loading).each)
+        responses.push_back(respond(at_scale_one(genome, setup), pressed_by(model, loading)));
+
+    return responses;
+}
+
+DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Model& model) {
+    return in_final_amplitude(setup, pressed(setup, genome, model));
+}
+
+DesignResponse respond(const DesignSetup& setup, const Profile& profile, const Model& model) {
+    std::vector<Response> responses;
+    for (const Loading& loading : loadings_of(setup, model.loading).each)
+        responses.push_back(respond(profile, pressed_by(model, loading)));
+    return in_final_amplitude(setup, std::move(responses));
+}
+
+std::vector<Eigen::VectorXd> misfits_of(const DesignSetup& setup, const DesignResponse& response) {
+    std::vector<Eigen::VectorXd> misfits;
+    for (std::size_t t = 0; t < setup.targets.size(); ++t)
+        misfits.push_back(misfit(setup.targets[t], response.curves[t]));
+    return misfits;
+}
+
+std::vector<double> similarities(const DesignSetup& setup, const DesignResponse& response) {
+    std::vector<double> each;
+    for (const Eigen::VectorXd& misfits : misfits_of(setup, response))
+        each.push_back(similarity(misfits));
+    return each;
+}
+
+double similarity(const DesignSetup& setup, const DesignResponse& response) {
+    const std::vector<double> each = similarities(setup, response);
+    return *std::min_element(each.begin(), each.end());
+}
+
+double similarity(const DesignSetup& setup, const Genome& genome, Index refine) {
+    return similarity(setup, respond(setup, genome, refined(setup.model, refine)));
+}
+
+Genome in_final_form(const DesignSetup& setup, Genome genome) {
+    if (setup.max_pressure)
+        genome.scale = respond(setup, genome, exactly(setup.model)).scale;
+    return genome;
+}
+
+} // namespace rough

@@ -1,0 +1,80 @@
+#include "domain/problem/rows.hpp"
+
+#include "domain/mwm/sampling.hpp"
+#include "domain/target/similarity.hpp"
+
+namespace rough {
+
+namespace {
+
+CurveJacobian curve_jacobian(Quantity quantity, const Response& response, const ResponseJacobian& jacobian) {
+    if (quantity == Quantity::stiffness)
+        return secant_jacobian(response, jacobian);
+    const Index steps = response.steps(), genes = jacobian.pressure.cols();
+    CurveJacobian result{Eigen::MatrixXd::Zero(steps + 1, genes), Eigen::MatrixXd::Zero(steps + 1, genes)};
+    if (is_area(quantity))
+        result.y.bottomRows(steps) = jacobian.contact_fraction;
+    if (quantity == Quantity::area_at_pressure) {
+        result.x.bottomRows(steps) = jacobian.pressure;
+        return result;
+    }
+    for (Index j = 0; j < steps; ++j)
+        result.x.row(j + 1) =
+            static_cast<double>(j + 1) / static_cast<double>(steps) * jacobian.last_displacement;
+    if (quantity == Quantity::load_at_displacement)
+        result.y.bottomRows(steps) = jacobian.pressure;
+    return result;
+}
+
+} // namespace
+
+ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& below) {
+    ga::Sensitivity both{
+        Eigen::VectorXd(above.residuals.size() + below.residuals.size()),
+        Eigen::MatrixXd(above.jacobian.rows() + below.jacobian.rows(), above.jacobian.cols())};
+    both.residuals << above.residuals, below.residuals;
+    both.jacobian << above.jacobian, below.jacobian;
+    return both;
+}
+
+Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model) {
+    const Loadings loadings = loadings_of(setup, model.loading);
+    const Profile profile = sample(genome, model.grid);
+    Rows result;
+    std::vector<Response> responses;
+    std::vector<ResponseJacobian> jacobians;
+    for (std::size_t way = 0; way < loadings.each.size(); ++way) {
+        bool with_area = false;
+        for (std::size_t t = 0; t < setup.targets.size(); ++t)
+            with_area |= loadings.of_target[t] == way && is_area(setup.targets[t].quantity);
+        auto [response, gradient, area] =
+            respond_with_gradient(profile, model.body, loadings.each[way], model.contact, with_area);
+        jacobians.push_back(in_genes(
+            gradient, [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); },
+            area));
+        if (with_area)
+            response.contact_fraction = area.fraction;
+        responses.push_back(std::move(response));
+    }
+    if (setup.max_pressure) {
+        const Index last = responses[0].steps() - 1;
+        result.factor = eq_11(setup, responses[0]);
+        result.d_factor = -result.factor / responses[0].pressure[last] * jacobians[0].pressure.row(last);
+    }
+    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
+        const Target& target = setup.targets[t];
+        const std::size_t way = loadings.of_target[t];
+        Curve curve = curve_of(target.quantity, responses[way]);
+        CurveJacobian jacobian = curve_jacobian(target.quantity, responses[way], jacobians[way]);
+        if (setup.max_pressure) { // the factor moves with the genes, too
+            jacobian.x = result.factor * jacobian.x + curve.x * result.d_factor;
+            curve = stretched(std::move(curve), result.factor);
+        }
+        const Eigen::VectorXd misfits = misfit(target, curve);
+        const ga::Sensitivity rows{misfits, misfit_jacobian(target, curve, jacobian, misfits)};
+        result.misfits = t == 0 ? rows : stacked(result.misfits, rows);
+    }
+    return result;
+}
+
+} // namespace rough

@@ -1,0 +1,94 @@
+#include "domain/problem/setup.hpp"
+
+#include "domain/errors.hpp"
+#include "domain/target/recorded.hpp"
+#include "domain/target/similarity.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace rough {
+
+namespace {
+
+constexpr Index exactly_reported = 16385;
+constexpr double reported_tolerance = 1e-10;
+/// A target's last pressure may be rounded.
+constexpr double rounding = 1 + 1e-9;
+
+} // namespace
+
+GeneBounds completed(GeneBounds bounds, double length) {
+    if (bounds.lambda_from == 0)
+        bounds.lambda_from = 0.25 * length;
+    if (bounds.lambda_to == 0)
+        bounds.lambda_to = 4 * length;
+    return bounds;
+}
+
+DesignSetup completed(DesignSetup setup) {
+    setup.model = completed(setup.model);
+    const Grid& grid = setup.model.grid;
+    if (!setup.phases && grid.nodes < 16)
+        refuse_value("nodes", grid.nodes, " given, expected 16 at least for a design");
+    validate(setup.model);
+    if (setup.phases)
+        return setup;
+    setup.bounds = completed(setup.bounds, grid.length);
+    double& shortest = setup.limits.shortest_wave;
+    if (shortest == 0)
+        shortest = 8 * grid.spacing();
+    if (shortest < grid.spacing())
+        refuse_value("shortest wave", shortest, " mm given, expected at least the distance of two nodes, ",
+                     grid.spacing(), " mm: the grid sees no shorter wave");
+    if (shortest > setup.bounds.lambda_to)
+        refuse_value("shortest wave", shortest, " mm given, expected at most the longest wave, ",
+                     setup.bounds.lambda_to, " mm");
+    return setup;
+}
+
+void validate(const DesignSetup& setup) {
+    if (setup.targets.empty())
+        throw InputError("target: none given, expected at least one");
+    if (setup.max_pressure && !(*setup.max_pressure > 0))
+        refuse("max-pressure: ", *setup.max_pressure, " MPa given, expected more than 0");
+    for (const Target& target : setup.targets) {
+        validate(target);
+        expect_recorded(target, setup.model);
+        if (!(target.weight > 0) || target.weight > 1)
+            refuse(target.name, ": weight ", target.weight, " given, expected more than 0, at most 1");
+        if (setup.max_pressure && target.against_pressure() && target.last() > *setup.max_pressure * rounding)
+            refuse(target.name, ": pressures up to ", target.last(),
+                   " MPa given, expected at most max-pressure, ", *setup.max_pressure, " MPa");
+        if (setup.max_pressure && !target.against_pressure())
+            throw InputError(target.name +
+                             ": a curve against displacement was given with max-pressure, expected "
+                             "one of the two: Eq. 11 fixes no displacement");
+    }
+    for (const bool high : {false, true})
+        if (setup.threshold && points_of_half(setup, high).empty())
+            refuse("threshold: ", *setup.threshold, " leaves no point of the target ",
+                   setup.targets.front().name, " in the ", high ? "high" : "low",
+                   " part, expected one within its points");
+}
+
+std::vector<Index> points_of_half(const DesignSetup& setup, bool high) {
+    const Target& target = setup.targets.front();
+    const double threshold = setup.threshold.value_or(0.5 * target.last());
+    return high ? points_within(target, threshold, std::numeric_limits<double>::infinity())
+                : points_within(target, 0, threshold);
+}
+
+DesignSetup exactly(DesignSetup setup) {
+    setup.model = exactly(std::move(setup.model));
+    return setup;
+}
+
+DesignSetup as_reported(DesignSetup searched) {
+    DesignSetup setup = exactly(std::move(searched));
+    if (refined(setup.model, 4).grid.nodes <= exactly_reported)
+        setup.model.contact.tolerance = std::min(setup.model.contact.tolerance, reported_tolerance);
+    return setup;
+}
+
+} // namespace rough

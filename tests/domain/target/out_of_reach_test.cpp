@@ -1,0 +1,183 @@
+#include "domain/contact/kernel.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/target/out_of_reach.hpp"
+#include "domain/target/similarity.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+Model model_on(Kernel kernel, Index nodes, int steps) {
+    Model model;
+    model.grid.nodes = nodes;
+    model.grid.wraps = kernel == Kernel::periodic;
+    model.body.kernel = kernel;
+    model.body.strip_width = model.grid.length / 511;
+    model.loading = {steps, kernel == Kernel::periodic ? 0.9 : 1};
+    return model;
+}
+
+/// A punch whose flank is the dent that its raised end node makes before anything else touches, at `depth`:
+/// a logarithm. All its nodes touch there at once.
+Profile dented_punch(const Model& model, double depth) {
+    const Grid& grid = model.grid;
+    const double delta = grid.spacing();
+    const auto h = influence_column(model.body.kernel, grid.nodes, model.body.datum / delta,
+                                    model.body.strip_width / delta);
+    Profile profile{Eigen::VectorXd(grid.nodes), delta};
+    for (Index i = 0; i < grid.nodes; ++i)
+        profile.heights[i] = depth * h[i] / h[0];
+    return profile;
+}
+
+/// Profiles of every kind that a bound has to hold for.
+Profile scene(const Model& model, int kind, std::mt19937_64& random) {
+    const Grid& grid = model.grid;
+    std::uniform_real_distribution<double> unit(0, 1);
+    Profile profile = dented_punch(model, 1e-3 * unit(random));
+    const auto anywhere = [&] { return static_cast<Index>(unit(random) * static_cast<double>(grid.nodes)); };
+    switch (kind % 6) {
+    case 1: // with a groove, so that full approach goes beyond the dent
+        profile.heights[anywhere()] -= 1e-3 * unit(random);
+        break;
+    case 2: // a flat with spikes
+        profile.heights.setZero();
+        for (int spike = 0; spike < 3; ++spike)
+            profile.heights[anywhere()] += 1e-3 * unit(random);
+        break;
+    case 3: // steps
+        for (Index i = 0; i < grid.nodes; ++i)
+            profile.heights[i] =
+                1e-3 * std::floor(4 * static_cast<double>(i) / static_cast<double>(grid.nodes));
+        profile.heights[anywhere()] += 1e-3 * unit(random);
+        break;
+    case 4: // noise on a flat
+        for (double& z : profile.heights)
+            z = 1e-3 * std::pow(unit(random), 8);
+        break;
+    case 5:
+        profile = sample(testing::random_genome(random, 1, 1, grid.length, 0.02), grid);
+        break;
+    default:
+        break;
+    }
+    return profile;
+}
+
+Target read_off(const Curve& curve, Quantity quantity, Index points) {
+    Target target;
+    target.quantity = quantity;
+    target.name = "own response";
+    const double last = curve.to;
+    target.x = Eigen::VectorXd::LinSpaced(points, last / static_cast<double>(points), last);
+    target.y = target.x.unaryExpr([&](double x) { return curve.at(x); });
+    return target;
+}
+
+} // namespace
+
+TEST_CASE("a punch that follows the dent of its raised end node is not out of its own reach") {
+    Model model = model_on(Kernel::free, 512, 20);
+    constexpr double depth = 2e-5;
+    model.loading.to_displacement = depth * 20 / 19;
+    const Profile profile = dented_punch(model, depth);
+    const Response response = respond(profile, model.body, model.loading);
+    const Target own = read_off(secant_stiffness(response), Quantity::stiffness, 20);
+    // The curve that is scored ends above full contact, beyond its last secant's pressure, as far as any can.
+    const StiffnessLimits secants = stiffness_limits(model);
+    REQUIRE(own.y[19] > 1.6 * secants.most);
+    CHECK(own.y[19] == Approx(scored_limits(secants, 20, 1).most).epsilon(0.01));
+    CHECK(out_of_reach({own}, model).empty());
+    CHECK(out_of_reach({own}, model, own.last()).empty());
+    Target stiffer = own;
+    stiffer.y *= 1.2;
+    const auto found = out_of_reach({stiffer}, model);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].bound == Approx(1 / 1.2).epsilon(0.02));
+    CHECK(found[0].verdict().find('\n') == std::string::npos);
+    // A load that ends later leaves no room there.
+    CHECK_FALSE(out_of_reach({own}, model, 2 * own.last()).empty());
+}
+
+TEST_CASE("no profile's own response is out of reach, and no profile passes the bound of a bent one") {
+    std::mt19937_64 random(51);
+    std::normal_distribution<double> bend;
+    double nearest = 1;
+    int verdicts = 0;
+    for (int trial = 0; trial < 180; ++trial) {
+        const int steps = std::array{2, 3, 5, 20, 80}[static_cast<std::size_t>(trial) % 5];
+        const Model model = model_on(static_cast<Kernel>(trial % 3), 60 + trial % 7, steps);
+        const Response response =
+            respond(scene(model, trial / 15, random), model.body, model.loading, model.contact);
+        for (const Quantity quantity : {Quantity::stiffness, Quantity::area_at_pressure,
+                                        Quantity::area_at_displacement, Quantity::load_at_displacement}) {
+            INFO("trial " << trial << ", steps " << steps << ", quantity " << static_cast<int>(quantity));
+            const Curve curve = curve_of(quantity, response);
+            const Target own = read_off(curve, quantity, 5 + trial % 30);
+            if (own.y.minCoeff() <= 0)
+                continue;
+            CHECK(out_of_reach({own}, model).empty());
+            Target bent = own;
+            for (double& y : bent.y)
+                y *= std::exp((trial % 2 ? 0.02 : 0.5) * bend(random));
+            if (trial % 4 == 3)
+                bent.lower = 0.95 * bent.y, bent.upper = 1.1 * bent.y;
+            for (const OutOfReach& one : out_of_reach({bent}, model)) {
+                CHECK(similarity(bent, curve) <= one.bound + 1e-9);
+                nearest = std::min(nearest, one.bound - similarity(bent, curve));
+                ++verdicts;
+            }
+        }
+    }
+    CHECK(verdicts > 100);
+    CHECK(nearest < 0.05); // bounds that tell nothing would pass the rest
+}
+
+TEST_CASE("scored stiffness stays within its limits whatever rising secants, which some attain") {
+    std::mt19937_64 random(52);
+    std::uniform_real_distribution<double> unit(0, 1);
+    constexpr double m = 0.2, M = 1.3;
+    const auto scored = [](const std::vector<double>& secants, double share) {
+        Response response;
+        const auto count = static_cast<Index>(secants.size());
+        response.displacement = Eigen::VectorXd::LinSpaced(count, 0.1, 0.1 * static_cast<double>(count));
+        response.pressure.resize(count);
+        double pressure = 0;
+        for (Index j = 0; j < count; ++j)
+            response.pressure[j] = pressure += 0.1 * secants[static_cast<std::size_t>(j)];
+        const Curve curve = secant_stiffness(response);
+        return curve.at(share * curve.to);
+    };
+    for (const int steps : {2, 3, 7, 20})
+        for (double share = 0.001; share <= 1; share += 0.0333) {
+            const StiffnessLimits limits = scored_limits({m, M}, steps, share);
+            double least = M, most = m;
+            const auto try_out = [&](const std::vector<double>& secants) {
+                const double y = scored(secants, share);
+                CHECK(y >= limits.least * (1 - 1e-9));
+                CHECK(y <= limits.most * (1 + 1e-9));
+                least = std::min(least, y), most = std::max(most, y);
+            };
+            const auto count = static_cast<std::size_t>(steps);
+            for (int trial = 0; trial < 200; ++trial) {
+                std::vector<double> secants(count);
+                for (double& secant : secants)
+                    secant = m + (M - m) * std::clamp(1.4 * unit(random) - 0.2, 0.0, 1.0);
+                std::sort(secants.begin(), secants.end());
+                try_out(secants);
+                // One step soft, the others alike; the last stiff, the others soft; all stiff.
+                std::vector<double> rising(count, m + (M - m) * trial / 199);
+                rising[0] = m;
+                try_out(rising);
+            }
+            std::vector<double> late(count, m);
+            late.back() = M;
+            try_out(late);
+            try_out(std::vector<double>(count, M));
+            CHECK(least == Approx(limits.least).epsilon(1e-3));
+            CHECK(most == Approx(limits.most).epsilon(1e-9));
+        }
+}
