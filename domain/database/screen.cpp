@@ -70,16 +70,16 @@ void take_from_origin(Points& points, const double* x, double x_factor, const do
 class Reader {
   public:
     Reader(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets)
-        : curves_(curves), goals_(targets), steps_(static_cast<std::size_t>(model.loading.steps)),
+        : curves_(curves), targets_(targets), steps_(static_cast<std::size_t>(model.loading.steps)),
           of_range_(load_displacements(1, model.loading, model.body.kernel)) {}
 
     void read(std::size_t g, Curves& into) const {
         const double* pressure = &curves_.pressure[g * steps_];
         const double* fraction = curves_.fraction.empty() ? nullptr : &curves_.fraction[g * steps_];
         const double range = curves_.range[g];
-        into.resize(goals_.size());
-        for (std::size_t i = 0; i < goals_.size(); ++i)
-            switch (goals_[i].quantity) {
+        into.resize(targets_.size());
+        for (std::size_t i = 0; i < targets_.size(); ++i)
+            switch (targets_[i].quantity) {
             case Quantity::stiffness:
                 take_secants(into[i], pressure, steps_, of_range_.front() * range);
                 break;
@@ -103,7 +103,7 @@ class Reader {
 
   private:
     const StoredCurves& curves_;
-    const std::vector<Target>& goals_;
+    const std::vector<Target>& targets_;
     std::size_t steps_;
     std::vector<double> of_range_; ///< displacements of the load steps over the height range
 };

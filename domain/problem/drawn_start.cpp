@@ -56,21 +56,21 @@ Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome) {
         double worst = 0;
         for (Index k = 0; k < target.points(); ++k)
             worst = std::max(worst,
-                             target.x[k] > curve.to ? 1 : std::abs(curve.at(target.x[k]) / target.y[k] - 1));
+                             target.x[k] > curve.to ? 1 : std::abs(misfit(target, k, curve.at(target.x[k]))));
         return worst;
     };
     const double least = target.last() / own;
-    double best = least, misfit = std::numeric_limits<double>::infinity(), ratio = std::pow(2.0, 0.5);
+    double best = least, nearest = std::numeric_limits<double>::infinity(), ratio = std::pow(2.0, 0.5);
     for (int i = 0; i < 33; ++i) {
         const double scale = least * std::pow(ratio, i);
-        if (const double here = misfit_at(scale); here < misfit)
-            best = scale, misfit = here;
+        if (const double here = misfit_at(scale); here < nearest)
+            best = scale, nearest = here;
     }
     for (int round = 0; round < 12; ++round) {
         ratio = std::sqrt(ratio);
         for (const double scale : {best * ratio, best / ratio})
-            if (const double here = misfit_at(scale); here < misfit)
-                best = scale, misfit = here;
+            if (const double here = misfit_at(scale); here < nearest)
+                best = scale, nearest = here;
     }
     Genome fitted = folded(genome);
     fitted.scale = best;

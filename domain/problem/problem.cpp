@@ -81,7 +81,7 @@ DesignOutcome DesignProblem::evaluate(const Genome& genome) const {
 DesignOutcome DesignProblem::of_responses(const Genome& genome, std::vector<Response> responses) const {
     if (memory_)
         memory_->keep(key(genome), responses);
-    const DesignResponse response = in_final_amplitude(*setup_, std::move(responses));
+    const DesignResponse response = scored(*setup_, std::move(responses));
     Outcome outcome{response.scale, misfits_of(*setup_, response), 0, genome};
     outcome.genome = settled(genome, outcome);
     outcome.excess = excess(outcome.genome, setup_->model.grid, setup_->limits);

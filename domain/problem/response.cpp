@@ -62,7 +62,7 @@ double eq_11(const DesignSetup& setup, const Response& response) {
     return factor;
 }
 
-DesignResponse in_final_amplitude(const DesignSetup& setup, std::vector<Response> pressed) {
+DesignResponse scored(const DesignSetup& setup, std::vector<Response> pressed) {
     const Loadings loadings = loadings_of(setup, setup.model.loading);
     DesignResponse result;
     result.scale = eq_11(setup, pressed.front());
@@ -83,14 +83,14 @@ std::vector<Response> pressed(const DesignSetup& setup, const Genome& genome, co
 }
 
 DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Model& model) {
-    return in_final_amplitude(setup, pressed(setup, genome, model));
+    return scored(setup, pressed(setup, genome, model));
 }
 
 DesignResponse respond(const DesignSetup& setup, const Profile& profile, const Model& model) {
     std::vector<Response> responses;
     for (const Loading& loading : loadings_of(setup, model.loading).each)
         responses.push_back(respond(profile, pressed_by(model, loading)));
-    return in_final_amplitude(setup, std::move(responses));
+    return scored(setup, std::move(responses));
 }
 
 std::vector<Eigen::VectorXd> misfits_of(const DesignSetup& setup, const DesignResponse& response) {

@@ -29,7 +29,7 @@ struct DesignResponse {
     std::vector<Curve> curves;       ///< of each target: what it is compared with
 };
 /// Of a genome at scale 1 whose responses to each way of loading these are.
-DesignResponse in_final_amplitude(const DesignSetup& setup, std::vector<Response> pressed);
+DesignResponse scored(const DesignSetup& setup, std::vector<Response> pressed);
 
 /// The responses of a genome at scale 1 (where Eq. 11 applies) to each way of loading, within the model's
 /// accuracy.

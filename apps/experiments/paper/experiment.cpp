@@ -91,8 +91,8 @@ class Paper {
         const auto low = points_of_half(setup, false), high = points_of_half(setup, true);
         for (const Answered& one : run_.database) {
             const Eigen::VectorXd misfits = misfit(target.target, secant_stiffness(one.response));
-            target.database.push_back(
-                {similarity(misfits), similarity(misfits(low)), similarity(misfits(high))});
+            target.database.push_back({rough::similarity(misfits), rough::similarity(misfits(low)),
+                                       rough::similarity(misfits(high))});
         }
         for (const Variant& variant : variants_) {
             if (conditions_.stop)
