@@ -113,7 +113,7 @@ TEST_CASE("limits on what can be made hold in the answer and are stated with the
 TEST_CASE("a target that no profile can reach is called so, with the pressures at fault") {
     const Folder folder;
     folder.write("falls.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-5,0.5\n5e-5,0.8\n1e-4,0.6\n");
-    folder.write("stiff.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-5,0.5\n5e-5,0.8\n1e-4,1.6\n");
+    folder.write("stiff.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-5,0.5\n5e-5,0.8\n1e-4,3\n");
     for (const auto& [name, word, at] :
          {std::tuple("falls", "falls", 5e-5), std::tuple("stiff", "full contact", 1e-4)}) {
         const Ended ended =
@@ -125,9 +125,8 @@ TEST_CASE("a target that no profile can reach is called so, with the pressures a
         CHECK(result["verdict"].get<std::string>().find("out of reach") == 0);
         CHECK(result["verdict"].get<std::string>().find(word) != std::string::npos);
         CHECK(result["out_of_reach"][0]["at"][0].get<double>() == at);
-        // The scored curve is continued to its ends by its last segments' slopes, which may pass the bound.
         CHECK(result["variants"]["pipeline"]["similarity"].get<double>() <=
-              result["out_of_reach"][0]["highest_similarity"].get<double>() + 0.01);
+              result["out_of_reach"][0]["highest_similarity"].get<double>() + 1e-9);
     }
 }
 
