@@ -1,12 +1,12 @@
 #pragma once
 
+#include "ga/envelope.hpp"
 #include "ga/run.hpp"
 #include "ga/variation/permutation.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
-#include <fstream>
+#include <bit>
 
 namespace ga {
 
@@ -28,12 +28,15 @@ inline void from_json(const json& j, Counters& c) {
 template <class G>
 void to_json(json& j, const Individual<G>& individual) {
     const Fitness& fitness = individual.fitness;
-    j = {individual.genome,
-         individual.identity,
-         std::vector<Identity>(individual.parents.begin(), individual.parents.end()),
-         fitness.known() ? json(fitness.objective()) : json(),
-         fitness.known() ? fitness.value() : 0.0,
-         fitness.has_failed() ? json(fitness.reason()) : json(),
+    json scored;
+    if (fitness.has_failed())
+        scored = {fitness.objective(), fitness.reason()};
+    else if (fitness.several())
+        scored = {fitness.objective(), fitness.values(), fitness.violation()};
+    else if (fitness.known())
+        scored = {fitness.objective(), fitness.value(), fitness.violation(), fitness.minimises()};
+    j = {individual.genome, individual.identity,
+         std::vector<Identity>(individual.parents.begin(), individual.parents.end()), std::move(scored),
          individual.origin ? json(*individual.origin) : json()};
 }
 template <class G>
@@ -45,27 +48,60 @@ void from_json(const json& j, Individual<G>& individual) {
                          : parents.size() == 1 ? Parents(parents[0])
                                                : Parents();
     individual.fitness = {};
-    if (!j.at(3).is_null()) {
-        const Name objective(j.at(3).get<std::string>());
-        individual.fitness = j.at(5).is_null()
-                                 ? Fitness(objective, j.at(4))
-                                 : Fitness::failed(objective, std::make_shared<const std::string>(j.at(5)));
+    if (const json& scored = j.at(3); !scored.is_null()) {
+        const Name policy(scored.at(0).get<std::string>());
+        if (scored.size() == 2)
+            individual.fitness = Fitness::failed(policy, reason(scored.at(1).get<std::string>()));
+        else if (scored.size() == 3)
+            individual.fitness = Fitness(policy, scored.at(1).get<Point>(), scored.at(2).get<double>());
+        else
+            individual.fitness = Fitness(policy, scored.at(1).get<double>(), scored.at(3).get<bool>(),
+                                         scored.at(2).get<double>());
     }
     individual.origin.reset();
-    if (!j.at(6).is_null())
-        individual.origin = std::make_shared<const G>(j.at(6).get<G>());
+    if (!j.at(4).is_null())
+        individual.origin = std::make_shared<const G>(j.at(4).get<G>());
 }
+
+/// A state as it was read, before its operator has understood it.
+class StoredState : public AnyState {
+  public:
+    /// Holds what was read.
+    explicit StoredState(json j) : json_(std::move(j)) {}
+    std::unique_ptr<AnyState> clone() const override { return std::make_unique<StoredState>(*this); }
+    void write(json& j) const override { j = json_; }
+    const json* stored() const override { return &json_; }
+
+  private:
+    json json_;
+};
 
 template <class G>
 void to_json(json& j, const Frame<G>& frame) {
-    j = {frame.next, frame.population, frame.kept, frame.numbers};
+    json states = json::object();
+    for (const auto& [path, state] : frame.states)
+        (*state).write(states[path]);
+    // JSON has no infinity, which numbers may be
+    std::vector<std::vector<std::uint64_t>> bits;
+    for (const auto& row : frame.numbers) {
+        bits.emplace_back();
+        for (const double number : row)
+            bits.back().push_back(std::bit_cast<std::uint64_t>(number));
+    }
+    j = {frame.next, frame.population, frame.kept, bits, std::move(states)};
 }
 template <class G>
 void from_json(const json& j, Frame<G>& frame) {
     j.at(0).get_to(frame.next);
     j.at(1).get_to(frame.population);
     j.at(2).get_to(frame.kept);
-    j.at(3).get_to(frame.numbers);
+    for (const auto& row : j.at(3).get<std::vector<std::vector<std::uint64_t>>>()) {
+        frame.numbers.emplace_back();
+        for (const std::uint64_t bits : row)
+            frame.numbers.back().push_back(std::bit_cast<double>(bits));
+    }
+    for (const auto& [path, state] : j.at(4).items())
+        frame.states[path] = HeldState(std::make_unique<StoredState>(state));
 }
 
 template <class G>
@@ -95,14 +131,16 @@ concept Storable = requires(const json& j, const Outcome& outcome) {
 };
 
 /// Keeps a run in one file, replaced as a whole by renaming: between stages, at most once in so many seconds
-/// and for at most a twentieth of the time, and at the end. A run that is resumed from it, after whatever end
-/// of its process, reaches the very result of one that was never interrupted. Genomes must convert to and
-/// from nlohmann::json without loss.
+/// and for at most a twentieth of the time, and at the end. The one before is kept beside it ("FILE.before"), and
+/// is gone on from where the newer one was damaged. A run that is resumed, after whatever end of its process,
+/// reaches the very result of one that was never interrupted. A file that cannot be written ends no run: its notes
+/// say so. Genomes must convert to and from nlohmann::json without loss.
 template <Problem P>
 class Checkpoints : public Keeper<P> {
   public:
     using Genome = typename P::Genome;   ///< kept as json
     using Outcome = typename P::Outcome; ///< kept where it converts to json
+    using Taken = Snapshot<Genome>;      ///< a run between two stages
 
     /// @param file         where the run is kept
     /// @param description  whatever else decides the result (the problem's settings); a file with another
@@ -121,68 +159,65 @@ class Checkpoints : public Keeper<P> {
             {name, [&value] { return json(value); }, [&value](const json& j) { value = j.get<T>(); }});
     }
 
-    std::optional<Population<Genome>> begin(Context<P>& context, std::uint64_t run) override {
+    std::optional<Taken> begin(Ledger<P>& ledger, std::uint64_t run) override {
         run_ = run;
-        if (!resume_ || !std::filesystem::exists(file_))
+        const std::filesystem::path before = file_.string() + ".before";
+        if (!resume_ || !(std::filesystem::exists(file_) || std::filesystem::exists(before)))
             return std::nullopt;
+        std::string bytes;
         try {
-            std::ifstream stream(file_, std::ios::binary);
-            const json j = json::from_cbor(stream);
+            bytes = opened(file_);
+        } catch (const UsageError& damaged) {
+            if (!std::filesystem::exists(before))
+                throw;
+            bytes = opened(before);
+            trouble_ = std::string(damaged.what()) + "; went on from the one before";
+        }
+        try {
+            const json j = read_cbor(bytes, file_);
             if (j.at("version") != version || j.at("run") != run_ || j.at("description") != description_)
                 throw UsageError("checkpoint '" + file_.string() +
                                  "' is of another run; expected the same pipeline, seed, start and settings");
             for (const auto& value : kept_)
                 value.read(j.at("kept").at(value.name));
-            recall(j, context.evaluator());
-            context.resume(j.at("snapshot").get<Snapshot<Genome>>());
-            if (j.at("answer").is_null())
-                return std::nullopt;
-            return j.at("answer").get<Population<Genome>>();
+            recall(j, ledger);
+            auto snapshot = j.at("snapshot").get<Taken>();
+            if (!j.at("answer").is_null())
+                answer_ = j.at("answer").get<Population<Genome>>();
+            return snapshot;
         } catch (const json::exception& error) {
             throw UsageError("checkpoint '" + file_.string() + "' cannot be read: " + error.what());
         }
     }
+    std::optional<Population<Genome>> answer() const override { return answer_; }
+    bool due(double seconds) const override { return seconds >= next_write_; }
+    std::string trouble() const override { return trouble_; }
 
-    void pause(const Context<P>& context) override {
-        const double now = context.seconds();
-        if (now < next_write_)
-            return;
-        write(context.snapshot(), context.evaluator(), {});
-        const double took = context.seconds() - now;
-        next_write_ = now + std::max(interval_, 20 * took);
-    }
-    void stop(const Snapshot<Genome>& snapshot, const Evaluator<P>& evaluator) override {
-        write(snapshot, evaluator, {});
-    }
-    void finish(const Context<P>& context, const Population<Genome>& answer) override {
-        write(context.snapshot(), context.evaluator(), answer);
+    void write(const Taken& snapshot, const Ledger<P>& ledger,
+               const Population<Genome>* answer = nullptr) override {
+        const Stopwatch clock;
+        json j = {{"version", version},   {"run", run_},
+                  {"description", description_}, {"snapshot", snapshot},
+                  {"answer", answer ? json(*answer) : json()}, {"kept", json::object()}};
+        for (const auto& value : kept_)
+            j["kept"][value.name] = value.write();
+        remember(j, snapshot, ledger);
+        const std::vector<std::uint8_t> bytes = json::to_cbor(j);
+        const std::string error = seal(file_, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        if (!error.empty())
+            trouble_ = "checkpoint '" + file_.string() + "' cannot be written (" + error +
+                       "); the run went on without it";
+        next_write_ = snapshot.seconds + std::max(interval_, 20 * clock.seconds());
     }
 
   private:
-    static constexpr int version = 1;
+    static constexpr int version = 2;
 
     struct Kept {
         std::string name;
         std::function<json()> write;
         std::function<void(const json&)> read;
     };
-
-    void write(const Snapshot<Genome>& snapshot, const Evaluator<P>& evaluator, const json& answer) const {
-        json j = {{"version", version},   {"run", run_},      {"description", description_},
-                  {"snapshot", snapshot}, {"answer", answer}, {"kept", json::object()}};
-        for (const auto& value : kept_)
-            j["kept"][value.name] = value.write();
-        remember(j, snapshot, evaluator);
-        const std::filesystem::path temporary = file_.string() + ".tmp";
-        {
-            std::ofstream stream(temporary, std::ios::binary);
-            json::to_cbor(j, stream);
-            stream.flush();
-            if (!stream)
-                throw UsageError("checkpoint '" + temporary.string() + "' cannot be written");
-        }
-        std::filesystem::rename(temporary, file_);
-    }
 
     static json stored(const typename Table<Evaluation<Outcome>>::Entry& entry) {
         if (const Outcome* outcome = std::get_if<Outcome>(&entry.value))
@@ -191,20 +226,21 @@ class Checkpoints : public Keeper<P> {
     }
 
     /// Both halves of the memory; what a stopped stage had evaluated already is set apart.
-    void remember(json& j, const Snapshot<Genome>& snapshot, const Evaluator<P>& evaluator) const {
+    void remember(json& j, const Taken& snapshot, const Ledger<P>& ledger) const {
         if constexpr (Storable<Outcome>) {
             json old = json::array(), young = json::array(), prepaid = json::array();
-            for (const auto& entry : evaluator.memory().old().entries())
-                old.push_back(stored(entry));
+            for (const auto& entry : ledger.memory().old().entries())
+                if (!std::holds_alternative<Pending>(entry.value))
+                    old.push_back(stored(entry));
             std::size_t count = 0;
-            for (const auto& entry : evaluator.memory().young().entries())
+            for (const auto& entry : ledger.memory().young().entries())
                 if (const bool known = count++ < snapshot.remembered;
                     !std::holds_alternative<Pending>(entry.value))
                     (known ? young : prepaid).push_back(stored(entry));
             j["memory"] = {std::move(old), std::move(young), std::move(prepaid)};
         }
     }
-    static void recall(const json& j, Evaluator<P>& evaluator) {
+    static void recall(const json& j, Ledger<P>& ledger) {
         if constexpr (Storable<Outcome>) {
             const auto each = [](const json& list, auto take) {
                 for (const json& entry : list) {
@@ -212,10 +248,10 @@ class Checkpoints : public Keeper<P> {
                     if (entry.size() == 3)
                         take(print, Evaluation<Outcome>(entry.at(2).get<Outcome>()));
                     else
-                        take(print, Evaluation<Outcome>(std::make_shared<const std::string>(entry.at(3))));
+                        take(print, Evaluation<Outcome>(reason(entry.at(3).get<std::string>())));
                 }
             };
-            auto& memory = evaluator.memory();
+            auto& memory = ledger.memory();
             const auto into = [](auto& half) {
                 return [&half](const Fingerprint& print, auto evaluation) {
                     half.at(print) = std::move(evaluation);
@@ -225,17 +261,18 @@ class Checkpoints : public Keeper<P> {
             each(j.at("memory").at(1), into(memory.young()));
             each(j.at("memory").at(2), [&](const Fingerprint& print, auto evaluation) {
                 if (!memory.old().find(print))
-                    evaluator.prepay(print, std::move(evaluation));
+                    ledger.prepay(print, std::move(evaluation));
             });
         }
     }
 
     std::filesystem::path file_;
-    std::string description_;
+    std::string description_, trouble_;
     bool resume_;
     double interval_;
     double next_write_ = 0;
     std::uint64_t run_ = 0;
+    std::optional<Population<Genome>> answer_;
     std::vector<Kept> kept_;
 };
 

@@ -10,6 +10,13 @@ struct UsageError : std::invalid_argument {
     using std::invalid_argument::invalid_argument;
 };
 
+/// Where a text goes wrong: what it is called ("pipeline", "variant 'sog'"), and the column, from 1.
+struct TextError : UsageError {
+    /// "where, column N: message".
+    TextError(const std::string& where, std::size_t column, const std::string& message)
+        : UsageError(where + ", column " + std::to_string(column) + ": " + message) {}
+};
+
 /// A selection left nobody, or every evaluation of a run failed: there is nothing to go on with.
 struct NothingLeft : std::runtime_error {
     using std::runtime_error::runtime_error;

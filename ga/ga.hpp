@@ -1,11 +1,10 @@
 #pragma once
 
 /// @file
-/// The whole engine.
+/// The whole engine but refinement (ga/refinement/refinement.hpp), text (ga/text/), checkpoints and observers.
 #include "ga/islands.hpp"
 #include "ga/pair.hpp"
 #include "ga/pareto/pareto.hpp"
-#include "ga/refinement/refine.hpp"
 #include "ga/repeat.hpp"
 #include "ga/replacement/elite.hpp"
 #include "ga/replacement/plus.hpp"

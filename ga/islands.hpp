@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/selection/best.hpp"
+#include "ga/stage.hpp"
 
 namespace ga {
 
@@ -13,18 +13,22 @@ struct Migration {
 
 /// Deals the population to n islands (individual i to island i modulo n), lets each evolve by itself under
 /// the body, with migration between rounds (Cohoon, Hegde, Martin and Richards 1987), and joins them again.
+/// Islands run side by side and what they ask is evaluated together (`Rounds`). A run is kept between two rounds;
+/// what an unfinished round has paid for is not paid again.
 template <class Body>
 struct Islands : Operator {
-    std::size_t n;       ///< islands, >= 2
+    static constexpr std::size_t most = 10000; ///< islands
+
+    std::size_t n;       ///< islands, 2 to 10,000
     Migration migration; ///< how they meet
     Body body;           ///< what each runs
 
-    /// Throws UsageError on less than 2 islands or no round.
+    /// Throws UsageError on less than 2 islands, more than 10,000, or no round.
     Islands(std::size_t count, Migration m, Body b) : n(count), migration(m), body(std::move(b)) {
-        if (n < 2 || migration.rounds == 0)
+        if (n < 2 || n > most || migration.rounds == 0)
             throw UsageError("islands: " + std::to_string(n) + " islands in " +
                              std::to_string(migration.rounds) +
-                             " rounds; expected 2 islands and 1 round at least");
+                             " rounds; expected 2 to 10000 islands and 1 round at least");
     }
 
     /// The block as one step (Block).
@@ -35,63 +39,126 @@ struct Islands : Operator {
         const std::string name = "islands " + std::to_string(n) +
                                  " rounds=" + std::to_string(migration.rounds) +
                                  " migrants=" + std::to_string(migration.migrants);
-        std::vector<Name> names;
-        for (std::size_t i = 0; i < n; ++i)
-            names.push_back(Name("island" + std::to_string(i + 1)));
         return {name + " { " + stages.text() + " }",
                 [=, migration = migration](Known& known) {
                     Known inside = known;
                     inside.in_generation = true;
-                    if (stages.reads_of_start() > 0)
+                    inside.start_scored = known.scored;
+                    if (stages.reads_of_start() > 0 && stages.reads_of_start() != everyone)
                         known.need_score(name);
                     stages.check(inside);
                     if (migration.migrants > 0)
                         inside.need_score(name);
+                    inside.start_scored = inside.scored;
                     stages.check(inside);
                     known.scored = inside.scored;
                 },
-                [=, migration = migration](Population<G> population, Context<P>& context) {
-                    return evolve(std::move(population), stages, names, migration, context);
+                [=, n = n, migration = migration](Population<G> population, Context<P>& context) {
+                    return evolve(std::move(population), stages, n, migration, context);
                 }};
     }
 
   private:
     template <Problem P, class G = typename P::Genome>
-    static Population<G> evolve(Population<G> population, const Stage<P>& body,
-                                const std::vector<Name>& names, const Migration& migration,
-                                Context<P>& context) {
-        const std::size_t n = names.size();
-        typename Context<P>::OpenFrame frame(context, {});
+    static Population<G> evolve(Population<G> population, const Stage<P>& body, std::size_t n,
+                                const Migration& migration, Context<P>& context) {
+        typename Context<P>::OpenFrame frame(context.kept, {});
         if (!frame.resumed()) {
             if (population.size() < n)
                 throw NothingLeft(context.path() + ": " + std::to_string(population.size()) +
                                   " individuals for " + std::to_string(n) +
                                   " islands; expected one each at least");
-            frame->kept.resize(n + 1); // the islands, and what one's body reads of its start
+            frame->kept.resize(n);
             for (std::size_t i = 0; i < population.size(); ++i)
                 frame->kept[i % n].push_back(std::move(population[i]));
         }
-        for (bool inside = frame.resumed(); frame->next < n * migration.rounds;
-             inside = false, ++frame->next) {
-            const std::size_t island = frame->next % n;
-            if (!inside)
-                frame->kept[n] = start_of_generation(frame->kept[island], body.reads_of_start());
-            const typename Context<P>::Generation generation(context, frame->next / n, frame->kept[n]);
-            const typename Context<P>::Scope scope(context, names[island], 0);
-            frame->kept[island] = body(std::move(frame->kept[island]), context);
-            if (island + 1 == n && frame->next + 1 < n * migration.rounds)
-                migrate(frame->kept, n, migration.migrants);
+        frame->expect(frame->kept.size() == n && frame->next <= migration.rounds);
+        while (frame->next < migration.rounds) {
+            run_round(*frame, body, context);
+            if (frame->next + 1 < migration.rounds)
+                migrate(frame->kept, migration.migrants);
+            ++frame->next;
+            try {
+                context.pause();
+            } catch (const Stopped&) {
+                context.kept.in_hand = joined(frame->kept);
+                throw;
+            }
         }
-        frame->kept.pop_back();
+        return joined(frame->kept);
+    }
+
+    /// One generation of every island, each on a thread of its own.
+    template <Problem P, class G = typename P::Genome>
+    static void run_round(Frame<G>& frame, const Stage<P>& body, Context<P>& context) {
+        const std::size_t n = frame.kept.size(), depth = context.kept.frames.size() - 1;
+        Snapshot<G> before;
+        if (context.is_kept())
+            before = context.snapshot();
+        std::vector<std::optional<Context<P>>> islands(n);
+        std::vector<Frame<G>> loops(n);
+        for (std::size_t i = 0; i < n; ++i)
+            for (const auto& [path, state] : frame.states)
+                if (path.starts_with(context.path() + "/" + name_of(i) + "/"))
+                    loops[i].states[path] = state;
+        try {
+            Rounds<P>::run(
+                n, context.door(),
+                [&](std::size_t i, Door<P>& door) {
+                    Context<P>& own = islands[i].emplace(context, door, i, n);
+                    own.kept.loops.push_back(&loops[i]);
+                    Population<G>& population = frame.kept[i];
+                    const auto start = start_of_generation(population, body.reads_of_start());
+                    const typename Context<P>::Generation generation(own.where, frame.next, start);
+                    const typename Context<P>::Scope scope(own.where, Name(name_of(i)), 0);
+                    try {
+                        population = body(std::move(population), own);
+                    } catch (const Stopped&) {
+                        population =
+                            joined_with(start, own.kept.in_hand ? *own.kept.in_hand : Population<G>());
+                        throw;
+                    }
+                },
+                [&] { context.keep_as(before); });
+        } catch (const Stopped&) {
+            context.kept.in_hand = joined(frame.kept);
+            if (context.is_kept()) {
+                frame = before.frames[depth];
+                context.keep_stopped(before);
+            }
+            throw;
+        }
+        for (auto& loop : loops)
+            for (auto& [path, state] : loop.states)
+                frame.states[path] = std::move(state);
+        Identity given = 0; // at most, by one island
+        for (std::size_t i = 0; i < n; ++i)
+            given = std::max(given, (islands[i]->kept.next_identity - context.kept.next_identity -
+                                     i * context.kept.identity_step) /
+                                        islands[i]->kept.identity_step);
+        context.kept.next_identity += given * n * context.kept.identity_step;
+        try {
+            for (auto& island : islands)
+                context.show_again(*island);
+        } catch (const Stopped&) { // an observer has seen enough
+            context.kept.in_hand = joined(frame.kept);
+            throw;
+        }
+    }
+
+    static std::string name_of(std::size_t island) { return "island" + std::to_string(island + 1); }
+
+    template <class G>
+    static Population<G> joined(const std::vector<Population<G>>& islands) {
         Population<G> all;
-        for (auto& island : frame->kept)
-            for (auto& individual : island)
-                all.push_back(std::move(individual));
+        for (const auto& island : islands)
+            all.insert(all.end(), island.begin(), island.end());
         return all;
     }
 
     template <class G>
-    static void migrate(std::vector<Population<G>>& islands, std::size_t n, std::size_t migrants) {
+    static void migrate(std::vector<Population<G>>& islands, std::size_t migrants) {
+        const std::size_t n = islands.size();
         if (migrants == 0)
             return;
         std::vector<Population<G>> leaving;
@@ -106,7 +173,7 @@ struct Islands : Operator {
     }
 };
 
-/// @param n  islands, >= 2; the population must have as many individuals
+/// @param n  islands, 2 to 10,000; the population must have as many individuals
 template <class Body>
 Islands<Body> islands(std::size_t n, Migration migration, Body body) {
     return {n, migration, std::move(body)};

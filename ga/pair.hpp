@@ -37,23 +37,25 @@ struct Pair : Operator {
                     known.scored.reset();
                 },
                 [=, combine = combine](Population<G> population, Context<P>& context) {
-                    typename Context<P>::OpenFrame frame(context, {});
-                    if (!frame.resumed()) {
+                    typename Context<P>::OpenFrame frame(context.kept, {});
+                    if (!frame.resumed())
                         frame->kept = {std::move(population), {}};
-                    }
+                    frame->expect(frame->kept.size() == 2);
                     if (frame->next == 0) {
-                        const typename Context<P>::Scope scope(context, left_name, 0);
+                        const typename Context<P>::Scope scope(context.where, left_name, 0);
                         frame->kept[1] = on_left(frame->kept[0], context);
                         frame->next = 1;
                     }
                     Population<G> others;
                     {
-                        const typename Context<P>::Scope scope(context, right_name, 0);
+                        const typename Context<P>::Scope scope(context.where, right_name, 0);
                         others = on_right(frame->kept[0], context);
                     }
                     return children(frame->kept[1], others, combine, context);
                 },
-                std::max(on_left.reads_of_start(), on_right.reads_of_start())};
+                std::max(on_left.reads_of_start(), on_right.reads_of_start()),
+                {},
+                on_left.begins() && on_right.begins()};
     }
 
   private:
@@ -67,6 +69,8 @@ struct Pair : Operator {
                 std::optional<G> genome = combine.of(a, b);
                 if (!genome)
                     continue;
+                if (children.size() % 1024 == 0)
+                    room_for(children.size() + 1024, *genome, lefts, context);
                 if (std::exchange(seen.at(identify(context.problem(), *genome)), true))
                     continue;
                 children.push_back(
@@ -77,6 +81,16 @@ struct Pair : Operator {
                               std::to_string(rights.size()) + " individuals gave no child by " +
                               combine.name);
         return children;
+    }
+
+    template <Problem P>
+    static void room_for(std::size_t children, const G& like, const Population<G>& lefts, Context<P>& context) {
+        try {
+            context.need_room(children, like);
+        } catch (const Stopped&) {
+            context.kept.in_hand = lefts;
+            throw;
+        }
     }
 };
 

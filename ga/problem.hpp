@@ -2,23 +2,23 @@
 
 #include "ga/fingerprint.hpp"
 
-#include <Eigen/Core>
-
 #include <concepts>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace ga {
 
-/// One reading of an evaluation's outcome, greater is better. A pure function; NaN, infinity or an exception
-/// marks the individual as failed.
+/// One reading of an evaluation's outcome. A pure function; NaN, infinity or an exception marks the individual
+/// as failed.
 template <class Outcome>
 struct Objective {
     std::string name;                              ///< as pipelines call it
-    std::function<double(const Outcome&)> fitness; ///< of an outcome; greater is better
+    std::function<double(const Outcome&)> fitness; ///< of an outcome
+    bool minimise = false;                         ///< less is better; otherwise greater is
 };
 
 /// All that ga knows of a domain: a genome, the one paid call `evaluate` (pure: called from several threads
@@ -76,17 +76,35 @@ typename P::Genome with_genes(const P& problem, const typename P::Genome& genome
         return genes;
 }
 
-/// Residuals r_k of an objective (a perfect genome has none) and their derivatives: rows k, columns genes.
-struct Sensitivity {
-    Eigen::VectorXd residuals; ///< r, one a point of the objective
-    Eigen::MatrixXd jacobian;  ///< dr/dgenes, rows as in r, one column a gene
-};
+/// Residuals and their derivatives; complete in ga/refinement/sensitivity.hpp, for those who refine.
+struct Sensitivity;
 
-/// Optional: the one derivative from which `refine` builds every form (squares, minimax, the paper's s|s|).
+/// Optional: the one derivative from which `refine` builds every form (squares, minimax, or a domain's own).
 template <class P>
 concept Sensitive = HasGenes<P> &&
     requires(const P& problem, const typename P::Genome& genome, const std::string& objective) {
     { problem.sensitivity(genome, objective) } -> std::same_as<Sensitivity>;
+};
+
+/// Optional: the fitness's derivatives with respect to all genes.
+template <class P>
+concept Differentiable = HasGenes<P> &&
+    requires(const P& problem, const typename P::Genome& genome, const std::string& objective) {
+    { problem.gradient(genome, objective) } -> std::same_as<std::vector<double>>;
+};
+
+/// Optional: by how much an outcome violates the problem's constraints, all together; 0 or less where it holds
+/// them. Individuals are then compared by Deb's rules (2000): one that holds them before one that does not, less
+/// violation before more, then the fitness.
+template <class P>
+concept Constrained = requires(const P& problem, const typename P::Outcome& outcome) {
+    { problem.violation(outcome) } -> std::convertible_to<double>;
+};
+
+/// Optional: the bytes an outcome takes in memory, where it owns more than itself.
+template <class P>
+concept Weighed = requires(const P& problem, const typename P::Outcome& outcome) {
+    { problem.bytes(outcome) } -> std::convertible_to<std::size_t>;
 };
 
 /// A gene that may move, between its bounds.
@@ -135,6 +153,35 @@ template <class P>
 concept Appraises = Problem<P> && requires(const P& problem, const typename P::Genome& genome) {
     { problem.appraise(genome) } -> std::same_as<std::unique_ptr<Appraisal<typename P::Outcome>>>;
 };
+
+/// Whether a member pointer's or a static member's type is a function's.
+template <class Member>
+constexpr bool is_function_member = std::is_member_function_pointer_v<Member> ||
+                                    std::is_function_v<std::remove_pointer_t<Member>>;
+
+/// A compile-time error that names a member which is there but does not fit its concept, as a misspelt signature
+/// would otherwise be passed over. Overloaded and templated members cannot be seen.
+template <class P>
+constexpr bool members_fit() {
+#define GA_MEMBER_FITS(member, Concept)                                                                        \
+    if constexpr (requires { &P::member; })                                                                    \
+        if constexpr (is_function_member<decltype(&P::member)>)                                                \
+            static_assert(Concept<P>, "the problem's member '" #member                                         \
+                                      "' has another signature than " #Concept " (ga/problem.hpp) asks for");
+    GA_MEMBER_FITS(key, Keyed)
+    GA_MEMBER_FITS(settled, Settling)
+    GA_MEMBER_FITS(genes, ConvertsGenes)
+    GA_MEMBER_FITS(with_genes, ConvertsGenes)
+    GA_MEMBER_FITS(sensitivity, Sensitive)
+    GA_MEMBER_FITS(gradient, Differentiable)
+    GA_MEMBER_FITS(bounds, Bounded)
+    GA_MEMBER_FITS(sample, Sampled)
+    GA_MEMBER_FITS(appraise, Appraises)
+    GA_MEMBER_FITS(violation, Constrained)
+    GA_MEMBER_FITS(bytes, Weighed)
+#undef GA_MEMBER_FITS
+    return true;
+}
 
 /// The identity under which the genome's outcome is remembered.
 template <Problem P>

@@ -1,139 +1,147 @@
 #pragma once
 
-#include "ga/selection/best.hpp"
-#include "ga/text/number.hpp"
+#include "ga/stage.hpp"
+#include "ga/stopping/until.hpp"
 
 namespace ga {
 
-/// When a block of generations ends: at the first condition that holds, looked at before every generation. At
-/// least one is given: `until({.evaluations = 10000, .fitness = 0.99}, body)`. A run that ends on seconds
-/// cannot be repeated bit for bit; every other can.
-struct Until {
-    std::optional<std::size_t> generations = std::nullopt; ///< this many were made
-    std::optional<long> evaluations = std::nullopt;        ///< this many were asked for since the block began
-    std::optional<double> seconds = std::nullopt;          ///< this long since the block began
-    std::optional<double> fitness = std::nullopt;          ///< the best of the population reaches this
-    std::optional<std::size_t> stagnation =
-        std::nullopt; ///< this many generations since the best last improved
-
-    /// "generations 20 fitness 0.99"; empty without any condition.
-    std::string text() const {
-        std::string text;
-        const auto add = [&](const char* word, const auto& limit) {
-            if (limit)
-                text +=
-                    std::string(text.empty() ? "" : " ") + word + " " + number(static_cast<double>(*limit));
-        };
-        add("generations", generations);
-        add("evaluations", evaluations);
-        add("seconds", seconds);
-        add("fitness", fitness);
-        add("stagnation", stagnation);
-        return text;
-    }
-};
-
 /// Runs a pipeline again and again on its own answer. Each pass is a generation: its random numbers are its
-/// own, and the best at its start are kept where `elite` and `plus` read them.
-template <class Body>
+/// own, and the best at its start are kept where `elite` and `plus` read them. Where no rule is sure to hold some
+/// day, the block ends after 10,000 generations that bettered nothing (and asked for nothing, where it ends on
+/// evaluations).
+template <class Body, class Ends>
 struct Generations : Operator {
     Body body;    ///< what each generation runs
-    Until end;    ///< when to end
+    Ends ends;    ///< when to end
     bool counted; ///< written as `repeat n`
 
-    /// Throws UsageError on an end that never comes, or comes before the first generation.
-    Generations(Body body_, Until end_, bool counted_)
-        : body(std::move(body_)), end(end_), counted(counted_) {
-        if (end.text().empty() || (counted && *end.generations == 0))
-            throw UsageError(
-                "a block of generations needs an end; expected repeat N with N >= 1, or until with one of "
-                "generations, evaluations, seconds, fitness, stagnation");
-    }
+    /// The block `until ends { body }`.
+    Generations(Body body_, Ends ends_, bool counted_ = false)
+        : body(std::move(body_)), ends(std::move(ends_)), counted(counted_) {}
 
-    /// The block as one step (Block).
+    /// The block as one step (Block). Throws UsageError on an end that never comes, or comes before the first
+    /// generation.
     template <Problem P>
     Step<P> step() const {
         using G = typename P::Genome;
         const Stage<P> stages(body);
-        const std::string name =
-            counted ? "repeat " + std::to_string(*end.generations) : "until " + end.text();
+        const std::vector<Rule<G>> rules = ends.template rules<G>();
+        std::string name = "until";
+        for (const Rule<G>& rule : rules)
+            name += " " + rule.text;
+        if (counted)
+            name = "repeat" + rules.front().text.substr(rules.front().text.find(' '));
+        if (rules.empty() || name == "repeat 0")
+            throw UsageError("a block of generations needs an end; expected repeat N with N >= 1, or until with "
+                             "one of generations, evaluations, seconds, fitness, stagnation");
         const std::size_t reads = stages.reads_of_start();
         return {name + " { " + stages.text() + " }",
-                [=, end = end](Known& known) {
+                [=](Known& known) {
                     Known inside = known;
                     inside.in_generation = true;
-                    if (reads > 0)
+                    inside.start_scored = known.scored;
+                    if (reads > 0 && reads != everyone) // the best of its start are chosen
                         known.need_score(name);
                     stages.check(inside);
-                    if (end.fitness || end.stagnation)
-                        inside.need_score(name);
+                    for (const Rule<G>& rule : rules)
+                        rule.check(inside, name);
+                    inside.start_scored = inside.scored;
                     stages.check(inside); // what one generation leaves must suit the next
                     known.scored = inside.scored;
                 },
-                [=, end = end](Population<G> population, Context<P>& context) {
-                    return generations(std::move(population), stages, end, reads, context);
-                }};
+                [=](Population<G> population, Context<P>& context) {
+                    return generations(std::move(population), stages, rules, reads, context);
+                },
+                0, {}, stages.begins()};
     }
 
   private:
     template <Problem P, class G = typename P::Genome>
-    static Population<G> generations(Population<G> population, const Stage<P>& body, const Until& end,
-                                     std::size_t reads, Context<P>& context) {
-        typename Context<P>::OpenFrame frame(context, std::move(population));
-        const Watch& watch = context.evaluator().watch();
-        enum { asked, best, improved }; // the frame's numbers
-        if (!frame.resumed())
-            frame->numbers = {static_cast<double>(context.counters().asked), -HUGE_VAL, 0};
-        const double began = watch.seconds();
-        const auto ended = [&] {
-            const double reached = best_value(frame->population);
-            if (reached > frame->numbers[best]) {
-                frame->numbers[best] = reached;
-                frame->numbers[improved] = static_cast<double>(frame->next);
-            }
-            const auto since = [&](int which, auto now) {
-                return static_cast<double>(now) - frame->numbers[which];
-            };
-            return (end.generations && frame->next >= *end.generations) ||
-                   (end.evaluations &&
-                    since(asked, context.counters().asked) >= static_cast<double>(*end.evaluations)) ||
-                   (end.seconds && watch.seconds() - began >= *end.seconds) ||
-                   (end.fitness && reached >= *end.fitness) ||
-                   (end.stagnation && since(improved, frame->next) >= static_cast<double>(*end.stagnation));
-        };
-        for (bool inside = frame.resumed(); inside || !ended(); inside = false, ++frame->next) {
-            if (!inside)
-                frame->kept = {start_of_generation(frame->population, reads)};
-            const typename Context<P>::Generation generation(context, frame->next, frame->kept[0]);
-            frame->population = body(std::move(frame->population), context);
+    static Population<G> generations(Population<G> population, const Stage<P>& body,
+                                     const std::vector<Rule<G>>& rules, std::size_t reads,
+                                     Context<P>& context) {
+        typename Context<P>::OpenFrame frame(context.kept, std::move(population), true);
+        enum { asked, seconds, asked_last, moved }; // the block's own numbers
+        auto& numbers = frame->numbers; // its own, what it knows of improvement, and each rule's
+        if (!frame.resumed()) {
+            numbers.resize(2 + rules.size());
+            const auto began = static_cast<double>(context.counters().asked);
+            numbers[0] = {began, context.seconds(), began, 0};
         }
-        if (end.seconds && watch.seconds() - began >= *end.seconds)
-            context.note("ended on seconds; another run may end elsewhere");
+        frame->expect(numbers.size() == 2 + rules.size() && numbers[0].size() == 4 &&
+                      (!frame.resumed() || frame->kept.size() == 1));
+        bool sure = false, paying = false;
+        for (const Rule<G>& rule : rules) {
+            sure |= rule.sure;
+            paying |= rule.text.starts_with(AfterEvaluations::words().name);
+        }
+        const auto ended = [&] {
+            const Progress<G> now{frame->next,
+                                  context.counters().asked - static_cast<long>(numbers[0][asked]),
+                                  context.seconds() - numbers[0][seconds], frame->population};
+            bool end = false;
+            for (std::size_t i = 0; i < rules.size(); ++i)
+                if (rules[i].holds(now, numbers[2 + i])) {
+                    end = true;
+                    if (rules[i].text.starts_with(AfterSeconds::words().name))
+                        context.note("ended on seconds; another run may end elsewhere");
+                }
+            return end || (!sure && idle(now, numbers[0], numbers[1], paying, context));
+        };
+        try {
+            for (bool inside = frame.resumed(); inside || !ended(); inside = false, ++frame->next) {
+                if (!inside)
+                    frame->kept = {start_of_generation(frame->population, reads)};
+                const typename Context<P>::Generation generation(context.where, frame->next, frame->kept[0]);
+                frame->population = body(std::move(frame->population), context);
+            }
+        } catch (const Stopped&) {
+            auto& in_hand = context.kept.in_hand;
+            if (in_hand && !frame->kept.empty())
+                in_hand = joined_with(frame->kept[0], std::move(*in_hand));
+            throw;
+        }
         return std::move(frame->population);
     }
 
-    /// The best fitness of a scored population; minus infinity where somebody is unscored.
-    template <class G>
-    static double best_value(const Population<G>& population) {
-        double best = -HUGE_VAL;
-        for (const auto& individual : population) {
-            if (!individual.fitness.known())
-                return -HUGE_VAL;
-            best = std::max(best, individual.value());
-        }
-        return best;
+    /// Whether nothing has moved for so long that nothing will; evaluations move what waits for them (`paying`).
+    template <class G, Problem P>
+    static bool idle(const Progress<G>& now, Numbers& own, Numbers& improvement, bool paying,
+                     Context<P>& context) {
+        constexpr double patience = 10000; // generations
+        enum { asked, seconds, asked_last, moved };
+        const auto asked_now = static_cast<double>(context.counters().asked);
+        if (improves(now, improvement) || (paying && asked_now > own[asked_last]))
+            own[moved] = static_cast<double>(now.generation);
+        own[asked_last] = asked_now;
+        if (static_cast<double>(now.generation) - own[moved] < patience)
+            return false;
+        context.note("ended after 10000 generations that brought it no nearer to its end");
+        return true;
     }
 };
 
 /// n generations; n >= 1.
 template <class Body>
-Generations<Body> repeat(std::size_t n, Body body) {
+Generations<Body, Until> repeat(std::size_t n, Body body) {
     return {std::move(body), Until{.generations = n}, true};
 }
-/// The stage `until ... { body }`.
+/// The stage `until ... { body }` by the engine's own rules. Throws UsageError where none is given.
 template <class Body>
-Generations<Body> until(Until end, Body body) {
-    return {std::move(body), end, false};
+Generations<Body, Until> until(Until end, Body body) {
+    if (!(end.generations || end.evaluations || end.seconds || end.fitness || end.stagnation))
+        throw UsageError("until has no end; expected one of generations, evaluations, seconds, fitness, stagnation");
+    return {std::move(body), end};
+}
+/// The stage `until ... { body }` by rules of any kind.
+template <class Body, class First, class... R>
+Generations<Body, AnyOf<First, R...>> until(AnyOf<First, R...> ends, Body body) {
+    return {std::move(body), std::move(ends)};
+}
+/// The stage `until ... { body }` by one rule of any kind.
+template <class Body, class R>
+requires std::derived_from<R, StoppingRule> Generations<Body, AnyOf<R>> until(R rule, Body body) {
+    return {std::move(body), any_of(std::move(rule))};
 }
 
 } // namespace ga

@@ -24,18 +24,35 @@ struct Restarts : Operator {
         const Stage<P> stages(body);
         return {"restarts " + std::to_string(n) + " { " + stages.text() + " }",
                 [=](Known& known) { stages.check(known); },
-                [=, n = n](Population<G> population, Context<P>& context) {
-                    typename Context<P>::OpenFrame frame(context, {});
-                    if (!frame.resumed())
-                        frame->kept = {std::move(population), {}}; // the start, and the answers so far
-                    for (; frame->next < n; ++frame->next) {
-                        const typename Context<P>::Round round(context, frame->next);
-                        for (auto& each : stages(frame->kept[0], context))
-                            frame->kept[1].push_back(std::move(each));
-                    }
-                    return std::move(frame->kept[1]);
+                [stages, n = n](Population<G> population, Context<P>& context) {
+                    return again(std::move(population), stages, n, context);
                 },
-                stages.reads_of_start()};
+                stages.reads_of_start(), {}, stages.begins()};
+    }
+
+  private:
+    template <Problem P, class G = typename P::Genome>
+    static Population<G> again(Population<G> population, const Stage<P>& stages, std::size_t n,
+                               Context<P>& context) {
+        typename Context<P>::OpenFrame frame(context.kept, {}, true);
+        if (!frame.resumed())
+            frame->kept = {std::move(population), {}}; // the start, and the answers so far
+        frame->expect(frame->kept.size() == 2);
+        try {
+            for (; frame->next < n; ++frame->next) {
+                const typename Context<P>::Round round(context.where, frame->next);
+                for (auto& each : stages(frame->kept[0], context))
+                    frame->kept[1].push_back(std::move(each));
+                frame->states.clear();
+                if (!frame->kept[1].empty())
+                    context.need_room(frame->kept[1].size(), frame->kept[1].front().genome);
+            }
+        } catch (const Stopped&) {
+            auto& in_hand = context.kept.in_hand;
+            in_hand = joined_with(frame->kept[1], in_hand ? std::move(*in_hand) : Population<G>());
+            throw;
+        }
+        return std::move(frame->kept[1]);
     }
 };
 

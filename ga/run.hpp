@@ -15,36 +15,39 @@ struct RunOptions {
     /// observers see after such a score is the survivors' rivals only. Decides no survivor.
     bool screening = false;
     Budget budget = {}; ///< when to stop before the pipeline ends
+    /// For one population; a run whose population would exceed it ends with what it has.
+    std::size_t population_bytes = std::size_t{1} << 30;
 };
 
 /// What a run gives back.
 template <class G>
 struct Result {
-    Population<G> population;          ///< the pipeline's answer; when stopped, the best so far alone
+    /// The pipeline's answer. When the run was stopped, what it had in hand: the scored of the population and what
+    /// its generation kept of its start, best first.
+    Population<G> population;
     std::optional<Individual<G>> best; ///< the best ever scored under the problem's first objective
     Counters counters;                 ///< what was paid for
     std::vector<std::string> notes;    ///< remarks of stages, each under its path
     std::string stopped;               ///< why the run ended before its pipeline; empty when it did not
     double seconds = 0;                ///< in all the processes that carried the run
+    Population<G> front = {};          ///< of the population, those that no other betters
 };
 
 /// Throws UsageError when the pipeline cannot work on this problem and population.
 template <Problem P>
 void check(const Stage<P>& pipeline, const P& problem, const Population<typename P::Genome>& population) {
-    if (population.empty())
-        throw UsageError("the population is empty; expected one individual at least");
     Known known;
     for (const auto& objective : problem.objectives())
         known.objectives.push_back(objective.name);
     if (known.objectives.empty())
         throw UsageError("the problem has no objective; expected one at least");
-    const Fitness& first = population.front().fitness;
-    const bool scored = std::all_of(population.begin(), population.end(), [&](const auto& individual) {
-        return individual.fitness.known() && individual.fitness.known(first.objective_name());
-    });
-    if (scored)
-        known.scored = first.objective();
+    known.nobody = population.empty();
+    if (known.nobody && !pipeline.begins())
+        throw UsageError("the population is empty; expected one individual at least, or sample before all");
+    if (!known.nobody && comparable(population))
+        known.scored = population.front().fitness.objective();
     pipeline.check(known);
+    pipeline.check_end(known);
 }
 
 /// What makes a run the one it is: pipeline, seed, objectives and start.
@@ -53,47 +56,76 @@ std::uint64_t identity_of_run(const Stage<P>& pipeline, const P& problem, std::u
                               const Population<typename P::Genome>& population) {
     std::uint64_t key = fold(fold(0, seed), pipeline.text());
     for (const auto& objective : problem.objectives())
-        key = fold(key, objective.name);
+        key = fold(fold(key, objective.name), objective.minimise ? 1 : 0);
     for (const auto& individual : population)
         key = fold(fold(key, individual.identity), identify(problem, individual.genome).low);
     return key;
 }
 
+/// What a stopped run gives back of what it had in hand: whoever is scored under the policy of most, best first.
+template <class G>
+Population<G> salvaged(Population<G> in_hand) {
+    std::erase_if(in_hand, [](const auto& individual) { return !individual.fitness.known(); });
+    std::map<std::string, std::size_t> policies;
+    for (const auto& individual : in_hand)
+        ++policies[individual.fitness.objective()];
+    std::string policy;
+    for (const auto& [name, count] : policies)
+        if (policy.empty() || count > policies[policy])
+            policy = name;
+    std::erase_if(in_hand, [&](const auto& individual) { return individual.fitness.objective() != policy; });
+    return best_of(in_hand, everyone);
+}
+
 /// Runs a pipeline on a population. The pipeline is checked first: UsageError says what it lacks. The same
 /// seed gives the same result, bit for bit, for any number of threads and any memory, unless the run ends on
 /// seconds or a stop; with a keeper, however often the process ended on the way.
+/// @param population  may be empty where the pipeline begins with `sample`
+/// @param evaluator   makes the paid calls; without one they are spread over threads
 template <Problem P, class Pipeline, class G = typename P::Genome>
 requires(std::convertible_to<Pipeline, Stage<P>>) Result<G> run(const Pipeline& pipeline, const P& problem,
                                                                 Population<G> population,
                                                                 const RunOptions& options = {},
                                                                 std::vector<Observer<G>> observers = {},
-                                                                Keeper<P>* keeper = nullptr) {
+                                                                Keeper<P>* keeper = nullptr,
+                                                                Evaluator<P>* evaluator = nullptr) {
     const Stage<P> stage(pipeline);
     check(stage, problem, population);
     Identity next = 0;
     for (const auto& individual : population)
         next = std::max(next, individual.identity + 1);
-    Evaluator<P> evaluator(problem, thread_count(options.threads), options.memory_bytes, options.budget);
-    Context<P> context(evaluator, options.variant, options.seed, next, std::move(observers));
-    context.screen(options.screening);
+    OnThreads<P> here(options.threads);
+    Ledger<P> ledger(problem, evaluator ? *evaluator : here, options.memory_bytes, options.budget);
+    Context<P> context(ledger, Where<G>(options.variant, options.seed), next,
+                       {std::move(observers), keeper, options.population_bytes, options.screening});
+    Frame<G> outermost; // of states outside every loop
+    context.kept.loops.push_back(&outermost);
     Result<G> result;
     try {
         std::optional<Population<G>> answer;
         if (keeper) {
-            answer = keeper->begin(context, identity_of_run(stage, problem, options.seed, population));
-            context.keep(*keeper);
+            if (auto kept = keeper->begin(ledger, identity_of_run(stage, problem, options.seed, population)))
+                context.resume(std::move(*kept));
+            answer = keeper->answer();
         }
-        result.population = answer ? std::move(*answer) : stage(std::move(population), context);
-        if (keeper && !answer)
-            keeper->finish(context, result.population);
+        const bool known = answer.has_value();
+        result.population = known ? std::move(*answer) : stage(std::move(population), context);
+        if (keeper && !known)
+            keeper->write(context.snapshot(), ledger, &result.population);
     } catch (const Stopped& stop) {
         result.stopped = stop.reason;
-        if (context.best())
+        if (context.kept.in_hand)
+            result.population = salvaged(std::move(*context.kept.in_hand));
+        if (result.population.empty() && context.best())
             result.population = {*context.best()};
     }
+    if (comparable(result.population))
+        result.front = front_of(result.population);
     result.best = context.best();
     result.counters = context.counters();
-    result.notes = context.notes();
+    if (keeper && !keeper->trouble().empty())
+        context.kept.note(keeper->trouble());
+    result.notes = context.kept.notes();
     result.seconds = context.seconds();
     return result;
 }

@@ -12,17 +12,24 @@ struct Score : Operator {
 
     ///@{
     /// What every operator has (Operator).
-    std::string text() const { return objective.empty() ? "score" : "score " + objective; }
-    void check(Known& known) const { known.scored = known.objective(text(), objective); }
+    static Words words() {
+        return {"score", "selection", "evaluates what has no fitness under the objective"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.objective, word("objective", "", "one of the problem's; its first where none is given"));
+    }
+    void check(Known& known) const { known.scored = known.objective(text_of(*this), objective); }
 
     template <Problem P>
     Population<typename P::Genome> operator()(Population<typename P::Genome> population,
                                               Context<P>& context) const {
         context.leave_out(0);
-        if constexpr (Appraises<P>)
-            if (const auto demand = context.demand())
-                population =
-                    Screening<P>(context, context.objective_index(objective), *demand)(std::move(population));
+        if constexpr (Appraises<P> && !Constrained<P>) {
+            const std::size_t which = context.objective_index(objective);
+            const auto demand = context.demand();
+            if (demand && !context.problem().objectives()[which].minimise)
+                population = Screening<P>(context, which, *demand)(std::move(population));
+        }
         context.score(population, objective);
         return population;
     }

@@ -39,10 +39,6 @@ class Screening {
     /// Evaluations under way at a time, for their memory, and worked on between two looks at the floor.
     static constexpr std::size_t at_once = 256, abreast = 8;
 
-    /// Waking threads takes its time, more on a busy machine: work of less than this stays on one, which
-    /// decides no result. Seconds.
-    static constexpr double worth_waking = 1e-3;
-
     struct Candidate {
         std::size_t place;
         std::unique_ptr<Appraisal<Outcome>> work;
@@ -59,9 +55,7 @@ class Screening {
                 std::vector<char>& given_up) {
         std::vector<Candidate> open = begin(population, first, last), chosen; // open: a heap
         std::make_heap(open.begin(), open.end());
-        const Watch& watch = context_.evaluator().watch();
-        double cost = 0; ///< seconds a piece of work took lately
-        while (!watch.expired()) {
+        while (!context_.watch().expired()) {
             // Those who would be kept if everybody were as good as they can still be.
             while (!open.empty() && chosen.size() < abreast &&
                    floor_.would_keep(open.front().bound, chosen.size())) {
@@ -71,13 +65,7 @@ class Screening {
             }
             if (chosen.empty())
                 break;
-            const bool together = cost * static_cast<double>(chosen.size()) > worth_waking;
-            parallel_for(chosen.size(), together ? context_.threads() : 1, [&](std::size_t i) {
-                const double start = watch.seconds();
-                work_on(chosen[i]);
-                if (i == 0)
-                    cost = std::min(watch.seconds() - start, 2 * cost + worth_waking / 100);
-            });
+            context_.ledger().evaluator().each(chosen.size(), [&](std::size_t i) { work_on(chosen[i]); });
             for (Candidate& one : chosen) {
                 if (one.outcome) {
                     take(population[one.place].genome, std::move(*one.outcome));
@@ -91,7 +79,7 @@ class Screening {
         for (Candidate& one : open)
             if (one.bound < floor_.value()) {
                 given_up[one.place] = 1;
-                context_.evaluator().shelve(print_of(population[one.place]), std::move(one.work));
+                context_.ledger().shelve(print_of(population[one.place]), std::move(one.work));
             }
     }
 
@@ -124,12 +112,12 @@ class Screening {
             const auto& individual = population[i];
             if (individual.fitness.known(name_))
                 offer(individual.fitness);
-            else if (const auto* known = context_.evaluator().memory().find(print_of(individual)))
-                offer(Evaluator<P>::judge(*known, objective_, name_));
+            else if (const auto* known = context_.ledger().memory().find(print_of(individual)))
+                offer(judged(context_.problem(), *known, objective_, name_));
             else if (!std::binary_search(of_start_.begin(), of_start_.end(), individual.identity))
-                all.push_back({i, context_.evaluator().unshelve(print_of(individual))});
+                all.push_back({i, context_.ledger().unshelve(print_of(individual))});
         }
-        parallel_for(all.size(), context_.threads(), [&](std::size_t i) {
+        context_.ledger().evaluator().each(all.size(), [&](std::size_t i) {
             try {
                 if (!all[i].work)
                     all[i].work = context_.problem().appraise(population[all[i].place].genome);
@@ -158,8 +146,8 @@ class Screening {
 
     void take(const Genome& genome, Outcome outcome) {
         Evaluation<Outcome> evaluation(std::move(outcome));
-        offer(Evaluator<P>::judge(evaluation, objective_, name_));
-        context_.evaluator().prepay(identify(context_.problem(), genome), std::move(evaluation));
+        offer(judged(context_.problem(), evaluation, objective_, name_));
+        context_.ledger().prepay(identify(context_.problem(), genome), std::move(evaluation));
     }
     void offer(const Fitness& fitness) {
         if (!fitness.has_failed())

@@ -2,6 +2,7 @@
 
 #include "ga/check.hpp"
 #include "ga/context.hpp"
+#include "ga/parameters.hpp"
 
 namespace ga {
 
@@ -15,30 +16,37 @@ struct Step {
     std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply; ///< what it does
     std::size_t reads_of_start = 0;    ///< how many of the best at the start of its generation it reads
     std::optional<Demand> demand = {}; ///< whom it keeps of a scored population, where it says so
+    bool begins = false;               ///< it makes a population of nothing
 };
 
 /// An operator is a small struct with
-///     std::string text() const;                                  as it is written in a text pipeline
+///     words() and describe(), from which its text follows (parameters.hpp), or std::string text() const
 ///     void check(Known&) const;                                  what it needs and makes known
 ///     Population operator()(Population, Context<P>&) const;      a template over the problem P, constrained
 ///                                                                by what it uses
-/// deriving from this tag, which gives it `|`. One that reads the start of its generation says how much of
-/// it by
-///     std::size_t reads_of_start() const;                        the best so many; everyone for all
-/// One that keeps a part of a scored population, whatever the others' fitness, says which by
-///     Demand demand() const;
-/// One that needs of a problem what no concept can tell has `template <Problem P> void check_problem()
-/// const`.
+/// deriving from this tag, which gives it `|`. Besides, it may have
+///     struct State;                           what it carries from one generation to the next, written and read
+///                                             by to_json and from_json; the call takes a State& at its end
+///     std::size_t reads_of_start() const;     how many of the best at its generation's start it reads; everyone
+///     static constexpr bool begins = true;    where it makes a population of nothing
+///     Demand demand() const;                  whom it keeps of a scored population, whatever the others' fitness
+///     template <Problem P> void check_problem() const;   what no concept can tell of a problem
 struct Operator {};
-
-/// What reads_of_start() gives for the whole population.
-constexpr std::size_t everyone = static_cast<std::size_t>(-1);
 
 /// An operator that holds pipelines gives, in place of the call, `template <Problem P> Step<P> step() const`.
 template <class Op, class P>
 concept Block = requires(const Op& op) {
     op.template step<P>();
 };
+
+/// What an operator is as text: its own words, or those that follow from its parameters.
+template <class Op>
+std::string stage_text(const Op& op) {
+    if constexpr (requires { op.text(); })
+        return op.text();
+    else
+        return text_of(op);
+}
 
 /// a | b before the problem is known.
 template <class A, class B>
@@ -61,23 +69,13 @@ class Stage {
     /// concepts can tell is refused when it is compiled.
     template <class Op>
     requires(std::derived_from<Op, Operator>) Stage(Op op) {
+        static_assert(members_fit<P>());
         if constexpr (requires { op.template check_problem<P>(); })
             op.template check_problem<P>();
         if constexpr (Block<Op, P>)
             add(op.template step<P>());
-        else if constexpr (!std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>) {
-            static_assert(std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>,
-                          "this operator needs what the problem or its genome does not have; the compiler "
-                          "names it below");
-            // No more callable here, where the compiler says which constraint is at fault.
-            using Answer [[maybe_unused]] = decltype(op(Population<Genome>(), std::declval<Context<P>&>()));
-        } else {
-            add({op.text(), [op](Known& known) { op.check(known); },
-                 [op](Population<Genome> population, Context<P>& context) {
-                     return op(std::move(population), context);
-                 },
-                 start_of(op), demand_of(op)});
-        }
+        else
+            add(step_of(std::move(op)));
     }
     /// Operators joined by `|` before the problem was known.
     template <class A, class B>
@@ -89,35 +87,55 @@ class Stage {
 
     /// Joins another pipeline's stages to its end.
     void append(const Stage& other) {
-        for (const auto& place : other.places_)
+        for (const auto& place : other.places_) {
             add(place.step);
+            places_.back().written = place.written;
+        }
+    }
+    /// Says where the stages were written that know no better, so that what they are refused for is told there.
+    void locate(const std::string& text, std::size_t column) {
+        for (auto& place : places_)
+            if (!place.written)
+                place.written = {text, column};
     }
 
     /// Throws UsageError when the pipeline cannot work on a population of which this is known.
     void check(Known& known) const {
         for (const auto& place : places_)
-            place.step.check(known);
+            place.located([&] {
+                if (known.nobody && !place.step.begins)
+                    throw UsageError("stage '" + place.step.text +
+                                     "' needs a population; expected one to start with, or sample before it");
+                place.step.check(known);
+                known.nobody = false;
+            });
     }
-
-    /// The same pipeline with every stage's check made by wrap(check, known).
-    template <class Wrap>
-    Stage with_checks(Wrap wrap) const {
-        Stage wrapped = *this;
-        for (auto& place : wrapped.places_)
-            place.step.check = [wrap, check = place.step.check](Known& known) { wrap(check, known); };
-        return wrapped;
+    /// Throws UsageError where the pipeline leaves the population unscored.
+    void check_end(const Known& known) const {
+        if (!known.scored && !places_.empty())
+            places_.back().located([&] {
+                throw UsageError("stage '" + places_.back().step.text +
+                                 "' leaves the population unscored at the end; expected score after it");
+            });
     }
 
     /// Sends a population through every stage, each at its own place of the context. Throws Stopped when the
     /// budget is spent, NothingLeft when a selection leaves nobody.
     Population<Genome> operator()(Population<Genome> population, Context<P>& context) const {
-        typename Context<P>::OpenFrame frame(context, std::move(population));
-        while (frame->next < places_.size()) {
-            context.expect(frame->next + 1 < places_.size() ? places_[frame->next + 1].step.demand
-                                                            : std::nullopt);
-            apply(places_[frame->next], *frame, context);
-            ++frame->next;
-            context.pause();
+        typename Context<P>::OpenFrame frame(context.kept, std::move(population));
+        frame->expect(frame->next <= places_.size());
+        try {
+            while (frame->next < places_.size()) {
+                context.expect(frame->next + 1 < places_.size() ? places_[frame->next + 1].step.demand
+                                                                : std::nullopt);
+                apply(places_[frame->next], *frame, context);
+                ++frame->next;
+                context.pause();
+            }
+        } catch (const Stopped&) {
+            if (!context.kept.in_hand)
+                context.kept.in_hand = std::move(frame->population);
+            throw;
         }
         return std::move(frame->population);
     }
@@ -130,6 +148,7 @@ class Stage {
         return text;
     }
     bool empty() const { return places_.empty(); } ///< without any stage
+    bool begins() const { return !places_.empty() && places_.front().step.begins; } ///< needs no population
     /// How many of the best at the start of a generation its stages read.
     std::size_t reads_of_start() const {
         std::size_t most = 0;
@@ -143,11 +162,26 @@ class Stage {
         Step<P> step;
         Name name;
         std::size_t ordinal;
+        std::optional<std::pair<std::string, std::size_t>> written = {}; ///< text and column
+
+        template <class Check>
+        void located(Check check) const {
+            try {
+                check();
+            } catch (const TextError&) {
+                throw;
+            } catch (const UsageError& error) {
+                if (!written)
+                    throw;
+                throw TextError(written->first, written->second, error.what());
+            }
+        }
     };
 
+    /// Keeps what is needed to go on from before the stage, if anybody keeps the run.
     static void apply(const Place& place, Frame<Genome>& frame, Context<P>& context) {
-        const typename Context<P>::Scope scope(context, place.name, place.ordinal);
-        if (!context.kept()) {
+        const typename Context<P>::Scope scope(context.where, place.name, place.ordinal);
+        if (!context.is_kept()) {
             frame.population = place.step.apply(std::move(frame.population), context);
         } else {
             const auto before = context.snapshot(false);
@@ -164,18 +198,38 @@ class Stage {
     }
 
     template <class Op>
-    static std::optional<Demand> demand_of(const Op& op) {
-        if constexpr (requires { op.demand(); })
-            return op.demand();
-        else
-            return std::nullopt;
-    }
-    template <class Op>
-    static std::size_t start_of(const Op& op) {
+    static Step<P> step_of(Op op) {
+        Step<P> step{stage_text(op), [op](Known& known) { op.check(known); }, {}};
         if constexpr (requires { op.reads_of_start(); })
-            return op.reads_of_start();
-        else
-            return 0;
+            step.reads_of_start = op.reads_of_start();
+        if constexpr (requires { op.demand(); })
+            step.demand = op.demand();
+        if constexpr (requires { Op::begins; })
+            step.begins = Op::begins;
+        if constexpr (requires { typename Op::State; }) {
+            step.apply = [op](Population<Genome> population, Context<P>& context) {
+                HeldState& held = context.kept.loops.back()->states[context.path()];
+                auto& state = held.template as<typename Op::State>();
+                const auto before = state;
+                try {
+                    return op(std::move(population), context, state);
+                } catch (const Stopped&) {
+                    state = before;
+                    throw;
+                }
+            };
+        } else if constexpr (!std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>) {
+            static_assert(std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>,
+                          "this operator needs what the problem or its genome does not have; the compiler "
+                          "names it below");
+            // No more callable here, where the compiler says which constraint is at fault.
+            using Answer [[maybe_unused]] = decltype(op(Population<Genome>(), std::declval<Context<P>&>()));
+        } else {
+            step.apply = [op = std::move(op)](Population<Genome> population, Context<P>& context) {
+                return op(std::move(population), context);
+            };
+        }
+        return step;
     }
 
     void add(Step<P> step) {

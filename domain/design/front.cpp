@@ -1,7 +1,7 @@
 #include "domain/design/front.hpp"
 
 #include "domain/design/search.hpp"
-#include "ga/pareto/ranking.hpp"
+#include "ga/comparison.hpp"
 
 #include <algorithm>
 
@@ -9,9 +9,10 @@ namespace rough {
 
 std::vector<Genome> front_of(const ga::Population<Genome>& population) {
     std::vector<Genome> front;
-    for (const auto& individual : population)
-        if (individual.fitness.known() && !individual.fitness.has_failed() &&
-            individual.fitness.objective() == "pareto" && individual.value() >= 0)
+    if (!ga::comparable(population))
+        return front;
+    for (const auto& individual : ga::front_of(population))
+        if (individual.fitness.several())
             front.push_back(individual.genome);
     return front;
 }

@@ -18,13 +18,7 @@ ga::Population<Genome> Shape::operator()(ga::Population<Genome>, ga::Context<Des
 ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
     auto registry = engine_words();
     add_words(registry, Vocabulary{std::make_shared<DominanceRule>(setup.model)});
-    registry.add({"shape",
-                  "roughness",
-                  "n genomes made for the target, contact solved backwards, in the population's place",
-                  {ga::whole("n", std::nullopt, 1, "how many")}},
-                 [](const ga::Arguments& a, const auto&, const auto&) {
-                     return ga::Stage<DesignProblem>(Shape(a.count("n")));
-                 });
+    registry.add<Shape>();
     registry.add("fit", "roughness",
                  "each genome in the amplitude at which it meets the first target best; nothing under Eq. 11",
                  ga::transform(

@@ -8,13 +8,18 @@ namespace rough {
 
 /// Puts n genomes made for the target (shaped_start) in the place of the population.
 struct Shape : ga::Operator {
-    std::size_t n; ///< how many
+    std::size_t n = 1; ///< how many
 
-    /// `shape n`.
-    explicit Shape(std::size_t count) : n(count) {}
     ///@{
-    /// What every operator has (Operator).
-    std::string text() const { return "shape " + std::to_string(n); }
+    /// What every operator has (ga::Operator).
+    static constexpr bool begins = true;
+    static ga::Words words() {
+        return {"shape", "roughness",
+                "n genomes made for the target, contact solved backwards, in the population's place"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.n, ga::whole("n", std::nullopt, 1, "how many"));
+    }
     void check(ga::Known& known) const { known.scored.reset(); }
 
     ga::Population<Genome> operator()(ga::Population<Genome> population,

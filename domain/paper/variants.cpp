@@ -8,7 +8,7 @@ namespace {
 
 /// n_it evaluations of GCMMA in either form.
 auto refine_by(Form form, int n_it, const ga::Variables<Genome>& variables) {
-    return refine(form == Form::minimax ? minimax(gcmma(n_it)) : ResidualMethod(gcmma(n_it)), variables);
+    return refine(form == Form::minimax ? minimax(n_it) : gcmma(n_it), variables);
 }
 
 } // namespace

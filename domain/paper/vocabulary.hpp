@@ -1,10 +1,11 @@
 #pragma once
 
 #include "domain/paper/dominance.hpp"
+#include "domain/paper/gcmma.hpp"
 #include "domain/problem/phases.hpp"
 #include "ga/ga.hpp"
+#include "ga/refinement/vocabulary.hpp"
 #include "ga/text/parser.hpp"
-#include "ga/text/vocabulary.hpp"
 
 #include <memory>
 
@@ -53,6 +54,7 @@ struct Vocabulary {
 template <ga::Problem P>
 requires std::same_as<typename P::Genome, Genome>
 void add_words(ga::Registry<P>& registry, const Vocabulary& vocabulary) {
+    ga::add_method<Gcmma>(registry);
     registry.add("reduce dominant", "roughness", "keeps each genome's dominant chromosomes (Algorithm 1)",
                  vocabulary.reduce_dominant());
     registry.add(Vocabulary::unite(), "the sum of two genomes, each as it was scaled when scored");

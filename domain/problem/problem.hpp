@@ -2,7 +2,7 @@
 
 #include "domain/problem/response.hpp"
 #include "domain/problem/response_memory.hpp"
-#include "ga/problem.hpp"
+#include "ga/refinement/sensitivity.hpp"
 #include "ga/random.hpp"
 
 #include <memory>

@@ -31,14 +31,14 @@ class HallOfFame {
 
   private:
     void offer(const Individual<Genome>& individual) {
-        if (members.size() == n_ && individual.value() <= members.back().value())
+        if (members.size() == n_ && !better(individual.fitness, members.back().fitness))
             return;
         const Fingerprint print = identify(problem_, individual.genome);
         for (const auto& member : members)
             if (identify(problem_, member.genome) == print)
                 return;
         const auto place = std::find_if(members.begin(), members.end(), [&](const auto& member) {
-            return member.value() < individual.value();
+            return better(individual.fitness, member.fitness);
         });
         members.insert(place, individual);
         if (members.size() > n_)

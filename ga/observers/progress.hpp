@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ga/context.hpp"
-#include "ga/text/number.hpp"
+#include "ga/observers/summary.hpp"
+#include "ga/number.hpp"
 
 #include <cstdio>
 
@@ -13,13 +13,9 @@ std::string status(const Event<G>& event) {
     std::string line = event.path;
     if (!event.generation.empty())
         line += " generation " + std::to_string(event.generation.back() + 1);
-    double best = -HUGE_VAL;
-    for (const auto& individual : event.population)
-        if (individual.fitness.known())
-            best = std::max(best, individual.value());
-    if (best > -HUGE_VAL) {
+    if (const auto best = best_value(event.population)) {
         char text[32];
-        std::snprintf(text, sizeof text, "%.6g", best);
+        std::snprintf(text, sizeof text, "%.6g", *best);
         line += std::string(": best ") + text;
     }
     return line + ", " + std::to_string(event.counters.asked) + " evaluations";

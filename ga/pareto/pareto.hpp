@@ -1,72 +1,77 @@
 #pragma once
 
-#include "ga/pareto/ranking.hpp"
 #include "ga/stage.hpp"
 
 namespace ga {
 
-/// Scores by several objectives at once, as NSGA-II does (Deb et al. 2002): fitness = -rank + c/(2(1 + c))
-/// with the rank of the individual's front in this population, from 0, and its crowding distance c. Its order
-/// is NSGA-II's crowded comparison, so every selection serves; the front is where fitness is 0 or more.
-/// Failed individuals rank last.
+/// Scores by several objectives at once. Individuals are compared as NSGA-II does (Deb et al. 2002): by the rank
+/// of their front, then by crowding, those that violate constraints after all others (Deb's rules). Rank and
+/// crowding are those among whomever a stage compares, so every selection and replacement serves:
 ///
 ///     pareto({"f1", "f2"})
-///         | repeat(250, tournament(2) | cross(sbx()) | mutate(0.03, polynomial()) | parents()
-///                           | pareto({"f1", "f2"}) | best(100)) | front()
+///         | repeat(250, tournament(2) | cross(sbx()) | mutate(0.03, polynomial()) | pareto({"f1", "f2"}) | plus())
+///         | front()
 struct Pareto : Operator {
-    std::vector<std::string> objectives; ///< names, two at least
+    std::vector<std::string> objectives; ///< names, two at least, each once
 
-    /// Throws UsageError on less than two.
-    explicit Pareto(std::vector<std::string> names) : objectives(std::move(names)) {
+    Pareto() = default;
+    /// Throws UsageError on less than two, or one twice.
+    explicit Pareto(std::vector<std::string> names) : objectives(std::move(names)) { validate(); }
+    /// Throws UsageError on less than two, or one twice.
+    void validate() const {
         if (objectives.size() < 2)
             throw UsageError("pareto compares " + std::to_string(objectives.size()) +
                              " objectives; expected the names of 2 at least");
+        std::vector<std::string> sorted = objectives;
+        std::sort(sorted.begin(), sorted.end());
+        const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+        if (twice != sorted.end())
+            throw UsageError("pareto is given '" + *twice + "' twice; expected different objectives");
     }
     ///@{
     /// What every operator has (Operator).
-    std::string text() const {
-        std::string text = "pareto";
-        for (const auto& objective : objectives)
-            text += " " + objective;
-        return text;
+    static Words words() {
+        return {"pareto", "selection", "scores by several objectives: NSGA-II's rank and crowding"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.objectives, word_list("objectives", "two of the problem's or more"));
     }
     void check(Known& known) const {
         for (const auto& objective : objectives)
-            known.objective(text(), objective);
-        known.scored = "pareto";
+            known.objective(text_of(*this), objective);
+        known.scored = text_of(*this);
     }
 
     template <Problem P>
     Population<typename P::Genome> operator()(Population<typename P::Genome> population,
                                               Context<P>& context) const {
         std::vector<const Objective<typename P::Outcome>*> read;
-        for (const auto& objective : objectives)
-            read.push_back(&context.problem().objectives()[context.objective_index(objective)]);
-        const Name name("pareto");
-        std::vector<Point> points;
-        std::vector<Individual<typename P::Genome>*> ranked;
+        bool with_first = false; // the best under it is remembered
+        for (const auto& objective : objectives) {
+            const std::size_t which = context.objective_index(objective);
+            read.push_back(&context.problem().objectives()[which]);
+            with_first |= which == 0;
+        }
+        const Name name(text_of(*this)), first = context.objective_name(0);
         context.evaluate(population, [&](auto& individual, const auto& evaluation) {
             Point point;
-            Fitness fitness;
+            double violation = 0;
             for (const auto* objective : read) {
-                fitness = Evaluator<P>::judge(evaluation, *objective, name);
-                if (fitness.has_failed())
-                    break;
-                point.push_back(fitness.value());
+                const Fitness one = judged(context.problem(), evaluation, *objective, name);
+                if (one.has_failed()) {
+                    individual.fitness = one;
+                    return;
+                }
+                point.push_back(one.merit());
+                violation = one.violation();
             }
-            individual.fitness = fitness;
-            if (fitness.has_failed())
-                return false;
-            points.push_back(std::move(point));
-            ranked.push_back(&individual);
-            return true;
+            if (with_first) {
+                individual.fitness =
+                    judged(context.problem(), evaluation, context.problem().objectives()[0], first);
+                context.offer(individual);
+            }
+            individual.fitness = Fitness(name, std::move(point), violation);
         });
-        const std::vector<std::size_t> ranks = pareto_ranks(points);
-        const std::vector<double> room = crowding_distances(points, ranks);
-        for (std::size_t i = 0; i < ranked.size(); ++i) {
-            const double bonus = std::isfinite(room[i]) ? room[i] / (2 * (1 + room[i])) : 0.5;
-            ranked[i]->fitness = Fitness(name, -static_cast<double>(ranks[i]) + bonus);
-        }
         return population;
     }
     ///@}
@@ -75,20 +80,25 @@ struct Pareto : Operator {
 /// The stage `pareto objective objective ...`.
 inline Pareto pareto(std::vector<std::string> objectives) { return Pareto(std::move(objectives)); }
 
-/// Keeps the individuals that no other dominates.
+/// Keeps the individuals that no other betters: those that none dominates.
 struct Front : Operator {
     ///@{
     /// What every operator has (Operator).
-    std::string text() const { return "front"; }
+    static Words words() { return {"front", "selection", "keeps those that none dominates, after pareto"}; }
+    static void describe(auto&, auto) {}
     void check(Known& known) const {
-        if (known.scored != "pareto")
+        if (!known.several_objectives())
             throw UsageError("stage 'front' needs a population ranked by pareto; expected pareto before it");
     }
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> population, Context<P>&) const {
-        std::erase_if(population, [](const auto& individual) { return individual.value() < 0; });
-        return population;
+    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
+                                              Context<P>& context) const {
+        auto front = front_of(population);
+        if (front.empty())
+            throw NothingLeft(context.path() + ": none of " + std::to_string(population.size()) +
+                              " holds its constraints");
+        return front;
     }
     ///@}
 };

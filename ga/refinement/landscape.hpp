@@ -1,6 +1,7 @@
 #pragma once
 
-#include "ga/problem.hpp"
+#include "ga/parameters.hpp"
+#include "ga/refinement/sensitivity.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -15,9 +16,10 @@ struct Landscape {
     Eigen::VectorXd lower; ///< n
     Eigen::VectorXd upper; ///< n, greater than `lower`
 
-    /// Fitness at x; minus infinity when the evaluation fails.
+    /// Fitness at x, turned so that greater is better; minus infinity where the evaluation fails or a constraint is
+    /// violated.
     std::function<double(const Eigen::VectorXd&)> fitness;
-    /// Gradient of the fitness at x; empty where the problem has none, of size zero when the evaluation
+    /// Gradient of that fitness at x; empty where the problem has none, of size zero when the evaluation
     /// fails.
     std::function<Eigen::VectorXd(const Eigen::VectorXd&)> gradient;
     /// Residuals and their n columns at x; empty where the problem has none, nothing when the evaluation
@@ -29,12 +31,45 @@ struct Landscape {
 
 /// How refinement moves a genome: from a landscape to the best point it found.
 struct Method {
-    std::string text;                                         ///< "gcmma 5"
+    std::string text;                                         ///< "lm 30"
     std::function<Eigen::VectorXd(const Landscape&)> improve; ///< gives the best point it found in the box
-    bool needs_gradient = false;                              ///< of the fitness or of residuals
+    bool needs_gradient = false;                              ///< of the fitness
 };
 
 /// A method that works on residuals: it asks the problem for `sensitivity`.
 struct ResidualMethod : Method {};
+
+/// A method's values, checked, as the method that `refine` takes. The values say what they are (Described), improve a
+/// landscape, and work on residuals where they have `static constexpr bool on_residuals = true`.
+template <Described V>
+auto method_of(V values) {
+    using M = std::conditional_t<V::on_residuals, ResidualMethod, Method>;
+    M method;
+    check_values(values, "refine " + V::words().name);
+    method.text = text_of(values);
+    if constexpr (requires { values.needs_gradient(); })
+        method.needs_gradient = values.needs_gradient();
+    method.improve = [values = std::move(values)](const Landscape& land) { return values.improve(land); };
+    return method;
+}
+
+/// The best point a search has seen, by a merit that is greater for the better.
+struct BestPoint {
+    Eigen::VectorXd x;        ///< none before the first offer
+    double merit = -HUGE_VAL; ///< of x; -HUGE_VAL before the first offer
+
+    /// Takes the point where its merit is greater; of equal ones the first.
+    void offer(const Eigen::VectorXd& point, double value) {
+        if (value > merit) {
+            x = point;
+            merit = value;
+        }
+    }
+};
+
+/// The parameter of a method that every one has.
+inline Parameter evaluations_parameter(std::optional<std::string> standard = std::nullopt) {
+    return whole("evaluations", std::move(standard), 1, "at most, after the start").up_to(1e8);
+}
 
 } // namespace ga

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/refinement/gcmma.hpp"
+#include "ga/refinement/landscape.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -9,18 +9,24 @@ namespace ga {
 /// Minimises the sum of squared residuals in the box by Levenberg-Marquardt with Marquardt's scaling (1963)
 /// and Nielsen's damping (1999). Variables at a bound towards which the descent points stay there; a step is
 /// cut at the box.
-/// @param evaluations  at most, after the start; >= 1
-/// @param sharpen      after this many of them, row k weighs (|r_k| / max|r|)^2 + 0.05, which drives
-///                     the squares towards the maximum norm;
-///                     0 for never
-inline ResidualMethod lm(int evaluations = 30, int sharpen = 0) {
-    check_evaluations("lm", evaluations);
-    if (sharpen < 0)
-        throw UsageError("refine lm: sharpen is " + std::to_string(sharpen) + "; expected 0 or more");
-    ResidualMethod method;
-    method.text =
-        "lm " + std::to_string(evaluations) + (sharpen > 0 ? " sharpen=" + std::to_string(sharpen) : "");
-    method.improve = [=](const Landscape& land) -> Eigen::VectorXd {
+struct LevenbergMarquardt {
+    static constexpr bool on_residuals = true; ///< and on their derivatives
+
+    int evaluations = 30; ///< at most, after the start; >= 1
+    /// After this many of them, row k weighs (|r_k| / max|r|)^2 + 0.05, which drives the squares towards the maximum
+    /// norm; 0 for never.
+    int sharpen = 0;
+
+    ///@{
+    /// What every method has (method_of).
+    static Words words() { return {"lm", "refinement", "Levenberg-Marquardt on the residuals' squares"}; }
+    static void describe(auto& self, auto visit) {
+        visit(self.evaluations, evaluations_parameter("30"));
+        visit(self.sharpen,
+              whole("sharpen", "0", 0, "after so many, great residuals weigh more; 0 for never").keyed().quiet());
+    }
+
+    Eigen::VectorXd improve(const Landscape& land) const {
         using Eigen::VectorXd;
         std::optional<Sensitivity> at = land.exhausted() ? std::nullopt : land.sensitivity(land.start);
         if (!at)
@@ -75,8 +81,14 @@ inline ResidualMethod lm(int evaluations = 30, int sharpen = 0) {
             }
         }
         return best.x;
-    };
-    return method;
+    }
+    ///@}
+};
+
+/// @param evaluations  at most, after the start; >= 1
+/// @param sharpen      see LevenbergMarquardt
+inline ResidualMethod lm(int evaluations = 30, int sharpen = 0) {
+    return method_of(LevenbergMarquardt{evaluations, sharpen});
 }
 
 } // namespace ga

@@ -93,38 +93,40 @@ class NloptSearch {
     std::exception_ptr error_;
 };
 
-/// The best point a search has seen, by a merit that is greater for the better.
-struct BestPoint {
-    Eigen::VectorXd x;        ///< none before the first offer
-    double merit = -HUGE_VAL; ///< of x; -HUGE_VAL before the first offer
-
-    /// Takes the point where its merit is greater; of equal ones the first.
-    void offer(const Eigen::VectorXd& point, double value) {
-        if (value > merit) {
-            x = point;
-            merit = value;
-        }
-    }
-};
-
-/// The refinement `nlopt NAME n`: any NLopt algorithm that needs neither constraints nor a subsidiary
-/// optimiser, maximising the fitness in the box.
-/// @param name         NLopt's own, e.g. "LN_COBYLA"; LD_ and GD_ algorithms need a gradient
-/// @param evaluations  at most, after the start; >= 1
-inline Method nlopt_method(const std::string& name, int evaluations) {
-    const nlopt_algorithm found = nlopt_algorithm_from_string(name.c_str());
-    if (static_cast<int>(found) < 0)
+/// NLopt's number of the algorithm with that name. Throws UsageError on another name, and on algorithms that need a
+/// second optimiser.
+inline int algorithm_number(const std::string& name) {
+    int found = 0;
+    while (found < NLOPT_NUM_ALGORITHMS && name != nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(found)))
+        ++found;
+    if (found == NLOPT_NUM_ALGORITHMS)
         throw UsageError("refine nlopt: unknown algorithm '" + name +
                          "'; expected one of NLopt's, e.g. LN_COBYLA");
-    if (evaluations < 1)
-        throw UsageError("refine nlopt: evaluations are " + std::to_string(evaluations) +
-                         "; expected 1 at least");
-    Method method;
-    method.text = "nlopt " + name + " " + std::to_string(evaluations);
-    method.needs_gradient = name[1] == 'D';
-    method.improve = [=](const Landscape& land) {
+    if (name.find("AUGLAG") != std::string::npos || name.starts_with("G_MLSL"))
+        throw UsageError("refine nlopt: algorithm '" + name +
+                         "' needs a second optimiser; expected one that works alone, e.g. LN_COBYLA");
+    return found;
+}
+
+/// Any NLopt algorithm that works alone in a box, maximising the fitness.
+struct Nlopt {
+    static constexpr bool on_residuals = false; ///< it sees the fitness
+
+    std::string algorithm = "LN_COBYLA"; ///< NLopt's own name; LD_ and GD_ algorithms need a gradient
+    int evaluations = 1;                 ///< at most, after the start; >= 1
+
+    ///@{
+    /// What every method has (method_of).
+    static Words words() { return {"nlopt", "refinement", "any algorithm of NLopt on the fitness"}; }
+    static void describe(auto& self, auto visit) {
+        visit(self.algorithm, word("algorithm", std::nullopt, "NLopt's name, e.g. LN_COBYLA"));
+        visit(self.evaluations, evaluations_parameter());
+    }
+    bool needs_gradient() const { return algorithm[1] == 'D'; }
+
+    Eigen::VectorXd improve(const Landscape& land) const {
         nlopt::srand(static_cast<unsigned long>(land.seed));
-        NloptSearch search(static_cast<nlopt::algorithm>(found), land.lower, land.upper, evaluations + 1);
+        NloptSearch search(static_cast<nlopt::algorithm>(algorithm_number(algorithm)), land.lower, land.upper, evaluations + 1);
         BestPoint best{land.start, -HUGE_VAL};
         search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
             if (land.exhausted()) {
@@ -148,8 +150,15 @@ inline Method nlopt_method(const std::string& name, int evaluations) {
         });
         search.from(land.start);
         return best.x;
-    };
-    return method;
+    }
+    ///@}
+};
+
+/// The refinement `nlopt NAME n`. Throws UsageError on a name that is no algorithm that works alone.
+/// @param evaluations  at most, after the start; >= 1
+inline Method nlopt_method(const std::string& name, int evaluations) {
+    algorithm_number(name);
+    return method_of(Nlopt{name, evaluations});
 }
 
 } // namespace ga

@@ -1,38 +1,155 @@
 #pragma once
 
-#include "ga/refinement/levenberg_marquardt.hpp"
+#include "ga/refinement/landscape.hpp"
 #include "ga/stage.hpp"
 
 namespace ga {
-
-/// Optional: the fitness's derivatives with respect to all genes.
-template <class P>
-concept Differentiable = HasGenes<P> &&
-    requires(const P& problem, const typename P::Genome& genome, const std::string& objective) {
-    { problem.gradient(genome, objective) } -> std::same_as<std::vector<double>>;
-};
 
 /// What refinement by a method asks of a problem.
 template <class P, class M>
 concept Refinable = Problem<P> && HasGenes<P> &&(Sensitive<P> || !std::derived_from<M, ResidualMethod>);
 
-/// Moves the chosen genes of every individual by a local method, individuals in parallel, and scores the
-/// answers; an individual that did not get better stays as it was. Bounds and the choice of genes are those
+/// One individual's search: it asks the door for what its method wants to know of points in the box.
+template <Problem P>
+class Search {
+  public:
+    using Genome = typename P::Genome; ///< of the problem
+
+    /// `moving` are the genes that move, `limit` the questions that may be asked. All must outlive the search.
+    Search(const P& problem, Door<P>& door, const Watch& watch, const Individual<Genome>& individual,
+           std::vector<Variable> moving, long limit)
+        : problem_(problem), door_(door), watch_(watch), individual_(individual), moving_(std::move(moving)),
+          limit_(limit), genes_(genes_of(problem, individual.genome)) {
+        for (const Variable& variable : moving_)
+            if (variable.gene >= genes_.size())
+                throw UsageError("refine: gene " + std::to_string(variable.gene) + " is to move, the genome has " +
+                                 std::to_string(genes_.size()));
+        const auto& objectives = problem.objectives();
+        for (std::size_t i = 0; i < objectives.size(); ++i)
+            if (objectives[i].name == individual.fitness.objective())
+                objective_ = i;
+    }
+
+    /// The genome to which the method moved; none where it stayed.
+    std::optional<Genome> by(const Method& method, std::uint64_t seed) {
+        const auto n = static_cast<Eigen::Index>(moving_.size());
+        if (n == 0)
+            return std::nullopt;
+        Landscape land;
+        land.seed = seed;
+        land.start.resize(n), land.lower.resize(n), land.upper.resize(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const Variable& variable = moving_[static_cast<std::size_t>(i)];
+            land.lower[i] = variable.lower;
+            land.upper[i] = variable.upper;
+            land.start[i] = std::clamp(genes_[variable.gene], variable.lower, variable.upper);
+        }
+        land.exhausted = [this] { return stopped_ || asked_ >= limit_ || watch_.expired(); };
+        land.fitness = [this](const Eigen::VectorXd& x) { return fitness(x); };
+        if constexpr (Differentiable<P>)
+            land.gradient = [this](const Eigen::VectorXd& x) { return gradient(x); };
+        if constexpr (Sensitive<P>)
+            land.sensitivity = [this](const Eigen::VectorXd& x) { return sensitivity(x); };
+        const Eigen::VectorXd x = method.improve(land);
+        return x == land.start ? std::nullopt : std::optional(at(x));
+    }
+
+  private:
+    Genome at(const Eigen::VectorXd& x) const {
+        std::vector<double> moved = genes_;
+        for (Eigen::Index i = 0; i < x.size(); ++i)
+            moved[moving_[static_cast<std::size_t>(i)].gene] = x[i];
+        return with_genes(problem_, individual_.genome, std::move(moved));
+    }
+    const auto& objective() const { return problem_.objectives()[objective_]; }
+
+    /// Whether it was answered: not where the run has to stop.
+    bool ask(Inquiry<P>& inquiry) {
+        ++asked_;
+        try {
+            door_.serve(inquiry);
+            return true;
+        } catch (const Stopped&) {
+            stopped_ = true;
+        } catch (const NothingLeft&) { // a failure like any other here
+        }
+        return false;
+    }
+
+    double fitness(const Eigen::VectorXd& x) {
+        const Genome genome = at(x);
+        double merit = -HUGE_VAL;
+        Inquiry<P> inquiry;
+        inquiry.questions.push_back({&genome});
+        inquiry.use = [&] {
+            const auto* answer = inquiry.questions.front().answer;
+            if (!answer || std::holds_alternative<Pending>(*answer))
+                return;
+            const Fitness found =
+                judged(problem_, *answer, objective(), individual_.fitness.objective_name());
+            if (found.feasible())
+                merit = found.merit();
+        };
+        ask(inquiry);
+        return merit;
+    }
+    /// The slope at a point; what it has not was not found.
+    Slope<P> slope(const Eigen::VectorXd& x, bool of_residuals) {
+        Slope<P> slope{at(x), individual_.fitness.objective_name(), of_residuals, {}, {}, {}};
+        Inquiry<P> inquiry;
+        inquiry.slopes.push_back(&slope);
+        ask(inquiry);
+        return slope;
+    }
+    Eigen::VectorXd gradient(const Eigen::VectorXd& x) {
+        const Slope<P> found = slope(x, false);
+        if (found.gradient.size() != genes_.size())
+            return {};
+        Eigen::VectorXd chosen(x.size());
+        for (Eigen::Index i = 0; i < x.size(); ++i)
+            chosen[i] = (objective().minimise ? -1 : 1) *
+                        found.gradient[moving_[static_cast<std::size_t>(i)].gene];
+        return chosen;
+    }
+    std::optional<Sensitivity> sensitivity(const Eigen::VectorXd& x) {
+        const Slope<P> found = slope(x, true);
+        if (!found.sensitivity || found.sensitivity->jacobian.cols() != static_cast<Eigen::Index>(genes_.size()))
+            return std::nullopt;
+        const Sensitivity& all = *found.sensitivity;
+        Sensitivity chosen{all.residuals, Eigen::MatrixXd(all.residuals.size(), x.size())};
+        for (Eigen::Index i = 0; i < x.size(); ++i)
+            chosen.jacobian.col(i) =
+                all.jacobian.col(static_cast<Eigen::Index>(moving_[static_cast<std::size_t>(i)].gene));
+        if (chosen.residuals.size() == 0 || !chosen.residuals.allFinite() || !chosen.jacobian.allFinite())
+            return std::nullopt;
+        return chosen;
+    }
+
+    const P& problem_;
+    Door<P>& door_;
+    const Watch& watch_;
+    const Individual<Genome>& individual_;
+    std::vector<Variable> moving_;
+    long limit_, asked_ = 0;
+    std::vector<double> genes_;
+    std::size_t objective_ = 0;
+    bool stopped_ = false;
+};
+
+/// Moves the chosen genes of every individual by a local method, individuals side by side (`Rounds`), and scores
+/// the answers; an individual that did not get better stays as it was. Bounds and the choice of genes are those
 /// of the genome as it was when the individual was first refined. Failed individuals are left alone.
 template <class M, class Choice>
 struct Refine : Operator {
     M method;         ///< what moves them
-    Choice variables; ///< Variables<G>, or EveryGene
+    Choice variables; ///< ChosenGenes<G>, or EveryGene
 
     /// `refine method genes=variables`.
     Refine(M m, Choice v) : method(std::move(m)), variables(std::move(v)) {}
     ///@{
     /// What every operator has (Operator).
     std::string text() const { return "refine " + method.text + " genes=" + variables.name; }
-    void check(Known& known) const {
-        known.need_score(text());
-        known.objective(text(), *known.scored);
-    }
+    void check(Known& known) const { known.need_one_objective(text()); }
 
     template <Problem P>
     void check_problem() const {
@@ -46,127 +163,51 @@ struct Refine : Operator {
     requires Refinable<P, M> Population<typename P::Genome>
     operator()(Population<typename P::Genome> population, Context<P>& context) const {
         using G = typename P::Genome;
-        std::vector<Job<P>> jobs;
+        std::vector<Individual<G>*> jobs;
         for (auto& individual : population)
             if (!individual.fitness.has_failed())
-                jobs.push_back({&individual});
+                jobs.push_back(&individual);
         // What is left of the budget is shared out beforehand, after one evaluation for each answer.
-        const long count = static_cast<long>(jobs.size());
-        if (context.evaluator().spent(count))
+        const auto count = static_cast<long>(jobs.size());
+        if (context.ledger().spent(count)) {
+            context.kept.in_hand = population;
             throw Stopped{"evaluation budget spent"};
+        }
         const long left =
-            std::max(0L, context.evaluator().budget().evaluations - context.counters().asked - count);
-        parallel_for(jobs.size(), context.threads(), [&](std::size_t i) {
-            jobs[i].limit = left / count + (static_cast<long>(i) < left % count ? 1 : 0);
-            work(jobs[i], context, context.stream(i)());
+            std::max(0L, context.ledger().budget().evaluations - context.counters().asked - count);
+        std::vector<std::optional<G>> found(jobs.size());
+        Rounds<P>::run(jobs.size(), context.door(), [&](std::size_t i, Door<P>& door) {
+            const auto& individual = *jobs[i];
+            auto moving = variables.template on<P>(context.problem(),
+                                                   individual.origin ? *individual.origin : individual.genome);
+            std::erase_if(moving, [](const Variable& variable) { return !(variable.lower < variable.upper); });
+            const long limit = left / count + (static_cast<long>(i) < left % count ? 1 : 0);
+            found[i] = Search<P>(context.problem(), door, context.watch(), individual, std::move(moving), limit)
+                           .by(method, context.stream(i)());
         });
         Population<G> answers;
-        for (Job<P>& job : jobs) {
-            context.counters().gradients += job.gradients;
-            context.counters().asked += job.gradients + job.evaluations;
-            context.counters().evaluations += job.evaluations;
-            if (!job.individual->origin)
-                job.individual->origin = std::make_shared<const G>(job.individual->genome);
-            answers.push_back(*job.individual);
-            if (job.answer) {
-                answers.back().genome = std::move(*job.answer);
+        for (std::size_t i = 0; i < jobs.size(); ++i) {
+            if (!jobs[i]->origin)
+                jobs[i]->origin = std::make_shared<const G>(jobs[i]->genome);
+            answers.push_back(*jobs[i]);
+            if (found[i]) {
+                answers.back().genome = std::move(*found[i]);
                 answers.back().fitness = {};
             }
         }
         if (!answers.empty())
-            context.score(answers, jobs.front().individual->fitness.objective(), Patience::finish);
+            context.score(answers, jobs.front()->fitness.objective(), Patience::finish);
         for (std::size_t i = 0; i < jobs.size(); ++i)
-            if (answers[i].value() > jobs[i].individual->value())
-                *jobs[i].individual = std::move(answers[i]);
+            if (better(answers[i].fitness, jobs[i]->fitness))
+                *jobs[i] = std::move(answers[i]);
         // A search that was cut short is no answer of this stage; what it found stands as the best so far.
-        if (const Watch& watch = context.evaluator().watch(); watch.expired())
-            throw Stopped{watch.reason()};
+        if (context.watch().expired()) {
+            context.kept.in_hand = population;
+            throw Stopped{context.watch().reason()};
+        }
         return population;
     }
     ///@}
-
-  private:
-    template <class P>
-    struct Job {
-        Individual<typename P::Genome>* individual;
-        long limit = 0;
-        std::optional<typename P::Genome> answer = {}; ///< where the method moved
-        long evaluations = 0, gradients = 0;
-    };
-
-    template <class P>
-    void work(Job<P>& job, Context<P>& context, std::uint64_t seed) const {
-        const P& problem = context.problem();
-        const auto& genome = job.individual->genome;
-        std::vector<Variable> moving =
-            variables.template on<P>(problem, job.individual->origin ? *job.individual->origin : genome);
-        std::erase_if(moving, [](const Variable& variable) { return !(variable.lower < variable.upper); });
-        if (moving.empty())
-            return;
-        const std::vector<double> genes = genes_of(problem, genome);
-        const auto n = static_cast<Eigen::Index>(moving.size());
-        const auto at = [&](const Eigen::VectorXd& x) {
-            std::vector<double> moved = genes;
-            for (Eigen::Index i = 0; i < n; ++i)
-                moved[moving[static_cast<std::size_t>(i)].gene] = x[i];
-            return with_genes(problem, genome, std::move(moved));
-        };
-        const std::string& objective = job.individual->fitness.objective();
-        const Name name = job.individual->fitness.objective_name();
-        const std::size_t which = context.objective_index(objective);
-
-        Landscape land;
-        land.seed = seed;
-        land.start.resize(n), land.lower.resize(n), land.upper.resize(n);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const Variable& variable = moving[static_cast<std::size_t>(i)];
-            land.lower[i] = variable.lower;
-            land.upper[i] = variable.upper;
-            land.start[i] = std::clamp(genes[variable.gene], variable.lower, variable.upper);
-        }
-        land.exhausted = [&] {
-            return job.evaluations + job.gradients >= job.limit || context.evaluator().watch().expired();
-        };
-        land.fitness = [&](const Eigen::VectorXd& x) {
-            ++job.evaluations;
-            const Fitness fitness =
-                Evaluator<P>::judge(context.evaluator().evaluate(at(x)), problem.objectives()[which], name);
-            return fitness.value();
-        };
-        if constexpr (Differentiable<P>)
-            land.gradient = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
-                ++job.gradients;
-                try {
-                    const std::vector<double> all = problem.gradient(at(x), objective);
-                    Eigen::VectorXd chosen(n);
-                    for (Eigen::Index i = 0; i < n; ++i)
-                        chosen[i] = all[moving[static_cast<std::size_t>(i)].gene];
-                    return chosen;
-                } catch (const std::exception&) {
-                    return {};
-                }
-            };
-        if constexpr (Sensitive<P>)
-            land.sensitivity = [&](const Eigen::VectorXd& x) -> std::optional<Sensitivity> {
-                ++job.gradients;
-                try {
-                    const Sensitivity all = problem.sensitivity(at(x), objective);
-                    Sensitivity chosen{all.residuals, Eigen::MatrixXd(all.residuals.size(), n)};
-                    for (Eigen::Index i = 0; i < n; ++i)
-                        chosen.jacobian.col(i) = all.jacobian.col(
-                            static_cast<Eigen::Index>(moving[static_cast<std::size_t>(i)].gene));
-                    if (chosen.residuals.size() == 0 || !chosen.residuals.allFinite() ||
-                        !chosen.jacobian.allFinite())
-                        return std::nullopt;
-                    return chosen;
-                } catch (const std::exception&) {
-                    return std::nullopt;
-                }
-            };
-        const Eigen::VectorXd x = method.improve(land);
-        if (x != land.start)
-            job.answer = at(x);
-    }
 };
 
 /// A named choice of variables as refinement uses it.

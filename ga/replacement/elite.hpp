@@ -1,42 +1,44 @@
 #pragma once
 
-#include "ga/selection/best.hpp"
+#include "ga/stage.hpp"
 
 namespace ga {
 
 /// Brings back the k best of the generation's start; as many of the worst go, so that the size stays. An
-/// individual that is there still is not doubled, and none that is better is lost for one that is worse.
+/// individual that is there still is not doubled, and none that is better is lost for one that is worse. Under
+/// several objectives all of them are ranked together first.
 struct Elite : Operator {
-    std::size_t k; ///< how many come back, >= 1
+    std::size_t k = 1; ///< how many come back, >= 1
 
+    Elite() = default;
     /// Throws UsageError on 0.
-    explicit Elite(std::size_t count) : k(count) {
-        if (k == 0)
-            throw UsageError("elite 0 keeps nobody; expected at least 1");
-    }
+    explicit Elite(std::size_t count) : k(count) { check_values(*this, words().name); }
     ///@{
     /// What every operator has (Operator).
-    std::string text() const { return "elite " + std::to_string(k); }
-    std::size_t reads_of_start() const { return k; }
-    void check(Known& known) const {
-        known.need_generation(text());
-        known.need_score(text());
+    static Words words() {
+        return {"elite", "replacement", "brings back the k best of the generation's start for the worst"};
     }
+    static void describe(auto& self, auto visit) { visit(self.k, whole("k", "1", 1, "how many")); }
+    std::size_t reads_of_start() const { return k; }
+    void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
     Population<typename P::Genome> operator()(Population<typename P::Genome> population,
                                               Context<P>& context) const {
         const auto& start = context.generation_start();
+        std::vector<double> worth = merits(population, start);
+        const auto first_of_start = static_cast<std::ptrdiff_t>(population.size());
         for (std::size_t i = 0; i < std::min(k, start.size()); ++i) {
             const auto& old = start[i];
             const auto same = [&](const auto& each) { return each.identity == old.identity; };
             if (std::any_of(population.begin(), population.end(), same))
                 continue;
-            const auto worst =
-                std::min_element(population.begin(), population.end(),
-                                 [](const auto& a, const auto& b) { return a.value() < b.value(); });
-            if (worst->value() < old.value())
-                *worst = old;
+            const auto worst = std::min_element(worth.begin(), worth.begin() + first_of_start);
+            const double own = worth[population.size() + i];
+            if (*worst < own) {
+                *worst = own;
+                population[static_cast<std::size_t>(worst - worth.begin())] = old;
+            }
         }
         return population;
     }

@@ -1,38 +1,28 @@
 #pragma once
 
-#include "ga/selection/best.hpp"
+#include "ga/stage.hpp"
 
 namespace ga {
 
-/// Adds the individuals of the generation's start that are not there any more.
-template <class G>
-Population<G> joined_with(const Population<G>& start, Population<G> population) {
-    std::vector<Identity> present;
-    for (const auto& individual : population)
-        present.push_back(individual.identity);
-    std::sort(present.begin(), present.end());
-    for (const auto& old : start)
-        if (!std::binary_search(present.begin(), present.end(), old.identity))
-            population.push_back(old);
-    return population;
-}
-
-/// (mu + lambda) replacement (Schwefel 1975): the mu best of the generation's start and its children
-/// together.
+/// (mu + lambda) replacement (Schwefel 1975): the mu best of the generation's start and its children together.
+/// Under several objectives both are ranked together: NSGA-II's replacement (Deb et al. 2002).
 struct Plus : Operator {
-    std::size_t mu; ///< 0 for as many as there were at the start
+    std::size_t mu = 0; ///< 0 for as many as there were at the start
 
+    Plus() = default;
     /// `plus size`; 0 for as many as there were at the start.
     explicit Plus(std::size_t size) : mu(size) {}
     ///@{
     /// What every operator has (Operator).
-    std::string text() const { return mu > 0 ? "plus " + std::to_string(mu) : "plus"; }
+    static Words words() {
+        return {"plus", "replacement", "the mu best of the generation's start and its children"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.mu, whole("mu", "0", 0, "how many; 0 for as many as at the start").quiet());
+    }
     std::size_t reads_of_start() const { return everyone; }
     Demand demand() const { return {.best = mu > 0 ? mu : Demand::as_many_as_start, .with_start = true}; }
-    void check(Known& known) const {
-        known.need_generation(text());
-        known.need_score(text());
-    }
+    void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
     Population<typename P::Genome> operator()(Population<typename P::Genome> population,
@@ -50,14 +40,24 @@ inline Plus plus(std::size_t mu = 0) { return Plus(mu); }
 struct JoinParents : Operator {
     ///@{
     /// What every operator has (Operator).
-    std::string text() const { return "parents"; }
+    static Words words() {
+        return {"parents", "replacement", "adds the generation's start, for what follows to choose among all"};
+    }
+    static void describe(auto&, auto) {}
     std::size_t reads_of_start() const { return everyone; }
-    void check(Known& known) const { known.need_generation(text()); }
+    void check(Known& known) const {
+        known.need_generation(text_of(*this));
+        if (known.scored != known.start_scored)
+            known.scored.reset();
+    }
 
     template <Problem P>
     Population<typename P::Genome> operator()(Population<typename P::Genome> population,
                                               Context<P>& context) const {
-        return joined_with(context.generation_start(), std::move(population));
+        const auto& start = context.generation_start();
+        if (!start.empty())
+            context.need_room(population.size() + start.size(), start.front().genome);
+        return joined_with(start, std::move(population));
     }
     ///@}
 };
@@ -71,12 +71,12 @@ inline JoinParents parents() { return {}; }
 struct Steady : Operator {
     ///@{
     /// What every operator has (Operator).
-    std::string text() const { return "steady"; }
-    std::size_t reads_of_start() const { return everyone; }
-    void check(Known& known) const {
-        known.need_generation(text());
-        known.need_score(text());
+    static Words words() {
+        return {"steady", "replacement", "the generation's start with its worst replaced by the children"};
     }
+    static void describe(auto&, auto) {}
+    std::size_t reads_of_start() const { return everyone; }
+    void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
     Population<typename P::Genome> operator()(Population<typename P::Genome> children,

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "ga/selection/best.hpp"
-#include "ga/text/number.hpp"
+#include "ga/stage.hpp"
 
 namespace ga {
 
@@ -12,23 +11,30 @@ struct AtLeast {
 /// The argument `at_least=count`.
 inline AtLeast at_least(std::size_t count) { return {count}; }
 
-/// Keeps those whose fitness is above (or, for `below`, under) a threshold, in the population's order; failed
-/// ones go. When fewer than at_least pass, the at_least nearest to passing are taken and the run's notes say
-/// so; without it, an empty answer ends the run.
+/// Keeps those whose fitness, as its objective states it, is above (or, for `below`, under) a threshold, in the
+/// population's order; failed ones and those that violate constraints go. When fewer than at_least pass, the
+/// at_least nearest to passing are taken and the run's notes say so; without it, an empty answer ends the run.
+template <bool upwards>
 struct Threshold : Operator {
-    double threshold; ///< of fitness, not included
-    bool upwards;     ///< `above`, not `below`
-    AtLeast least;    ///< who stay in any case
+    double threshold = 0; ///< of fitness, not included
+    AtLeast least;        ///< who stay in any case
 
-    /// `above value` where `up`, `below value` where not.
-    Threshold(double value, bool up, AtLeast at) : threshold(value), upwards(up), least(at) {}
+    Threshold() = default;
+    /// `above value`, or `below value`.
+    Threshold(double value, AtLeast at) : threshold(value), least(at) { check_values(*this, words().name); }
     ///@{
     /// What every operator has (Operator).
-    std::string text() const {
-        return std::string(upwards ? "above " : "below ") + number(threshold) +
-               (least.count > 0 ? " at_least=" + std::to_string(least.count) : "");
+    static Words words() {
+        if (upwards)
+            return {"above", "selection", "keeps those whose fitness is above the threshold"};
+        return {"below", "selection", "keeps those whose fitness is below the threshold"};
     }
-    void check(Known& known) const { known.need_score(text()); }
+    static void describe(auto& self, auto visit) {
+        visit(self.threshold, number("threshold", std::nullopt, -no_limit, no_limit, "a fitness"));
+        visit(self.least.count,
+              whole("at_least", "0", 0, "where fewer pass, so many nearest to passing are taken").keyed().quiet());
+    }
+    void check(Known& known) const { known.need_one_objective(text_of(*this)); }
 
     std::optional<Demand> demand() const {
         return upwards ? std::optional(Demand{least.count, threshold}) : std::nullopt;
@@ -40,8 +46,8 @@ struct Threshold : Operator {
         using G = typename P::Genome;
         Population<G> passed;
         for (const auto& individual : population)
-            if (!individual.fitness.has_failed() &&
-                (upwards ? individual.value() > threshold : individual.value() < threshold))
+            if (const Fitness& f = individual.fitness;
+                !f.has_failed() && f.feasible() && (upwards ? f.value() > threshold : f.value() < threshold))
                 passed.push_back(individual);
         if (passed.size() >= std::max<std::size_t>(1, least.count))
             return passed;
@@ -60,10 +66,15 @@ struct Threshold : Operator {
   private:
     template <class G>
     Population<G> nearest_to_passing(const Population<G>& population) const {
-        std::vector<std::size_t> order = ranking(population);
-        std::erase_if(order, [&](std::size_t i) { return population[i].fitness.has_failed(); });
-        if (!upwards)
-            std::reverse(order.begin(), order.end());
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < population.size(); ++i)
+            if (!population[i].fitness.has_failed())
+                order.push_back(i);
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            const Fitness &x = population[a].fitness, &y = population[b].fitness;
+            return std::pair(x.violation(), upwards ? -x.value() : x.value()) <
+                   std::pair(y.violation(), upwards ? -y.value() : y.value());
+        });
         order.resize(std::min(least.count, order.size()));
         std::sort(order.begin(), order.end());
         Population<G> nearest;
@@ -74,8 +85,8 @@ struct Threshold : Operator {
 };
 
 /// The stage `above threshold at_least=...`.
-inline Threshold above(double threshold, AtLeast least = {}) { return {threshold, true, least}; }
+inline Threshold<true> above(double threshold, AtLeast least = {}) { return {threshold, least}; }
 /// The stage `below threshold at_least=...`.
-inline Threshold below(double threshold, AtLeast least = {}) { return {threshold, false, least}; }
+inline Threshold<false> below(double threshold, AtLeast least = {}) { return {threshold, least}; }
 
 } // namespace ga

@@ -1,41 +1,66 @@
 #pragma once
 
-#include "ga/selection/best.hpp"
-#include "ga/text/number.hpp"
+#include "ga/stage.hpp"
+
+#include <numeric>
 
 namespace ga {
 
-/// How much each individual counts in selection: its fitness above that of the worst (windowing, so that any
-/// fitness will do and the worst is never chosen); all the same where all are equal. Failed individuals count
-/// nothing.
+/// How much each counts by its fitness above that of the worst (windowing, so that any fitness will do and the
+/// worst is never chosen); all the same where all are equal. Failed individuals, and those that violate
+/// constraints where others do not, count nothing.
 struct ByFitness {
     /// In [0, 1], one an individual.
     template <class G>
-    std::vector<double> operator()(const Population<G>& population) const {
-        double worst = HUGE_VAL, best = -HUGE_VAL;
-        for (const auto& individual : population)
-            if (!individual.fitness.has_failed()) {
-                worst = std::min(worst, individual.value());
-                best = std::max(best, individual.value());
-            }
+    std::vector<double> of(const Population<G>& population) const {
+        const bool any_feasible = std::any_of(population.begin(), population.end(), [](const auto& each) {
+            return !each.fitness.has_failed() && each.fitness.feasible();
+        });
         std::vector<double> weights;
-        for (const auto& individual : population)
-            weights.push_back(!(best > -HUGE_VAL)               ? 1
-                              : individual.fitness.has_failed() ? 0
-                              : best > worst ? (individual.value() - worst) / (best - worst)
-                                             : 1);
+        for (const auto& individual : population) {
+            const Fitness& f = individual.fitness;
+            const bool counts = !f.has_failed() && (f.feasible() || !any_feasible);
+            weights.push_back(!counts ? -HUGE_VAL : any_feasible ? f.merit() : -f.violation());
+        }
+        const double best = *std::max_element(weights.begin(), weights.end());
+        double worst = best;
+        for (const double weight : weights)
+            if (weight > -HUGE_VAL)
+                worst = std::min(worst, weight);
+        for (double& weight : weights)
+            weight = !(best > -HUGE_VAL)  ? 1
+                     : weight == -HUGE_VAL ? 0
+                     : best > worst        ? (weight - worst) / (best - worst)
+                                           : 1;
         return weights;
     }
+    void check(const Known& known, const std::string& stage) const { known.need_one_objective(stage); } ///< as it says
+    static void describe(auto&, auto) {} ///< no parameters
 };
 
-/// Linear ranking (Baker 1985): the best counts `pressure`, the worst 2 - pressure, on a straight line
-/// between.
+/// Roulette: every place by a spin of its own.
+struct Roulette : ByFitness {
+    static constexpr bool one_spin = false; ///< a spin for every place
+    /// In the listing.
+    static Words words() { return {"roulette", "selection", "chooses in proportion to the fitness above the worst"}; }
+};
+/// Stochastic universal sampling (Baker 1987): all places by equally spaced marks on one spin, which leaves no
+/// individual more than one place from its due.
+struct Universal : ByFitness {
+    static constexpr bool one_spin = true; ///< one for all places
+    /// In the listing.
+    static Words words() { return {"sus", "selection", "the same by equally spaced marks on one spin"}; }
+};
+
+/// Linear ranking (Baker 1985): the best counts `pressure`, the worst 2 - pressure, on a straight line between.
 struct ByRank {
-    double pressure; ///< of the best, in [1, 2]
+    static constexpr bool one_spin = false; ///< a spin for every place
+
+    double pressure = 1.5; ///< of the best, above 1 and at most 2
 
     /// In [0, pressure], one an individual.
     template <class G>
-    std::vector<double> operator()(const Population<G>& population) const {
+    std::vector<double> of(const Population<G>& population) const {
         const std::vector<std::size_t> order = ranking(population);
         const double last = static_cast<double>(order.size()) - 1;
         std::vector<double> weights(order.size(), 1);
@@ -43,42 +68,49 @@ struct ByRank {
             weights[order[place]] = pressure - 2 * (pressure - 1) * static_cast<double>(place) / last;
         return weights;
     }
+    /// Any policy ranks.
+    void check(const Known& known, const std::string& stage) const { known.need_score(stage); }
+    /// In the listing.
+    static Words words() { return {"rank", "selection", "chooses in linear proportion to the rank"}; }
+    /// Its one parameter.
+    static void describe(auto& self, auto visit) {
+        visit(self.pressure, number("pressure", "1.5", 1.0001, 2, "expected places of the best"));
+    }
 };
 
-/// Chooses in proportion to weights: every place by a spin of its own (roulette), or all by equally spaced
-/// marks on one spin (stochastic universal sampling, Baker 1987), which leaves no individual more than one
-/// place from its due.
+/// Chooses in proportion to weights, with replacement, as many as there are.
 template <class Weights>
 struct Proportional : Operator {
-    std::string words; ///< the stage as text
-    Weights weights;   ///< how much each individual counts: ByFitness or ByRank
-    bool one_spin;     ///< universal sampling, not roulette
+    Weights weights; ///< how much each individual counts: Roulette, Universal or ByRank
 
-    /// `text_` is the stage as pipelines write it.
-    Proportional(std::string text_, Weights weights_, bool once)
-        : words(std::move(text_)), weights(weights_), one_spin(once) {}
+    Proportional() = default;
+    /// With these weights.
+    explicit Proportional(Weights w) : weights(w) { check_values(*this, words().name); }
     ///@{
     /// What every operator has (Operator).
-    std::string text() const { return words; }
-    void check(Known& known) const { known.need_score(text()); }
+    static Words words() { return Weights::words(); }
+    static void describe(auto& self, auto visit) { Weights::describe(self.weights, visit); }
+    void check(Known& known) const { weights.check(known, text_of(*this)); }
 
     template <Problem P>
     Population<typename P::Genome> operator()(Population<typename P::Genome> population,
                                               Context<P>& context) const {
         const std::size_t n = population.size();
-        std::vector<double> ends = weights(population);
+        if (population.empty())
+            return population;
+        std::vector<double> ends = weights.of(population);
         std::partial_sum(ends.begin(), ends.end(), ends.begin());
         Stream spin = context.stream(n);
         const double offset = spin.uniform();
         std::vector<std::size_t> places(n);
         for (std::size_t i = 0; i < n; ++i) {
-            const double mark = one_spin ? (static_cast<double>(i) + offset) / static_cast<double>(n)
+            const double mark = Weights::one_spin ? (static_cast<double>(i) + offset) / static_cast<double>(n)
                                          : context.stream(i).uniform();
             const auto end = std::upper_bound(ends.begin(), ends.end() - 1, mark * ends.back());
             places[i] = static_cast<std::size_t>(end - ends.begin());
         }
         // One spin meets the individuals in order: neighbours must not be mates for that.
-        for (std::size_t i = n; one_spin && i > 1; --i)
+        for (std::size_t i = n; Weights::one_spin && i > 1; --i)
             std::swap(places[i - 1], places[spin.below(i)]);
         return context.gather(std::move(population), places);
     }
@@ -86,14 +118,10 @@ struct Proportional : Operator {
 };
 
 /// The stage `roulette`.
-inline Proportional<ByFitness> roulette() { return {"roulette", {}, false}; }
+inline Proportional<Roulette> roulette() { return {}; }
 /// The stage `sus`.
-inline Proportional<ByFitness> sus() { return {"sus", {}, true}; }
-/// @param pressure  expected places of the best, in (1, 2]
-inline Proportional<ByRank> rank(double pressure = 1.5) {
-    if (!(pressure > 1 && pressure <= 2))
-        throw UsageError("rank: pressure is " + number(pressure) + "; expected above 1 and at most 2");
-    return {"rank " + number(pressure), {pressure}, true};
-}
+inline Proportional<Universal> sus() { return {}; }
+/// @param pressure  expected places of the best, above 1 and at most 2
+inline Proportional<ByRank> rank(double pressure = 1.5) { return Proportional<ByRank>(ByRank{pressure}); }
 
 } // namespace ga

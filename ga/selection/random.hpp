@@ -7,13 +7,17 @@ namespace ga {
 /// Keeps n individuals chosen at random, none twice, in random order; all of them, shuffled, where there are
 /// no more.
 struct Random : Operator {
-    std::size_t n; ///< 0 for all
+    std::size_t n = 0; ///< 0 for all
 
+    Random() = default;
     /// `random count`; 0 for all.
     explicit Random(std::size_t count) : n(count) {}
     ///@{
     /// What every operator has (Operator).
-    std::string text() const { return n > 0 ? "random " + std::to_string(n) : "random"; }
+    static Words words() { return {"random", "selection", "keeps n at random, none twice, in random order"}; }
+    static void describe(auto& self, auto visit) {
+        visit(self.n, whole("n", "0", 0, "how many; 0 for all").quiet());
+    }
     void check(Known&) const {}
 
     template <Problem P>

@@ -1,68 +1,13 @@
 #pragma once
 
+#include "ga/parameters.hpp"
 #include "ga/text/nearest.hpp"
-#include "ga/text/number.hpp"
 #include "ga/text/syntax.hpp"
 
-#include <cmath>
-#include <limits>
+#include <charconv>
 #include <map>
-#include <optional>
 
 namespace ga {
-
-/// A parameter's limit where it has none.
-constexpr double no_limit = std::numeric_limits<double>::infinity();
-/// The lower limit of a parameter that must be greater than 0.
-constexpr double above_zero = std::numeric_limits<double>::min();
-
-/// One parameter of an operator: its name, kind, default, range and meaning.
-struct Parameter {
-    /// A real number, a whole one, a word, or all the words that are left.
-    enum class Kind { number, whole, word, words };
-
-    static constexpr double most = 1e9; ///< of a whole number
-
-    std::string name;                    ///< as in KEY=VALUE
-    Kind kind;                           ///< what may be given
-    std::optional<std::string> standard; ///< the default; none where it must be given, empty for "not at all"
-    double lower = -std::numeric_limits<double>::infinity(); ///< least number, included
-    double upper = std::numeric_limits<double>::infinity();  ///< greatest number, included
-    std::string meaning = {};                                ///< one line for the listing
-
-    /// What may be given, in words; `in_full` with the greatest whole number, which hardly anybody needs.
-    std::string expected(bool in_full = false) const {
-        if (kind == Kind::word || kind == Kind::words)
-            return kind == Kind::word ? "a name" : "names";
-        const std::string what = kind == Kind::whole ? "a whole number" : "a number";
-        const std::string from = lower == above_zero ? " above 0"
-                                 : lower > -no_limit ? " from " + ga::number(lower)
-                                                     : "";
-        const bool limited = upper < (kind == Kind::whole && !in_full ? most : no_limit);
-        if (!limited)
-            return what + from;
-        return what + from + " to " +
-               (kind == Kind::whole ? std::to_string(static_cast<long>(upper)) : ga::number(upper));
-    }
-};
-
-/// A parameter that takes a real number in [lower, upper].
-inline Parameter number(std::string name, std::optional<std::string> standard, double lower, double upper,
-                        std::string meaning) {
-    return {std::move(name), Parameter::Kind::number, std::move(standard), lower, upper, std::move(meaning)};
-}
-/// A parameter that takes a whole number from `lower` on.
-inline Parameter whole(std::string name, std::optional<std::string> standard, double lower,
-                       std::string meaning) {
-    return {std::move(name), Parameter::Kind::whole, std::move(standard),
-            lower,           Parameter::most,        std::move(meaning)};
-}
-/// A parameter that takes a word.
-inline Parameter word(std::string name, std::optional<std::string> standard, std::string meaning) {
-    Parameter parameter{std::move(name), Parameter::Kind::word, std::move(standard)};
-    parameter.meaning = std::move(meaning);
-    return parameter;
-}
 
 /// The values an operator is made with, each checked against its parameter.
 class Arguments {
@@ -117,6 +62,23 @@ class Arguments {
             words.push_back(argument.value);
         return words;
     }
+    /// Puts the values into what describes itself with these parameters, and checks what they make together.
+    template <class T>
+    void fill(T& described) const {
+        T::describe(described, [&](auto& value, const Parameter& parameter) {
+            using Value = std::remove_cvref_t<decltype(value)>;
+            if (!has(parameter.name))
+                return;
+            if constexpr (std::is_same_v<Value, std::string>)
+                value = word(parameter.name);
+            else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
+                value = words(parameter.name);
+            else
+                value = static_cast<Value>(number(parameter.name));
+        });
+        if constexpr (requires { described.validate(); })
+            described.validate();
+    }
     /// Refuses the value of a parameter, at its column.
     [[noreturn]] void refuse(const std::string& name, const std::string& message) const {
         throw TextError(where_, values_.at(name).front().column, message);
@@ -150,12 +112,10 @@ class Arguments {
         return names;
     }
     void check(const Parameter& parameter, const ArgumentText& argument, const std::string& stage) const {
-        if (parameter.kind == Parameter::Kind::word || parameter.kind == Parameter::Kind::words)
+        if (parameter.is_text())
             return;
         const std::optional<double> value = parsed(argument.value);
-        const bool fits = value && std::isfinite(*value) && *value >= parameter.lower &&
-                          *value <= parameter.upper &&
-                          (parameter.kind == Parameter::Kind::number || *value == std::floor(*value));
+        const bool fits = value && parameter.allows(*value);
         if (!fits)
             throw TextError(where_, argument.column,
                             "stage '" + stage + "': " + parameter.name + " is '" + argument.value +

@@ -30,6 +30,12 @@ inline std::string suggestion(const std::string& given, const std::vector<std::s
     const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
         return edits(given, a) < edits(given, b);
     });
+    const auto root = std::find_if(names.begin(), names.end(), [&](const auto& name) { // crossover: cross
+        const auto shorter = std::min(given.size(), name.size());
+        return shorter >= 4 && given.compare(0, shorter, name, 0, shorter) == 0;
+    });
+    if (root != names.end() && edits(given, *nearest) > 1)
+        return "; did you mean '" + *root + "'?";
     if (nearest != names.end() && edits(given, *nearest) <= std::max<std::size_t>(1, given.size() / 3))
         return "; did you mean '" + *nearest + "'?";
     std::string list;

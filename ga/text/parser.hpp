@@ -39,6 +39,8 @@ class Parser {
     }
 
   private:
+    static constexpr std::size_t most_stages = 100000;
+
     Stage<P> made(const PipelineText& pipeline, const std::string& where) {
         Stage<P> stage;
         for (const auto& each : pipeline)
@@ -65,7 +67,7 @@ class Parser {
         for (const auto& body : stage.bodies)
             bodies.push_back(made(body, where));
         if (entry.pairs_of_words)
-            key_words(entry, stage);
+            key_words(entry, stage, where);
         const Arguments arguments(entry.parameters, stage.arguments, name, text.column, where);
         try {
             return located(entry.make(arguments, bodies, registry_), text, where);
@@ -108,7 +110,8 @@ class Parser {
     }
 
     /// Reads "fitness 0.99" as fitness=0.99.
-    static void key_words(const typename Registry<P>::Entry& entry, StageText& stage) {
+    static void key_words(const typename Registry<P>::Entry& entry, StageText& stage,
+                          const std::string& where) {
         auto& arguments = stage.arguments;
         for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
             const bool names_parameter =
@@ -121,8 +124,14 @@ class Parser {
             }
         }
         for (auto& argument : arguments)
-            if (argument.key.empty())
+            if (argument.key.empty()) {
+                for (const auto& parameter : entry.parameters)
+                    if (parameter.name == argument.value)
+                        throw TextError(where, argument.column,
+                                        "stage '" + entry.name + "': '" + parameter.name +
+                                            "' lacks its value; expected " + parameter.expected());
                 argument.key = argument.value; // refused by name
+            }
     }
 
     Stage<P> paired(const StageText& text, const std::string& where) {
@@ -149,17 +158,12 @@ class Parser {
         return variant(text.name);
     }
 
-    /// A stage whose checks say where it was written.
-    static Stage<P> located(const Stage<P>& stage, const StageText& text, const std::string& where) {
-        return stage.with_checks([where, column = text.column](const auto& check, Known& known) {
-            try {
-                check(known);
-            } catch (const TextError&) {
-                throw;
-            } catch (const UsageError& error) {
-                throw TextError(where, column, error.what());
-            }
-        });
+    /// The stage, which says where it was written.
+    Stage<P> located(Stage<P> stage, const StageText& text, const std::string& where) {
+        if (++stages_ > most_stages)
+            throw TextError(where, text.column, "more than 100000 stages, with those of variants");
+        stage.locate(where, text.column);
+        return stage;
     }
 
     std::vector<std::string> variant_names() const {
@@ -172,6 +176,7 @@ class Parser {
     Registry<P> registry_;
     Variants variants_;
     std::vector<std::string> open_; ///< variants that are being expanded
+    std::size_t stages_ = 0;        ///< made so far
 };
 
 } // namespace ga

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ga/pair.hpp"
+#include "ga/stopping/rule.hpp"
 #include "ga/text/arguments.hpp"
 
 namespace ga {
@@ -37,16 +38,53 @@ class Registry {
         entry.make = std::move(make);
         entries_.push_back(std::move(entry));
     }
-    /// Adds an operator that works where `possible`, made by make(arguments, bodies, registry) with a generic
-    /// lambda, which is not compiled otherwise; elsewhere the operator is listed with what it lacks.
-    template <bool possible, class Lambda>
-    void add_if(Entry entry, const std::string& lacks, Lambda make) {
+    /// Adds an operator that describes itself.
+    template <Described Op>
+    void add() {
+        add(entry_of<Op>(), [](const Arguments& a, const auto&, const auto&) {
+            Op op;
+            a.fill(op);
+            return Stage<P>(std::move(op));
+        });
+    }
+    /// The same where `possible`; elsewhere it is listed with what the genome or the problem lacks.
+    template <bool possible, Described Op>
+    void add_if(const std::string& lacks) {
         if constexpr (possible) {
-            add(std::move(entry), Make(make));
+            add<Op>();
         } else {
+            Entry entry = entry_of<Op>();
             entry.lacks = lacks;
             add(std::move(entry), {});
         }
+    }
+    /// The entry of what describes itself.
+    template <Described T>
+    static Entry entry_of() {
+        Words words = T::words();
+        return {std::move(words.name), std::move(words.group), std::move(words.meaning), parameters_of<T>()};
+    }
+    /// Adds a stopping rule, which `until` takes by its name.
+    template <class R>
+    requires std::derived_from<R, StoppingRule>
+    void add_rule() {
+        rules_.push_back({R::words().name, [](const Arguments& a) {
+                              R rule;
+                              a.fill(rule);
+                              return rule_of<Genome>(std::move(rule));
+                          }});
+        for (auto& entry : entries_)
+            if (entry.pairs_of_words)
+                for (const Parameter& parameter : parameters_of<R>())
+                    entry.parameters.push_back(parameter);
+    }
+    /// The stopping rules that were given, in the order they were added.
+    std::vector<Rule<Genome>> rules(const Arguments& arguments) const {
+        std::vector<Rule<Genome>> found;
+        for (const auto& [name, make] : rules_)
+            if (arguments.has(name))
+                found.push_back(make(arguments));
+        return found;
     }
     /// Adds an operator without arguments: add("reduce dominant", "domain", "...", transform(...)).
     template <class Op>
@@ -96,6 +134,7 @@ class Registry {
 
   private:
     std::vector<Entry> entries_;
+    std::vector<std::pair<std::string, std::function<Rule<Genome>(const Arguments&)>>> rules_;
     std::vector<std::pair<Combine<Genome>, std::string>> combines_;
     std::vector<std::pair<Variables<Genome>, std::string>> variables_;
 };

@@ -8,13 +8,6 @@
 
 namespace ga {
 
-/// Where a text goes wrong: what it is called ("pipeline", "variant 'sog'"), and the column, from 1.
-struct TextError : UsageError {
-    /// "where, column N: message".
-    TextError(const std::string& where, std::size_t column, const std::string& message)
-        : UsageError(where + ", column " + std::to_string(column) + ": " + message) {}
-};
-
 /// One argument of a stage: VALUE, or KEY=VALUE.
 struct ArgumentText {
     std::string key;        ///< empty where only a value was given
@@ -41,7 +34,11 @@ struct StageText {
 class Syntax {
   public:
     /// `where` is what the text is called in errors.
-    Syntax(std::string_view text, std::string where) : text_(text), where_(std::move(where)) { next(); }
+    Syntax(std::string_view text, std::string where) : text_(text), where_(std::move(where)) {
+        if (text.size() > longest)
+            throw TextError(where_, longest, "the text is longer than 1000000 characters");
+        next();
+    }
 
     /// All of the text. Throws TextError.
     PipelineText read() {
@@ -52,6 +49,8 @@ class Syntax {
     }
 
   private:
+    static constexpr std::size_t longest = 1000000;
+
     PipelineText read_pipeline() {
         if (++depth_ > 100)
             fail("more than 100 pipelines inside each other");
@@ -99,7 +98,13 @@ class Syntax {
 
     static bool is_symbol(char c) { return std::string_view("|{}(),=").find(c) != std::string_view::npos; }
     static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-    bool is_word() const { return !token_.empty() && !is_symbol(token_[0]); }
+    /// Names and numbers begin with a letter, a digit or one of + - . _ / @
+    bool is_word() const {
+        const auto first = token_.empty() ? ' ' : token_[0];
+        return (first >= '0' && first <= '9') || (first >= 'a' && first <= 'z') ||
+               (first >= 'A' && first <= 'Z') || static_cast<unsigned char>(first) >= 0x80 ||
+               std::string_view("+-._/@").find(first) != std::string_view::npos;
+    }
     std::string quoted() const { return token_.empty() ? "end" : "'" + token_ + "'"; }
     [[noreturn]] void fail(const std::string& message) const { throw TextError(where_, column_, message); }
 

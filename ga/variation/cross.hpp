@@ -1,12 +1,11 @@
 #pragma once
 
 #include "ga/stage.hpp"
-#include "ga/text/number.hpp"
 
 namespace ga {
 
-/// A way to cross two genomes in place: `std::string text() const` and, constrained by what it uses of the
-/// problem, `void operator()(const P&, Genome& a, Genome& b, Stream&) const`.
+/// A way to cross two genomes in place: words() and describe() as an operator has, and, constrained by what it uses
+/// of the problem, `void operator()(const P&, Genome& a, Genome& b, Stream&) const`.
 template <class Way, class P>
 concept Crosses = Problem<P> &&
     requires(const Way& way, const P& problem, typename P::Genome& genome, Stream& stream) {
@@ -18,17 +17,22 @@ concept Crosses = Problem<P> &&
 /// meets whom.
 template <class Way>
 struct Cross : Operator {
-    Way way;     ///< how two genomes are crossed (Crosses)
-    double rate; ///< probability of each pair, [0, 1]
+    Way way;         ///< how two genomes are crossed (Crosses)
+    double rate = 1; ///< probability of each pair, [0, 1]
 
-    /// Throws UsageError on a rate outside [0, 1].
-    Cross(Way w, double r) : way(std::move(w)), rate(r) {
-        if (!(rate >= 0 && rate <= 1))
-            throw UsageError("cross: rate is " + number(rate) + "; expected 0 to 1");
-    }
+    Cross() = default;
+    /// Throws UsageError on a rate outside [0, 1], or a value that the way does not allow.
+    Cross(Way w, double r) : way(std::move(w)), rate(r) { check_values(*this, words().name); }
     ///@{
     /// What every operator has (Operator).
-    std::string text() const { return "cross " + way.text() + (rate < 1 ? " rate=" + number(rate) : ""); }
+    static Words words() {
+        const Words of_way = Way::words();
+        return {"cross " + of_way.name, "cross-over", of_way.meaning};
+    }
+    static void describe(auto& self, auto visit) {
+        Way::describe(self.way, visit);
+        visit(self.rate, number("rate", "1", 0, 1, "a pair's chance to be crossed").keyed().quiet());
+    }
     void check(Known& known) const { known.scored.reset(); }
 
     template <class P>

@@ -2,6 +2,8 @@
 
 #include "ga/problem.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace ga {
@@ -36,6 +38,30 @@ decltype(auto) variables_of(const P& problem, const typename P::Genome& genome) 
             all[i] = {i, -HUGE_VAL, HUGE_VAL};
         return all;
     }
+}
+
+/// Calls cross(x, y, variable) for the real genes of both parents that may move in both, with the bounds that both
+/// allow, widened to where the parents are: children never leave what their parents' bounds and genes span.
+template <HasGenes P, class Cross>
+void cross_genes(const P& problem, typename P::Genome& a, typename P::Genome& b, Cross cross) {
+    const auto& of_first = variables_of(problem, a);
+    const auto& of_second = variables_of(problem, b);
+    edit_genes(problem, a, [&](std::span<double> first) {
+        edit_genes(problem, b, [&](std::span<double> second) {
+            std::size_t other = 0;
+            for (Variable variable : of_first) {
+                while (other < of_second.size() && of_second[other].gene < variable.gene)
+                    ++other;
+                if (variable.gene >= first.size() || variable.gene >= second.size() ||
+                    other == of_second.size() || of_second[other].gene != variable.gene)
+                    continue;
+                double &x = first[variable.gene], &y = second[variable.gene];
+                variable.lower = std::min({std::max(variable.lower, of_second[other].lower), x, y});
+                variable.upper = std::max({std::min(variable.upper, of_second[other].upper), x, y});
+                cross(x, y, variable);
+            }
+        });
+    });
 }
 
 } // namespace ga

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "ga/stage.hpp"
-#include "ga/text/number.hpp"
 
 namespace ga {
 
-/// A way to mutate a genome in place, each gene by its chance: `std::string text() const` and,
+/// A way to mutate a genome in place, each gene by its chance: words() and describe() as an operator has, and,
 /// constrained by what it uses of the problem, `bool operator()(const P&, Genome&, const Chance&,
 /// Stream&) const`, true when a gene changed.
 template <class Way, class P>
@@ -18,19 +17,25 @@ concept Mutates = Problem<P> && requires(const Way& way, const P& problem, typen
 /// old self.
 template <class Way>
 struct Mutate : Operator {
-    Way way;     ///< how a genome is changed (Mutates)
-    double rate; ///< probability of each gene, [0, 1]
+    double rate = 0; ///< probability of each gene, [0, 1]
+    Way way;         ///< how a genome is changed (Mutates)
 
-    /// Throws UsageError on a rate outside [0, 1].
-    Mutate(double r, Way w) : way(std::move(w)), rate(r) {
-        if (!(rate >= 0 && rate <= 1))
-            throw UsageError("mutate: rate is " + number(rate) + "; expected 0 to 1");
-    }
+    Mutate() = default;
+    /// Throws UsageError on a rate outside [0, 1], or a value that the way does not allow.
+    Mutate(double r, Way w) : rate(r), way(std::move(w)) { check_values(*this, words().name); }
     ///@{
     /// What every operator has (Operator).
+    static Words words() {
+        const Words of_way = Way::words();
+        return {"mutate" + (of_way.name.empty() ? "" : " " + of_way.name), "mutation", of_way.meaning};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.rate, number("rate", std::nullopt, 0, 1, "a gene's chance to mutate"));
+        Way::describe(self.way, visit);
+    }
     std::string text() const {
-        const std::string words = way.text();
-        return "mutate " + number(rate) + (words.empty() ? "" : " ") + words;
+        const std::string name = Way::words().name, values = values_in_words(way);
+        return "mutate " + number(rate) + (name.empty() ? "" : " " + name) + (values.empty() ? "" : " " + values);
     }
     void check(Known& known) const { known.scored.reset(); }
 

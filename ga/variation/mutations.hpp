@@ -18,6 +18,8 @@ bool mutate_genes(const P& problem, typename P::Genome& genome, const Chance& ch
     edit_genes(problem, genome, [&](std::span<double> genes) {
         const auto& variables = variables_of(problem, genome);
         chance.each(variables.size(), stream, [&](std::size_t i) {
+            if (variables[i].gene >= genes.size())
+                return;
             double& gene = genes[variables[i].gene];
             const double before = gene;
             gene = change(before, variables[i]);
@@ -27,7 +29,7 @@ bool mutate_genes(const P& problem, typename P::Genome& genome, const Chance& ch
     return changed;
 }
 
-/// A value brought back between its bounds by mirrors at them.
+/// A value brought back between its bounds by mirrors at them; at the nearer one where a mirror is not enough.
 inline double reflected(double value, const Variable& variable) {
     if (value < variable.lower)
         value = 2 * variable.lower - value;
@@ -44,10 +46,13 @@ inline double width(const Variable& variable) {
 
 /// Adds a normal step of deviation sigma times the width between the bounds.
 struct Gaussian {
-    double sigma; ///< part of the width between the bounds, > 0
+    double sigma = 0.1; ///< part of the width between the bounds, > 0
     ///@{
     /// What every way of mutating has (Mutates).
-    std::string text() const { return "gaussian " + number(sigma); }
+    static Words words() { return {"gaussian", "mutation", "adds a normal step"}; }
+    static void describe(auto& self, auto visit) {
+        visit(self.sigma, number("sigma", "0.1", above_zero, no_limit, "deviation, in widths between bounds"));
+    }
 
     template <HasGenes P>
     bool operator()(const P& problem, typename P::Genome& genome, const Chance& chance,
@@ -61,10 +66,13 @@ struct Gaussian {
 
 /// Adds a step uniform within plus or minus `step` times the width between the bounds.
 struct UniformStep {
-    double step; ///< part of the width between the bounds, > 0
+    double step = 0.1; ///< part of the width between the bounds, > 0
     ///@{
     /// What every way of mutating has (Mutates).
-    std::string text() const { return "uniform " + number(step); }
+    static Words words() { return {"uniform", "mutation", "adds a uniform step"}; }
+    static void describe(auto& self, auto visit) {
+        visit(self.step, number("step", "0.1", above_zero, no_limit, "largest step, in widths between bounds"));
+    }
 
     template <HasGenes P>
     bool operator()(const P& problem, typename P::Genome& genome, const Chance& chance,
@@ -77,24 +85,28 @@ struct UniformStep {
 };
 
 /// Polynomial mutation (Deb and Goyal 1996, as in NSGA-II's code): a step within the bounds whose density
-/// falls as (1 - |step| / width)^eta.
+/// falls as (1 - |step| / width)^eta. A gene outside its bounds starts from the nearer one; one without bounds on both
+/// sides takes steps as if 1 were its width, and the bound it has is a wall.
 struct Polynomial {
-    double eta; ///< greater: smaller steps
+    double eta = 20; ///< greater: smaller steps
     ///@{
     /// What every way of mutating has (Mutates).
-    std::string text() const { return "polynomial " + number(eta); }
+    static Words words() { return {"polynomial", "mutation", "adds a step of polynomial density"}; }
+    static void describe(auto& self, auto visit) {
+        visit(self.eta, number("eta", "20", above_zero, no_limit, "the greater, the smaller"));
+    }
 
     template <HasGenes P>
     requires Bounded<P>
     bool operator()(const P& problem, typename P::Genome& genome, const Chance& chance,
                     Stream& stream) const {
         return mutate_genes(problem, genome, chance, stream, [&](double gene, const Variable& variable) {
-            const double width = variable.upper - variable.lower;
-            const double u = stream.uniform(), power = eta + 1;
+            const double u = stream.uniform(), power = eta + 1, width = ga::width(variable);
             if (!(width > 0))
                 return gene;
-            const double below = std::pow(1 - (gene - variable.lower) / width, power);
-            const double above = std::pow(1 - (variable.upper - gene) / width, power);
+            gene = std::clamp(gene, variable.lower, variable.upper);
+            const auto beyond = [&](double room) { return room < width ? std::pow(1 - room / width, power) : 0; };
+            const double below = beyond(gene - variable.lower), above = beyond(variable.upper - gene);
             const double step = u < 0.5 ? std::pow(2 * u + (1 - 2 * u) * below, 1 / power) - 1
                                         : 1 - std::pow(2 * (1 - u) + (2 * u - 1) * above, 1 / power);
             return std::clamp(gene + step * width, variable.lower, variable.upper);
@@ -113,11 +125,12 @@ template <class G>
 concept BitString = Discrete<G> &&(std::same_as<std::ranges::range_value_t<G>, bool>);
 
 /// Draws the gene anew: a real one uniformly between its bounds, a whole number among its other values, a bit
-/// flipped.
+/// flipped. A gene without bounds on both sides stays: there is no uniform draw of it.
 struct Reset {
     ///@{
     /// What every way of mutating has (Mutates).
-    std::string text() const { return "reset"; }
+    static Words words() { return {"reset", "mutation", "draws the gene anew; flips a bit"}; }
+    static void describe(auto&, auto) {}
 
     template <Problem P>
     requires(BitString<typename P::Genome> ||
@@ -136,7 +149,7 @@ struct Reset {
             const auto& variables = problem.bounds(genome);
             chance.each(variables.size(), stream, [&](std::size_t i) {
                 const Variable& variable = variables[i];
-                if (variable.upper < variable.lower + 1)
+                if (variable.upper < variable.lower + 1 || variable.gene >= genome.size())
                     return;
                 const auto others = static_cast<std::size_t>(variable.upper - variable.lower);
                 const auto value = static_cast<Gene>(static_cast<Gene>(variable.lower) +
@@ -147,8 +160,9 @@ struct Reset {
             });
             return changed;
         } else {
-            return mutate_genes(problem, genome, chance, stream, [&](double, const Variable& variable) {
-                return stream.uniform(variable.lower, variable.upper);
+            return mutate_genes(problem, genome, chance, stream, [&](double gene, const Variable& variable) {
+                const bool bounded = std::isfinite(variable.upper - variable.lower);
+                return bounded ? stream.uniform(variable.lower, variable.upper) : gene;
             });
         }
     }
@@ -183,7 +197,8 @@ bool with_another(const Genes& genes, const Chance& chance, Stream& stream, Chan
 struct Swap {
     ///@{
     /// What every way of mutating has (Mutates).
-    std::string text() const { return "swap"; }
+    static Words words() { return {"swap", "mutation", "exchanges the gene with another of the genome"}; }
+    static void describe(auto&, auto) {}
 
     template <Problem P>
     requires Ordered<typename P::Genome>
@@ -202,7 +217,8 @@ struct Swap {
 struct Reverse {
     ///@{
     /// What every way of mutating has (Mutates).
-    std::string text() const { return "reverse"; }
+    static Words words() { return {"reverse", "mutation", "turns round the piece between the gene and another"}; }
+    static void describe(auto&, auto) {}
 
     template <Problem P>
     requires Ordered<typename P::Genome>
@@ -227,7 +243,10 @@ concept MutatesItself = requires(const P& problem, typename P::Genome& genome, d
 struct Natural {
     ///@{
     /// What every way of mutating has (Mutates).
-    std::string text() const { return {}; }
+    static Words words() {
+        return {"", "mutation", "the genome's natural mutation: its own, swap, reset or gaussian 0.1"};
+    }
+    static void describe(auto&, auto) {}
 
     template <Problem P>
     requires(MutatesItself<P> || Mutates<Reset, P> || HasGenes<P> || Ordered<typename P::Genome>) bool
@@ -244,19 +263,12 @@ struct Natural {
     ///@}
 };
 
-/// `value`; throws UsageError where it is not above 0.
-inline double checked_step(const char* name, double value) {
-    if (!(value > 0 && std::isfinite(value)))
-        throw UsageError(std::string("mutate ") + name + " is " + number(value) + "; expected above 0");
-    return value;
-}
-
 /// `gaussian sigma` of mutate.
-inline Gaussian gaussian(double sigma = 0.1) { return {checked_step("gaussian: sigma", sigma)}; }
+inline Gaussian gaussian(double sigma = 0.1) { return {sigma}; }
 /// `uniform step` of mutate.
-inline UniformStep uniform_step(double step = 0.1) { return {checked_step("uniform: step", step)}; }
+inline UniformStep uniform_step(double step = 0.1) { return {step}; }
 /// @param eta  distribution index: the greater, the smaller the steps
-inline Polynomial polynomial(double eta = 20) { return {checked_step("polynomial: eta", eta)}; }
+inline Polynomial polynomial(double eta = 20) { return {eta}; }
 /// `reset` of mutate.
 inline Reset reset() { return {}; }
 /// `swap` of mutate.

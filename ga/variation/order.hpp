@@ -10,7 +10,10 @@ namespace ga {
 struct Order {
     ///@{
     /// What every way of crossing has (Crosses).
-    std::string text() const { return "order"; }
+    static Words words() {
+        return {"order", "cross-over", "keeps a piece of one permutation in place and the other's order elsewhere"};
+    }
+    static void describe(auto&, auto) {}
 
     template <Problem P>
     requires std::same_as<typename P::Genome, Permutation>

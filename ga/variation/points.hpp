@@ -3,6 +3,7 @@
 #include "ga/variation/cross.hpp"
 #include "ga/variation/genes.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace ga {
@@ -44,12 +45,12 @@ void exchange_at_points(Sequence& a, Sequence& b, std::size_t n, Stream& stream)
 /// n-point cross-over of genomes (Holland 1975; De Jong 1975): exchange_at_points between their genes, or the
 /// problem's own.
 struct Points {
-    std::string words; ///< the way as text
-    std::size_t n;     ///< cuts, >= 1
+    std::size_t n = 2; ///< cuts, >= 1
 
     ///@{
     /// What every way of crossing has (Crosses).
-    std::string text() const { return words; }
+    static Words words() { return {"n_points", "cross-over", "exchanges every other piece between n cuts"}; }
+    static void describe(auto& self, auto visit) { visit(self.n, whole("n", "2", 1, "cuts")); }
 
     template <Problem P>
     requires(CrossesAtPoints<P> || Positional<typename P::Genome>) void
@@ -62,13 +63,24 @@ struct Points {
     ///@}
 };
 
+/// The same with one cut.
+struct OnePoint {
+    ///@{
+    /// What every way of crossing has (Crosses).
+    static Words words() { return {"one_point", "cross-over", "exchanges what lies beyond one cut"}; }
+    static void describe(auto&, auto) {}
+
+    template <Problem P>
+    requires Crosses<Points, P>
+    void operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
+        Points{1}(problem, a, b, stream);
+    }
+    ///@}
+};
+
 /// `one_point` of cross.
-inline Points one_point() { return {"one_point", 1}; }
-/// `n_points n` of cross. Throws UsageError on 0.
-inline Points n_points(std::size_t n) {
-    if (n == 0)
-        throw UsageError("cross n_points 0 cuts nothing; expected at least 1");
-    return {"n_points " + std::to_string(n), n};
-}
+inline OnePoint one_point() { return {}; }
+/// `n_points n` of cross, n >= 1.
+inline Points n_points(std::size_t n) { return {n}; }
 
 } // namespace ga

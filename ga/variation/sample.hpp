@@ -6,26 +6,31 @@ namespace ga {
 
 /// Puts n new individuals drawn at random by the problem in the place of the population.
 struct Sample : Operator {
-    std::size_t n; ///< how many, >= 1
+    std::size_t n = 1; ///< how many, >= 1
 
+    Sample() = default;
     /// Throws UsageError on 0.
-    explicit Sample(std::size_t count) : n(count) {
-        if (n == 0)
-            throw UsageError("sample 0 draws nobody; expected at least 1");
-    }
+    explicit Sample(std::size_t count) : n(count) { check_values(*this, words().name); }
     ///@{
     /// What every operator has (Operator).
-    std::string text() const { return "sample " + std::to_string(n); }
+    static constexpr bool begins = true;
+    static Words words() {
+        return {"sample", "mutation", "n new individuals drawn at random in the population's place"};
+    }
+    static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
     void check(Known& known) const { known.scored.reset(); }
 
     template <Problem P>
     requires Sampled<P> Population<typename P::Genome>
     operator()(Population<typename P::Genome>, Context<P>& context) const {
-        Population<typename P::Genome> fresh(n);
+        Population<typename P::Genome> fresh;
         for (std::size_t i = 0; i < n; ++i) {
             Stream stream = context.stream(i);
-            fresh[i].genome = context.problem().sample(stream);
-            fresh[i].identity = context.new_identity();
+            fresh.push_back({context.problem().sample(stream), context.new_identity(), {}, {}, {}});
+            if (i == 0) {
+                context.need_room(n, fresh.front().genome);
+                fresh.reserve(n);
+            }
         }
         return fresh;
     }

@@ -12,21 +12,22 @@ namespace ga {
 /// probability 1/2; the children lie symmetrically about the parents' mean, spread as one-point cross-over
 /// spreads binary strings.
 struct SimulatedBinary {
-    double eta; ///< greater: children nearer to their parents
+    double eta = 15; ///< greater: children nearer to their parents
 
     ///@{
     /// What every way of crossing has (Crosses).
-    std::string text() const { return "sbx " + number(eta); }
+    static Words words() {
+        return {"sbx", "cross-over", "simulated binary cross-over, symmetric about the parents' mean"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.eta, number("eta", "15", 0, no_limit, "the greater, the nearer to the parents"));
+    }
 
     template <HasGenes P>
     void operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
-        edit_genes(problem, a, [&](std::span<double> first) {
-            edit_genes(problem, b, [&](std::span<double> second) {
-                for (const Variable& variable : variables_of(problem, a)) {
-                    if (variable.gene < first.size() && variable.gene < second.size() && stream.chance(0.5))
-                        cross(first[variable.gene], second[variable.gene], variable, stream);
-                }
-            });
+        cross_genes(problem, a, b, [&](double& x, double& y, const Variable& variable) {
+            if (stream.chance(0.5))
+                cross(x, y, variable, stream);
         });
     }
     ///@}
@@ -40,7 +41,7 @@ struct SimulatedBinary {
             return;
         // The spread whose density is cut where a child would leave the bounds.
         const auto spread = [&](double room) {
-            const double alpha = 2 - std::pow(1 + 2 * room / distance, -(eta + 1));
+            const double alpha = 2 - std::pow(1 + 2 * room / distance, -(eta + 1)); // 2 without a bound
             return std::pow(u <= 1 / alpha ? u * alpha : 1 / (2 - u * alpha), 1 / (eta + 1));
         };
         const auto inside = [&](double gene) { return std::clamp(gene, variable.lower, variable.upper); };
@@ -53,10 +54,6 @@ struct SimulatedBinary {
 };
 
 /// @param eta  distribution index, >= 0: the greater, the nearer children stay to their parents
-inline SimulatedBinary sbx(double eta = 15) {
-    if (!(eta >= 0))
-        throw UsageError("cross sbx: eta is " + number(eta) + "; expected 0 or more");
-    return {eta};
-}
+inline SimulatedBinary sbx(double eta = 15) { return {eta}; }
 
 } // namespace ga

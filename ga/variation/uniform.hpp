@@ -16,7 +16,8 @@ concept CrossesUniformly = requires(const P& problem, typename P::Genome& genome
 struct Uniform {
     ///@{
     /// What every way of crossing has (Crosses).
-    std::string text() const { return "uniform"; }
+    static Words words() { return {"uniform", "cross-over", "exchanges each position with probability 1/2"}; }
+    static void describe(auto&, auto) {}
 
     template <Problem P>
     requires(CrossesUniformly<P> || Positional<typename P::Genome>) void

@@ -1,5 +1,6 @@
 #include "ga/checkpoint.hpp"
 #include "ga/ga.hpp"
+#include "ga/refinement/refinement.hpp"
 #include "tests/folder.hpp"
 #include "tests/ga/vectors.hpp"
 
@@ -78,6 +79,7 @@ TEST_CASE("a run that is stopped within any evaluation and resumed ends in the v
         };
         const fs::path file = folder / "run";
         fs::remove(file);
+        fs::remove(file.string() + ".before");
         for (int pieces = 0;; ++pieces) {
             REQUIRE(pieces < 500);
             std::atomic<bool> stop = false;
@@ -121,6 +123,7 @@ TEST_CASE("a checkpoint of another run, or a file that is none, is refused") {
     CHECK_THROWS_WITH(run(sample(4) | score(), Vectors{}, nobody, {}, {}, &same), message);
     CHECK_THROWS_WITH(run(sample(3) | score(), Vectors{}, nobody, {.seed = 2}, {}, &same), message);
     fs::resize_file(file, fs::file_size(file) / 2);
+    fs::remove(file.string() + ".before");
     CHECK_THROWS_AS(run(sample(3) | score(), Vectors{}, nobody, {}, {}, &same), UsageError);
 }
 

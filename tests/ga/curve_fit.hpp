@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ga/ga.hpp"
+#include "ga/refinement/refinement.hpp"
 
 #include <stdexcept>
 

@@ -13,9 +13,9 @@ TEST_CASE("Levenberg-Marquardt finds the curve's own parameters from every start
     }
 }
 
-TEST_CASE("minimax reaches further than s|s| by the same search in as many evaluations") {
-    const auto by_one_row = run(score() | refine(gcmma(40)), CurveFit{}, CurveFit::start(30));
-    const auto by_all_rows = run(score() | refine(minimax(gcmma(40))), CurveFit{}, CurveFit::start(30));
+TEST_CASE("minimax reaches further than one row at a time by the same search in as many evaluations") {
+    const auto by_one_row = run(score() | refine(mma(40)), CurveFit{}, CurveFit::start(30));
+    const auto by_all_rows = run(score() | refine(minimax(40)), CurveFit{}, CurveFit::start(30));
     int further = 0;
     for (std::size_t i = 0; i < 30; ++i)
         further += by_all_rows.population[i].value() > by_one_row.population[i].value();
@@ -23,8 +23,8 @@ TEST_CASE("minimax reaches further than s|s| by the same search in as many evalu
     CHECK(by_all_rows.best->value() > 0.999);
 }
 
-TEST_CASE("gcmma spends its evaluations and one for the start on each individual") {
-    const auto result = run(score() | refine(gcmma(5)), CurveFit{}, CurveFit::start(7));
+TEST_CASE("mma spends its evaluations and one for the start on each individual") {
+    const auto result = run(score() | refine(mma(5)), CurveFit{}, CurveFit::start(7));
     CHECK(result.counters.gradients == 7 * 6);
 }
 
@@ -40,8 +40,8 @@ TEST_CASE("a refinement never makes an individual worse and never leaves its bou
         }
         CHECK(result.best->value() > 0.4);
     };
-    check(gcmma(3));
-    check(minimax(gcmma(3)));
+    check(mma(3));
+    check(minimax(3));
     check(lm(3));
     check(lm(20, 5));
     check(nlopt_method("LN_COBYLA", 50));
@@ -58,7 +58,7 @@ TEST_CASE("failing evaluations inside a refinement are walked around") {
         }
     };
     Population<Hole::Genome> start = population<Hole::Genome>({{3, 1, 0.7}});
-    for (const auto& method : std::vector<ResidualMethod>{gcmma(30), minimax(gcmma(30)), lm(30)}) {
+    for (const auto& method : std::vector<ResidualMethod>{mma(30), minimax(30), lm(30)}) {
         const auto result = run(score() | refine(method), Hole{}, start);
         CHECK(result.population[0].genome[0] >= 2.2);
         CHECK(result.population[0].value() > run(score(), Hole{}, start).population[0].value() + 0.1);

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <numeric>
+
 using namespace ga;
 
 namespace {
@@ -64,13 +66,13 @@ TEST_CASE(
     const auto counts = chosen(rank(1.8), 5, 4000);
     for (std::size_t i = 0; i < 5; ++i)
         CHECK(counts[i] == Approx(0.2 + 1.6 * static_cast<double>(i) / 4).margin(5 * std::sqrt(0.25 / 4000)));
-    CHECK_THROWS_WITH(rank(3), "rank: pressure is 3; expected above 1 and at most 2");
+    CHECK_THROWS_WITH(rank(3), "stage 'rank': pressure is '3'; expected a number from 1.0001 to 2");
 }
 
 TEST_CASE("random keeps n different individuals, each with equal chance") {
     std::vector<double> counts(5);
     for (std::uint64_t seed = 0; seed < 4000; ++seed) {
-        const auto result = run(at_random(2), Given{}, Given::of({0, 1, 2, 3, 4}), {.seed = seed});
+        const auto result = run(at_random(2) | score(), Given{}, Given::of({0, 1, 2, 3, 4}), {.seed = seed});
         REQUIRE(result.population.size() == 2);
         CHECK(result.population[0].identity != result.population[1].identity);
         for (const auto& each : result.population)

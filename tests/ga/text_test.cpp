@@ -1,6 +1,6 @@
 #include "ga/text/listing.hpp"
 #include "ga/text/parser.hpp"
-#include "ga/text/vocabulary.hpp"
+#include "ga/refinement/vocabulary.hpp"
 #include "tests/ga/curve_fit.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@ namespace {
 
 /// Words a domain adds.
 Registry<CurveFit> domain_words() {
-    Registry<CurveFit> registry = vocabulary<CurveFit>();
+    Registry<CurveFit> registry = with_refinement(vocabulary<CurveFit>());
     registry.add(mean, "the parents' mean");
     registry.add(tenth, "each gene within a tenth of its value");
     registry.add("turn genes", "domain", "the genes in another order",
@@ -56,11 +56,11 @@ TEST_CASE("a pipeline written as text takes the same paths to the same bits as i
         CHECK(parsed.text() == code.text());
         CHECK(trace(parsed) == trace(code));
     };
-    same("score | best 3 | refine gcmma 5 genes=tenth | refine minimax 2 | best 1",
-         score() | best(3) | refine(gcmma(5), tenth) | refine(minimax(gcmma(2))) | best(1));
+    same("score | best 3 | refine mma 5 genes=tenth | refine minimax 2 | best 1",
+         score() | best(3) | refine(mma(5), tenth) | refine(minimax(2)) | best(1));
     same("pair(score low | above 0.95 at_least=3, score high | above 0.95 at_least=3 | turn genes, mean) | "
          "score | best 3 "
-         "| refine gcmma 3 genes=tenth | best 1",
+         "| refine mma 3 genes=tenth | best 1",
          pair(score("low") | above(0.95, at_least(3)),
               score("high") | above(0.95, at_least(3)) |
                   transform("turn genes",
@@ -68,7 +68,7 @@ TEST_CASE("a pipeline written as text takes the same paths to the same bits as i
                                 return CurveFit::Genome{g[1], g[2], g[0]};
                             }),
               mean) |
-             score() | best(3) | refine(gcmma(3), tenth) | best(1));
+             score() | best(3) | refine(mma(3), tenth) | best(1));
     same("score|best 10|repeat 20{tournament 2|cross uniform|mutate 0.1|score|refine lm 3|elite 5}|best 1",
          score() | best(10) |
              repeat(20, tournament(2) | cross(uniform()) | mutate(0.1) | score() | refine(lm(3)) | elite(5)) |
@@ -117,7 +117,7 @@ TEST_CASE("every operator's own text is read as the same operator") {
           "mutate 0.1 reset",
           "mutate 0.1 swap",
           "mutate 0.1 reverse",
-          "refine gcmma 3 genes=all",
+          "refine mma 3 genes=all",
           "refine minimax 3 genes=tenth",
           "refine lm 30 genes=all",
           "refine lm 9 sharpen=3 genes=all",
@@ -160,7 +160,7 @@ TEST_CASE("an unknown word is refused with the nearest known one") {
     refused("score | above 0.5 atleast=3",
             "pipeline, column 19: stage 'above' has no 'atleast'; did you mean 'at_least'?");
     refused("refine 3",
-            "pipeline, column 1: stage 'refine' lacks its kind; expected one of gcmma, minimax, lm, nlopt");
+            "pipeline, column 1: stage 'refine' lacks its kind; expected one of minimax, mma, lm, nlopt");
     refused("cross order",
             "pipeline, column 1: stage 'cross order' cannot work here: it needs a permutation for a genome");
 }

@@ -79,8 +79,8 @@ TEST_CASE("every operator on real genes keeps the population's size and the boun
 TEST_CASE("cross-over at points and uniform cross-over lose no gene of a position") {
     const auto check = [](const auto& way) {
         for (std::uint64_t seed = 0; seed < 50; ++seed) {
-            const auto start = run(sample(10), Vectors{}, nobody, {.seed = seed}).population;
-            const auto result = run(cross(way), Vectors{}, start, {.seed = seed}).population;
+            const auto start = run(sample(10) | score(), Vectors{}, nobody, {.seed = seed}).population;
+            const auto result = run(cross(way) | score(), Vectors{}, start, {.seed = seed}).population;
             for (std::size_t gene = 0; gene < 6; ++gene)
                 CHECK(genes_at(result, gene) == genes_at(start, gene));
         }
@@ -97,7 +97,7 @@ TEST_CASE("n points cut two genomes into n + 1 pieces that change hands by turns
     for (const std::size_t n : {1u, 2u, 3u, 7u, 11u})
         for (std::uint64_t seed = 0; seed < 30; ++seed) {
             const auto child =
-                run(cross(n_points(n)), Any<std::vector<int>>{}, population(parents), {.seed = seed})
+                run(cross(n_points(n)) | score(), Any<std::vector<int>>{}, population(parents), {.seed = seed})
                     .population[0];
             std::size_t changes = 0;
             for (std::size_t i = 0; i + 1 < 12; ++i)
@@ -111,7 +111,7 @@ TEST_CASE("uniform cross-over exchanges half of the genes on average") {
     double exchanged = 0;
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         const auto child =
-            run(cross(uniform()), Any<std::vector<bool>>{}, population(parents), {.seed = seed})
+            run(cross(uniform()) | score(), Any<std::vector<bool>>{}, population(parents), {.seed = seed})
                 .population[0];
         exchanged += static_cast<double>(std::count(child.genome.begin(), child.genome.end(), true));
     }
@@ -125,7 +125,7 @@ TEST_CASE("simulated binary cross-over keeps the parents' mean and spreads as it
     constexpr int draws = 20000;
     int crossed = 0, inside = 0;
     for (std::uint64_t seed = 0; seed < draws; ++seed) {
-        const auto children = run(cross(sbx(eta)), Line{}, population(parents), {.seed = seed}).population;
+        const auto children = run(cross(sbx(eta)) | score(), Line{}, population(parents), {.seed = seed}).population;
         const double a = children[0].genome[0], b = children[1].genome[0];
         REQUIRE(a + b == Approx(0).margin(1e-12));
         if (std::abs(a) != 1) {
@@ -139,21 +139,21 @@ TEST_CASE("simulated binary cross-over keeps the parents' mean and spreads as it
 
 TEST_CASE("mutation changes each gene with its rate") {
     const auto start = population(std::vector(500, std::vector<bool>(40)));
-    const auto result = run(mutate(0.05), Any<std::vector<bool>>{}, start).population;
+    const auto result = run(mutate(0.05) | score(), Any<std::vector<bool>>{}, start).population;
     double flipped = 0;
     for (const auto& each : result)
         flipped += static_cast<double>(std::count(each.genome.begin(), each.genome.end(), true));
     CHECK(flipped == Approx(1000).margin(5 * std::sqrt(20000 * 0.05 * 0.95)));
-    for (const auto& each : run(mutate(1), Any<std::vector<bool>>{}, start).population)
+    for (const auto& each : run(mutate(1) | score(), Any<std::vector<bool>>{}, start).population)
         CHECK(each.genome == std::vector<bool>(40, true));
-    for (const auto& each : run(mutate(0), Any<std::vector<bool>>{}, start).population)
+    for (const auto& each : run(mutate(0) | score(), Any<std::vector<bool>>{}, start).population)
         CHECK(each.genome == std::vector<bool>(40));
 }
 
 TEST_CASE("a whole number is reset to each of its other values with equal chance") {
     const auto start = population(std::vector(1000, std::vector<int>(5, 1)));
     std::map<int, int> counts;
-    for (const auto& each : run(mutate(1, reset()), Whole{}, start).population)
+    for (const auto& each : run(mutate(1, reset()) | score(), Whole{}, start).population)
         for (const int gene : each.genome)
             ++counts[gene];
     CHECK(counts.size() == 5);
@@ -168,7 +168,7 @@ TEST_CASE("gaussian steps have their deviation in widths, polynomial steps lie n
     const auto start = population(std::vector(5000, std::vector<double>(6, 0.0)));
     const auto deviation = [&](const auto& way) {
         double sum = 0;
-        for (const auto& each : run(mutate(1, way), Vectors{}, start).population)
+        for (const auto& each : run(mutate(1, way) | score(), Vectors{}, start).population)
             for (const double gene : each.genome)
                 sum += gene * gene;
         return std::sqrt(sum / 30000);
@@ -185,7 +185,7 @@ TEST_CASE("permutations stay permutations") {
             Stream stream(i);
             start.push_back(Permutation::random(13, stream));
         }
-        const auto result = run(repeat(50, variation), Any<Permutation>{}, population(start)).population;
+        const auto result = run(repeat(50, variation) | score(), Any<Permutation>{}, population(start)).population;
         REQUIRE(result.size() == 21);
         bool changed = false;
         for (std::size_t i = 0; i < 20; ++i) {
@@ -207,7 +207,7 @@ TEST_CASE("order cross-over keeps a piece of one parent in place and the other's
     const Permutation a{{0, 1, 2, 3, 4, 5, 6, 7}}, b{{7, 6, 5, 4, 3, 2, 1, 0}};
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         const auto child =
-            run(cross(order()), Any<Permutation>{}, population<Permutation>({a, b}), {.seed = seed})
+            run(cross(order()) | score(), Any<Permutation>{}, population<Permutation>({a, b}), {.seed = seed})
                 .population[0]
                 .genome;
         std::vector<std::uint32_t> rest;
@@ -221,7 +221,7 @@ TEST_CASE("order cross-over keeps a piece of one parent in place and the other's
 
 TEST_CASE("a mutated unscored individual stays itself") {
     const auto start = population(std::vector(10, std::vector<double>(6, 0.0)));
-    for (const auto& each : run(mutate(1), Vectors{}, start).population) {
+    for (const auto& each : run(mutate(1) | score(), Vectors{}, start).population) {
         CHECK(each.identity < 10);
         CHECK(each.parents.size() == 0);
     }

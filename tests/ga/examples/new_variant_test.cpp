@@ -42,12 +42,15 @@ struct Knapsack {
 /// Replaces the k worst by mutated copies of the best.
 struct Regrow : ga::Operator {
     std::size_t k;
-    explicit Regrow(std::size_t count) : k(count) {}
+    explicit Regrow(std::size_t count = 5) : k(count) {}
 
-    std::string text() const { return "regrow " + std::to_string(k); }
+    static ga::Words words() {
+        return {"regrow", "replacement", "replaces the k worst by mutated copies of the best"};
+    }
+    static void describe(auto& self, auto visit) { visit(self.k, ga::whole("k", "5", 1, "how many")); }
     void check(ga::Known& known) const {
-        known.need_score(text()); // before it: score
-        known.scored.reset();     // after it, somebody is unscored
+        known.need_score("regrow"); // before it: score
+        known.scored.reset();       // after it, somebody is unscored
     }
 
     template <ga::Problem P>
@@ -104,12 +107,7 @@ TEST_CASE("the page's variant solves its problem, in code and in text alike") {
 
 TEST_CASE("the page's operator works in code and in text") {
     auto registry = vocabulary<Knapsack>();
-    registry.add(
-        {"regrow",
-         "replacement",
-         "replaces the k worst by mutated copies of the best",
-         {whole("k", "5", 1, "how many")}},
-        [](const Arguments& a, const auto&, const auto&) { return Stage<Knapsack>(Regrow(a.count("k"))); });
+    registry.add<Regrow>();
     const auto code = sample(20) | score() | repeat(60, Regrow(8) | score()) | best(1);
     const auto text =
         Parser<Knapsack>(registry).parse("sample 20 | score | repeat 60 { regrow 8 | score } | best 1");
@@ -117,6 +115,6 @@ TEST_CASE("the page's operator works in code and in text") {
     const auto second = run(text, problem, population<Knapsack::Genome>({{}}));
     CHECK(first.best->value() >= 0.95 * best_choice());
     CHECK(first.best->genome == second.best->genome);
-    CHECK(run(sample(20) | score() | Regrow(3), problem, population<Knapsack::Genome>({{}}))
+    CHECK(run(sample(20) | score() | Regrow(3) | score(), problem, population<Knapsack::Genome>({{}}))
               .population.size() == 20);
 }

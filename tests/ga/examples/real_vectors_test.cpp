@@ -1,6 +1,7 @@
 // Real vectors: Rastrigin's function with one objective, ZDT1 with two.
 
 #include "ga/ga.hpp"
+#include "ga/refinement/refinement.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ga/context.hpp"
+#include "ga/pareto/hypervolume.hpp"
+
+namespace ga {
+
+/// The front of a population under several objectives, and how much of the space above a reference it dominates.
+template <class G>
+struct FrontEvent {
+    const Event<G>& event;   ///< the stage that left the population
+    Population<G> front;     ///< those that none dominates
+    double hypervolume;      ///< above the reference; 0 where somebody is not feasible
+};
+
+/// Calls show(FrontEvent) after every stage whose path ends in `stage`, where the population is scored under several
+/// objectives. Nothing is evaluated for it.
+/// @param reference  one value an objective, turned so that greater is better
+template <class G>
+Observer<G> fronts(std::string stage, Point reference, std::function<void(const FrontEvent<G>&)> show) {
+    return [stage = std::move(stage), reference = std::move(reference),
+            show = std::move(show)](const Event<G>& event) {
+        if (!event.path.ends_with(stage) || event.population.empty() || !comparable(event.population) ||
+            event.population.front().fitness.objective().find(' ') == std::string::npos)
+            return;
+        FrontEvent<G> seen{event, front_of(event.population), 0};
+        std::vector<Point> points;
+        for (const auto& individual : seen.front)
+            if (individual.fitness.feasible() && individual.fitness.several())
+                points.push_back(individual.fitness.values());
+        seen.hypervolume = hypervolume(std::move(points), reference);
+        show(seen);
+    };
+}
+
+} // namespace ga
