@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 namespace ga {
@@ -73,24 +75,24 @@ struct Parameter {
 };
 
 /// A parameter that takes a real number in [lower, upper].
-inline Parameter number(std::string name, std::optional<std::string> standard, double lower, double upper,
+[[gnu::cold]] inline Parameter number(std::string name, std::optional<std::string> standard, double lower, double upper,
                         std::string meaning) {
     return {std::move(name), Parameter::Kind::number, std::move(standard), lower, upper, std::move(meaning)};
 }
 /// A parameter that takes a whole number from `lower` on.
-inline Parameter whole(std::string name, std::optional<std::string> standard, double lower,
+[[gnu::cold]] inline Parameter whole(std::string name, std::optional<std::string> standard, double lower,
                        std::string meaning) {
     return {std::move(name), Parameter::Kind::whole, std::move(standard),
             lower,           Parameter::most,        std::move(meaning)};
 }
 /// A parameter that takes a word.
-inline Parameter word(std::string name, std::optional<std::string> standard, std::string meaning) {
+[[gnu::cold]] inline Parameter word(std::string name, std::optional<std::string> standard, std::string meaning) {
     Parameter parameter{std::move(name), Parameter::Kind::word, std::move(standard)};
     parameter.meaning = std::move(meaning);
     return parameter;
 }
 /// A parameter that takes all the words that are left.
-inline Parameter word_list(std::string name, std::string meaning) {
+[[gnu::cold]] inline Parameter word_list(std::string name, std::string meaning) {
     Parameter parameter{std::move(name), Parameter::Kind::words, std::nullopt};
     parameter.meaning = std::move(meaning);
     return parameter;
@@ -112,65 +114,104 @@ concept Described = requires {
     { T::words() } -> std::same_as<Words>;
 };
 
+/// One parameter with the place of its value in an operator.
+struct Field {
+    /// Where the value is.
+    using Place = std::variant<double*, std::size_t*, long*, int*, std::string*, std::vector<std::string>*>;
+
+    Parameter parameter; ///< what may be given
+    Place value;         ///< what is
+
+    /// The value as text; empty where it is none.
+    std::string in_words() const {
+        return std::visit(
+            [](const auto* at) -> std::string {
+                using Value = std::remove_cvref_t<decltype(*at)>;
+                if constexpr (std::is_same_v<Value, double>)
+                    return number(*at);
+                else if constexpr (std::is_arithmetic_v<Value>)
+                    return std::to_string(*at);
+                else if constexpr (std::is_same_v<Value, std::string>)
+                    return *at;
+                else {
+                    std::string text;
+                    for (const auto& each : *at)
+                        text += (text.empty() ? "" : " ") + each;
+                    return text;
+                }
+            },
+            value);
+    }
+    /// The value where it is a number.
+    std::optional<double> as_number() const {
+        return std::visit(
+            [](const auto* at) -> std::optional<double> {
+                if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(*at)>>)
+                    return static_cast<double>(*at);
+                else
+                    return std::nullopt;
+            },
+            value);
+    }
+};
+
+/// The parameters of what describes itself, with the places of its values.
+template <class T>
+[[gnu::cold]] std::vector<Field> fields_of(T& described) {
+    std::vector<Field> fields;
+    T::describe(described, [&](auto& value, Parameter parameter) {
+        fields.push_back({std::move(parameter), Field::Place(&value)});
+    });
+    return fields;
+}
+
 ///@{
-/// A parameter's value as text.
-inline std::string in_words(const std::string& value) { return value; }
-inline std::string in_words(const std::vector<std::string>& values) {
+/// What the functions below do, once the type is known no more.
+inline std::string values_in_words(const std::vector<Field>& fields) {
     std::string text;
-    for (const auto& value : values)
-        text += (text.empty() ? "" : " ") + value;
+    for (const Field& field : fields) {
+        const std::string words = field.in_words();
+        if (words.empty() || (field.parameter.is_quiet && field.parameter.standard == words))
+            continue;
+        text += (text.empty() ? "" : " ") + (field.parameter.is_keyed ? field.parameter.name + "=" : "") + words;
+    }
     return text;
 }
-template <class Number>
-requires std::is_arithmetic_v<Number> std::string in_words(Number value) {
-    if constexpr (std::is_integral_v<Number>)
-        return std::to_string(value);
-    else
-        return number(value);
+inline void check_values(const std::vector<Field>& fields, const std::string& name) {
+    for (const Field& field : fields)
+        if (const auto given = field.as_number(); given && !field.parameter.allows(*given))
+            throw UsageError("stage '" + name + "': " + field.parameter.name + " is '" + field.in_words() +
+                             "'; expected " + field.parameter.expected(*given > field.parameter.upper));
+}
+inline std::string words_and_values(const Words& words, const std::vector<Field>& fields) {
+    const std::string values = values_in_words(fields);
+    return words.name + (values.empty() ? "" : " ") + values;
 }
 ///@}
 
 /// The values of what describes itself, as text gives them behind its name.
 template <class T>
-std::string values_in_words(const T& described) {
-    std::string text;
-    T::describe(described, [&](const auto& value, const Parameter& parameter) {
-        const std::string words = in_words(value);
-        if (words.empty() || (parameter.is_quiet && parameter.standard == words))
-            return;
-        text += (text.empty() ? "" : " ") + (parameter.is_keyed ? parameter.name + "=" : "") + words;
-    });
-    return text;
+[[gnu::cold]] std::string values_in_words(T described) {
+    return values_in_words(fields_of(described));
 }
 /// What describes itself as a pipeline writes it: "tournament 2 size=5".
 template <Described T>
-std::string text_of(const T& described) {
-    const std::string values = values_in_words(described);
-    return T::words().name + (values.empty() ? "" : " ") + values;
+[[gnu::cold]] std::string text_of(T described) {
+    return words_and_values(T::words(), fields_of(described));
 }
 /// The parameters of what describes itself.
 template <class T>
-std::vector<Parameter> parameters_of() {
+[[gnu::cold]] std::vector<Parameter> parameters_of() {
+    T standard{};
     std::vector<Parameter> parameters;
-    const T standard{};
-    T::describe(standard, [&](const auto&, const Parameter& parameter) { parameters.push_back(parameter); });
+    for (Field& field : fields_of(standard))
+        parameters.push_back(std::move(field.parameter));
     return parameters;
 }
 /// Throws UsageError where a value is none that its parameter allows.
 template <class T>
-void check_values(const T& described, const std::string& name) {
-    T::describe(described, [&](const auto& value, const Parameter& parameter) {
-        if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>)
-            if (const auto given = static_cast<double>(value); !parameter.allows(given))
-                throw UsageError("stage '" + name + "': " + parameter.name + " is '" + in_words(value) +
-                                 "'; expected " + parameter.expected(given > parameter.upper));
-    });
-}
-/// What describes itself, once its values are checked.
-template <Described T>
-T checked(T described) {
-    check_values(described, T::words().name);
-    return described;
+[[gnu::cold]] void check_values(T described, const std::string& name) {
+    check_values(fields_of(described), name);
 }
 
 } // namespace ga

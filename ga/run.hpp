@@ -77,25 +77,24 @@ Population<G> salvaged(Population<G> in_hand) {
     return best_of(in_hand, everyone);
 }
 
-/// Runs a pipeline on a population. The pipeline is checked first: UsageError says what it lacks. The same
-/// seed gives the same result, bit for bit, for any number of threads and any memory, unless the run ends on
-/// seconds or a stop; with a keeper, however often the process ended on the way.
+/// Runs a pipeline on a population, every paid call made by `evaluator`. The pipeline is checked first: UsageError
+/// says what it lacks. The same seed gives the same result, bit for bit, for any evaluator of the same outcomes, any
+/// number of threads and any memory, unless the run ends on seconds or a stop; with a keeper, however often the
+/// process ended on the way.
 /// @param population  may be empty where the pipeline begins with `sample`
-/// @param evaluator   makes the paid calls; without one they are spread over threads
 template <Problem P, class Pipeline, class G = typename P::Genome>
-requires(std::convertible_to<Pipeline, Stage<P>>) Result<G> run(const Pipeline& pipeline, const P& problem,
-                                                                Population<G> population,
-                                                                const RunOptions& options = {},
-                                                                std::vector<Observer<G>> observers = {},
-                                                                Keeper<P>* keeper = nullptr,
-                                                                Evaluator<P>* evaluator = nullptr) {
+requires(std::convertible_to<Pipeline, Stage<P>>) Result<G> run_by(Evaluator<P>& evaluator,
+                                                                   const Pipeline& pipeline, const P& problem,
+                                                                   Population<G> population,
+                                                                   const RunOptions& options = {},
+                                                                   std::vector<Observer<G>> observers = {},
+                                                                   Keeper<P>* keeper = nullptr) {
     const Stage<P> stage(pipeline);
     check(stage, problem, population);
     Identity next = 0;
     for (const auto& individual : population)
         next = std::max(next, individual.identity + 1);
-    OnThreads<P> here(options.threads);
-    Ledger<P> ledger(problem, evaluator ? *evaluator : here, options.memory_bytes, options.budget);
+    Ledger<P> ledger(problem, evaluator, options.memory_bytes, options.budget);
     Context<P> context(ledger, Where<G>(options.variant, options.seed), next,
                        {std::move(observers), keeper, options.population_bytes, options.screening});
     Frame<G> outermost; // of states outside every loop
@@ -128,6 +127,17 @@ requires(std::convertible_to<Pipeline, Stage<P>>) Result<G> run(const Pipeline& 
     result.notes = context.kept.notes();
     result.seconds = context.seconds();
     return result;
+}
+
+/// The same with the paid calls spread over threads.
+template <Problem P, class Pipeline, class G = typename P::Genome>
+requires(std::convertible_to<Pipeline, Stage<P>>) Result<G> run(const Pipeline& pipeline, const P& problem,
+                                                                Population<G> population,
+                                                                const RunOptions& options = {},
+                                                                std::vector<Observer<G>> observers = {},
+                                                                Keeper<P>* keeper = nullptr) {
+    OnThreads<P> threads(options.threads);
+    return run_by(threads, pipeline, problem, std::move(population), options, std::move(observers), keeper);
 }
 
 } // namespace ga

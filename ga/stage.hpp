@@ -68,7 +68,7 @@ class Stage {
     /// An operator as a pipeline of one stage. Throws UsageError where the problem lacks what it needs; what
     /// concepts can tell is refused when it is compiled.
     template <class Op>
-    requires(std::derived_from<Op, Operator>) Stage(Op op) {
+    requires(std::derived_from<Op, Operator>) [[gnu::cold]] Stage(Op op) {
         static_assert(members_fit<P>());
         if constexpr (requires { op.template check_problem<P>(); })
             op.template check_problem<P>();
@@ -198,7 +198,7 @@ class Stage {
     }
 
     template <class Op>
-    static Step<P> step_of(Op op) {
+    [[gnu::cold]] static Step<P> step_of(Op op) {
         Step<P> step{stage_text(op), [op](Known& known) { op.check(known); }, {}};
         if constexpr (requires { op.reads_of_start(); })
             step.reads_of_start = op.reads_of_start();
@@ -232,7 +232,7 @@ class Stage {
         return step;
     }
 
-    void add(Step<P> step) {
+    [[gnu::cold]] void add(Step<P> step) {
         const Name name(step.text.substr(0, step.text.find_first_of(" ({")));
         const auto equal = std::count_if(places_.begin(), places_.end(),
                                          [&](const Place& place) { return place.name == name; });

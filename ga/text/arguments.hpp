@@ -64,18 +64,8 @@ class Arguments {
     }
     /// Puts the values into what describes itself with these parameters, and checks what they make together.
     template <class T>
-    void fill(T& described) const {
-        T::describe(described, [&](auto& value, const Parameter& parameter) {
-            using Value = std::remove_cvref_t<decltype(value)>;
-            if (!has(parameter.name))
-                return;
-            if constexpr (std::is_same_v<Value, std::string>)
-                value = word(parameter.name);
-            else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
-                value = words(parameter.name);
-            else
-                value = static_cast<Value>(number(parameter.name));
-        });
+    [[gnu::cold]] void fill(T& described) const {
+        put(fields_of(described));
         if constexpr (requires { described.validate(); })
             described.validate();
     }
@@ -94,6 +84,22 @@ class Arguments {
     }
 
   private:
+    void put(const std::vector<Field>& fields) const {
+        for (const Field& field : fields)
+            if (has(field.parameter.name))
+                std::visit(
+                    [&](auto* at) {
+                        using Value = std::remove_cvref_t<decltype(*at)>;
+                        if constexpr (std::is_same_v<Value, std::string>)
+                            *at = word(field.parameter.name);
+                        else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
+                            *at = words(field.parameter.name);
+                        else
+                            *at = static_cast<Value>(number(field.parameter.name));
+                    },
+                    field.value);
+    }
+
     using Parameters = std::vector<Parameter>;
 
     Parameters::const_iterator named(const Parameters& parameters, const std::string& name) const {

@@ -32,7 +32,7 @@ class Registry {
 
     /// Adds an operator whose stage make(arguments, bodies, registry) gives. Throws UsageError when the name
     /// is taken.
-    void add(Entry entry, Make make) {
+    [[gnu::cold]] void add(Entry entry, Make make) {
         if (find(entry.name))
             throw UsageError("operator '" + entry.name + "' is registered twice");
         entry.make = std::move(make);
@@ -40,7 +40,7 @@ class Registry {
     }
     /// Adds an operator that describes itself.
     template <Described Op>
-    void add() {
+    [[gnu::cold]] void add() {
         add(entry_of<Op>(), [](const Arguments& a, const auto&, const auto&) {
             Op op;
             a.fill(op);
@@ -60,14 +60,14 @@ class Registry {
     }
     /// The entry of what describes itself.
     template <Described T>
-    static Entry entry_of() {
+    [[gnu::cold]] static Entry entry_of() {
         Words words = T::words();
         return {std::move(words.name), std::move(words.group), std::move(words.meaning), parameters_of<T>()};
     }
     /// Adds a stopping rule, which `until` takes by its name.
     template <class R>
     requires std::derived_from<R, StoppingRule>
-    void add_rule() {
+    [[gnu::cold]] void add_rule() {
         rules_.push_back({R::words().name, [](const Arguments& a) {
                               R rule;
                               a.fill(rule);

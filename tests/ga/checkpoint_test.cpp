@@ -127,9 +127,97 @@ TEST_CASE("a checkpoint of another run, or a file that is none, is refused") {
     CHECK_THROWS_AS(run(sample(3) | score(), Vectors{}, nobody, {}, {}, &same), UsageError);
 }
 
+TEST_CASE("a checkpoint that was altered anywhere is refused, and the one before it is gone on from") {
+    const tests::Folder folder;
+    const fs::path file = folder / "run";
+    const auto pipeline = sample(8) | score() | repeat(6, tournament(2) | mutate(1) | score() | elite(1));
+    Checkpoints<Vectors> write(file, "", false, 0);
+    const auto whole = run(pipeline, Vectors{}, nobody, {}, {}, &write);
+    std::ifstream stream(file, std::ios::binary);
+    const std::string good{std::istreambuf_iterator<char>(stream), {}};
+    std::ofstream(file.string() + ".before", std::ios::binary) << good;
+    Stream random(1);
+    for (int i = 0; i < 60; ++i) {
+        std::string bad = good;
+        char& byte = bad[random.below(bad.size())];
+        byte = static_cast<char>(byte ^ (1 << random.below(8)));
+        std::ofstream(file, std::ios::binary) << (i % 2 ? bad : good.substr(0, random.below(good.size())));
+        Checkpoints<Vectors> resume(file, "", true);
+        const auto result = run(pipeline, Vectors{}, nobody, {}, {}, &resume);
+        CHECK(result.population[0].genome == whole.population[0].genome);
+        CHECK(result.notes == std::vector<std::string>{"checkpoint '" + file.string() +
+                                                       "' is damaged or none; expected a file as this version wrote "
+                                                       "it; went on from the one before"});
+        std::ofstream(file.string() + ".before", std::ios::binary) << good; // what was there before
+    }
+    std::ofstream(file, std::ios::binary) << good.substr(0, good.size() / 2);
+    fs::remove(file.string() + ".before");
+    Checkpoints<Vectors> alone(file, "", true);
+    CHECK_THROWS_WITH(run(pipeline, Vectors{}, nobody, {}, {}, &alone),
+                      "checkpoint '" + file.string() +
+                          "' is damaged or none; expected a file as this version wrote it");
+}
+
+TEST_CASE("a checkpoint that nests without end, or does not fit its pipeline, is refused though its seal is whole") {
+    const tests::Folder folder;
+    const fs::path file = folder / "run";
+    seal(file, std::string(200000, '\x81') + '\x01'); // arrays of one array of one array ...
+    Checkpoints<Vectors> deep(file, "", true);
+    CHECK_THROWS_WITH(run(sample(3) | score(), Vectors{}, nobody, {}, {}, &deep),
+                      "checkpoint '" + file.string() + "' nests too deep; expected one that a run wrote");
+    const auto pipeline = sample(8) | score() | repeat(6, tournament(2) | mutate(1) | score() | elite(1));
+    Checkpoints<Vectors> write(file, "", false, 0);
+    run(pipeline, Vectors{}, nobody, {.budget = {.evaluations = 30}}, {}, &write);
+    json j = json::from_cbor(opened(file));
+    for (const auto& [place, value] : std::vector<std::pair<std::string, json>>{
+             {"/snapshot/0/0/0", 99}, {"/snapshot/0/1/2", json::array()}, {"/snapshot/0/1/3", json::array()}}) {
+        json altered = j;
+        altered[json::json_pointer(place)] = value;
+        const auto bytes = json::to_cbor(altered);
+        seal(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        Checkpoints<Vectors> resume(file, "", true);
+        CHECK_THROWS_WITH(run(pipeline, Vectors{}, nobody, {}, {}, &resume),
+                          "the checkpoint does not fit its pipeline; expected one that was written by it");
+    }
+}
+
+TEST_CASE("a checkpoint with a gene fewer than its origin writes nowhere beyond") {
+    const tests::Folder folder;
+    const fs::path file = folder / "run";
+    const auto pipeline = sample(3) | score() | repeat(3, refine(nlopt_method("LN_COBYLA", 4)));
+    Checkpoints<Vectors> write(file, "", false, 0);
+    run(pipeline, Vectors{}, nobody, {.budget = {.evaluations = 25}}, {}, &write);
+    json j = json::from_cbor(opened(file));
+    for (auto& frame : j["snapshot"][0])
+        for (auto& individual : frame[1])
+            individual[0].erase(0);
+    const auto bytes = json::to_cbor(j);
+    seal(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    Checkpoints<Vectors> resume(file, "", true);
+    CHECK_THROWS_WITH(run(pipeline, Vectors{}, nobody, {}, {}, &resume),
+                      "refine: gene 5 is to move, the genome has 5");
+}
+
+TEST_CASE("a checkpoint follows no link, and one that cannot be written ends no run") {
+    const tests::Folder folder;
+    std::ofstream(folder / "victim") << "precious";
+    fs::create_symlink(folder / "victim", folder / "run.tmp");
+    Checkpoints<Vectors> write(folder / "run", "", false);
+    run(sample(3) | score(), Vectors{}, nobody, {}, {}, &write);
+    std::ifstream victim(folder / "victim");
+    CHECK(std::string(std::istreambuf_iterator<char>(victim), {}) == "precious");
+    Checkpoints<Vectors> nowhere(folder / "gone" / "run", "", false);
+    const auto result = run(sample(3) | score(), Vectors{}, nobody, {}, {}, &nowhere);
+    CHECK(result.population.size() == 3);
+    REQUIRE(result.notes.size() == 1);
+    CHECK(result.notes[0].find("cannot be written") != std::string::npos);
+}
+
 TEST_CASE("individuals of every kind come back from their text with every bit") {
     Population<std::vector<double>> start = population<std::vector<double>>({{0.1, -0.0, 1e-310}, {1.0 / 3}});
     start[0].fitness = Fitness(Name(std::string("a")), 0.1 + 0.2);
+    start.push_back(start[1]);
+    start[2].fitness = Fitness(Name(std::string("pareto a b")), Point{1, -0.5}, 0.25);
     start[0].parents = Parents(4, 7);
     start[0].origin = std::make_shared<const std::vector<double>>(3, 1e300);
     start[1].fitness = Fitness::failed(Name(std::string("a")), std::make_shared<const std::string>("no"));
@@ -141,6 +229,8 @@ TEST_CASE("individuals of every kind come back from their text with every bit") 
     CHECK(back[0].parents == start[0].parents);
     CHECK(*back[0].origin == *start[0].origin);
     CHECK(back[1].fitness.reason() == "no");
+    CHECK(back[2].fitness.values() == Point{1, -0.5});
+    CHECK(back[2].fitness.violation() == 0.25);
     CHECK(back[1].parents == start[1].parents);
 }
 

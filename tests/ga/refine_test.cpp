@@ -1,3 +1,4 @@
+#include "ga/text/parser.hpp"
 #include "tests/ga/curve_fit.hpp"
 
 #include <catch2/catch.hpp>
@@ -75,4 +76,42 @@ TEST_CASE("a gradient method is refused for a problem without a gradient when th
 TEST_CASE("an unknown NLopt algorithm is refused by name") {
     CHECK_THROWS_WITH(nlopt_method("LN_NONE", 5),
                       "refine nlopt: unknown algorithm 'LN_NONE'; expected one of NLopt's, e.g. LN_COBYLA");
+}
+
+TEST_CASE("no name of NLopt's list ends the program, and a misspelt one is refused") {
+    for (int i = 0; i < NLOPT_NUM_ALGORITHMS; ++i) {
+        const std::string name = nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(i));
+        try {
+            const auto result = run(score() | refine(nlopt_method(name, 10)), CurveFit{}, CurveFit::start(2));
+            CHECK(result.population.size() == 2);
+        } catch (const UsageError& refused) {
+            CHECK(std::string(refused.what()).find(name) != std::string::npos);
+        }
+    }
+    CHECK_THROWS_WITH(nlopt_method("LN_AUGLAG", 10), "refine nlopt: algorithm 'LN_AUGLAG' needs a second optimiser; "
+                                                     "expected one that works alone, e.g. LN_COBYLA");
+    CHECK_THROWS_WITH(nlopt_method("LN_COBYLE", 10),
+                      "refine nlopt: unknown algorithm 'LN_COBYLE'; expected one of NLopt's, e.g. LN_COBYLA");
+    CHECK_THROWS_AS(nlopt_method("", 10), UsageError);
+}
+
+TEST_CASE("a choice of genes that the genome does not have is refused") {
+    const Variables<CurveFit::Genome> beyond{
+        "beyond", [](const CurveFit::Genome&) { return std::vector<Variable>{{7, 0, 1}}; }};
+    CHECK_THROWS_WITH(run(score() | refine(lm(3), beyond), CurveFit{}, CurveFit::start(2)),
+                      "refine: gene 7 is to move, the genome has 3");
+}
+
+TEST_CASE("a refinement follows the direction of its objective") {
+    struct Misfit : CurveFit {
+        const std::vector<Objective<Outcome>>& objectives() const {
+            static const std::vector<Objective<Outcome>> list = {
+                {"misfit", [](const Outcome& r) { return r.cwiseAbs().maxCoeff(); }, true}};
+            return list;
+        }
+    };
+    const auto before = run(score(), Misfit{}, CurveFit::start(5)).population;
+    const auto after = run(refine(nlopt_method("LN_COBYLA", 60)), Misfit{}, before).population;
+    for (std::size_t i = 0; i < 5; ++i)
+        CHECK(after[i].value() < before[i].value());
 }

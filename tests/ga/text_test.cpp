@@ -165,6 +165,28 @@ TEST_CASE("an unknown word is refused with the nearest known one") {
             "pipeline, column 1: stage 'cross order' cannot work here: it needs a permutation for a genome");
 }
 
+TEST_CASE("what looks like another notation is refused with what to write instead") {
+    refused("score > best 3", "pipeline, column 7: unexpected '>'; expected | or the end");
+    refused("score | until generations { score }",
+            "pipeline, column 15: stage 'until': 'generations' lacks its value; expected a whole number from 1");
+    refused("crossover uniform", "pipeline, column 1: unknown stage 'crossover'; did you mean 'cross'?");
+    refused("score | cross uniform", "pipeline, column 9: stage 'cross uniform' leaves the population unscored at the "
+                                     "end; expected score after it");
+    refused("pareto low low", "pipeline, column 1: pareto is given 'low' twice; expected different objectives");
+    refused("score | repeat 2 { score low | elite 1 }",
+            "pipeline, column 32: stage 'elite 1' compares the population, scored by 'low', with the generation's "
+            "start, scored by 'fit'; expected the same for both");
+    refused("islands 100000000 { score }", "pipeline, column 9: stage 'islands': n is '100000000'; expected a whole "
+                                           "number from 2 to 10000");
+}
+
+TEST_CASE("variants that unfold without end are refused before they fill the memory") {
+    Variants variants{{"v0", "score"}};
+    for (int i = 1; i < 40; ++i)
+        variants["v" + std::to_string(i)] = "v" + std::to_string(i - 1) + " | v" + std::to_string(i - 1);
+    refused("v39", "variant 'v0', column 1: more than 100000 stages, with those of variants", variants);
+}
+
 TEST_CASE("a value out of range is refused with the range") {
     refused("best", "pipeline, column 1: stage 'best' lacks 'n'; expected a whole number from 1");
     refused("best 0", "pipeline, column 6: stage 'best': n is '0'; expected a whole number from 1");

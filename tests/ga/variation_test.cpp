@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <map>
 
 using namespace ga;
@@ -30,6 +31,41 @@ struct Whole : Any<std::vector<int>> {
         return box;
     }
 };
+
+/// One gene within bounds of one's choice, both genomes' own where they differ.
+struct Boxed : Any<std::vector<double>> {
+    double lower = -HUGE_VAL, upper = HUGE_VAL;
+    std::vector<Variable> bounds(const std::vector<double>&) const { return {{0, lower, upper}}; }
+};
+
+/// The largest distance between the draws' distribution and the one they should have (Kolmogorov and Smirnov), in
+/// units that 1.95 of a thousand tests exceed once.
+double distance(std::vector<double> draws, const auto& distribution) {
+    std::sort(draws.begin(), draws.end());
+    const auto n = static_cast<double>(draws.size());
+    double largest = 0;
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+        const double expected = distribution(draws[i]), i_th = static_cast<double>(i);
+        largest = std::max({largest, expected - i_th / n, (i_th + 1) / n - expected});
+    }
+    return largest * std::sqrt(n);
+}
+
+/// First genes of the pairs of children that 4000 equal pairs of parents have, those of each pair in order.
+std::vector<std::array<double, 2>> children_of(const auto& way, const Boxed& problem, double x, double y) {
+    std::vector<std::vector<double>> parents;
+    for (int i = 0; i < 4000; ++i) {
+        parents.push_back({x});
+        parents.push_back({y});
+    }
+    const auto born = run(cross(way) | score(), problem, population(parents)).population;
+    std::vector<std::array<double, 2>> pairs;
+    for (std::size_t i = 0; i < born.size(); i += 2) {
+        const double a = born[i].genome[0], b = born[i + 1].genome[0];
+        pairs.push_back({std::min(a, b), std::max(a, b)});
+    }
+    return pairs;
+}
 
 std::vector<double> genes_at(const auto& population, std::size_t gene) {
     std::vector<double> genes;
@@ -224,5 +260,97 @@ TEST_CASE("a mutated unscored individual stays itself") {
     for (const auto& each : run(mutate(1) | score(), Vectors{}, start).population) {
         CHECK(each.identity < 10);
         CHECK(each.parents.size() == 0);
+    }
+}
+
+TEST_CASE("simulated binary cross-over spreads by its published density, for every index and beside a bound") {
+    for (const double eta : {1.0, 5.0, 15.0}) {
+        const auto spread = [&](double beta) { // Deb and Agrawal 1995
+            return beta <= 1 ? 0.5 * std::pow(beta, eta + 1) : 1 - 0.5 * std::pow(beta, -(eta + 1));
+        };
+        std::vector<double> free, beside;
+        for (const auto& [below, above] : children_of(sbx(eta), Boxed{}, 0, 1))
+            if (below != 0)
+                free.push_back(above - below);
+        CHECK(distance(free, spread) < 1.95);
+        const double most = 1 + 2 * 0.1; // a child at the bound
+        for (const auto& [below, above] : children_of(sbx(eta), Boxed{{}, -0.1}, 0, 1))
+            if (below != 0)
+                beside.push_back(1 - 2 * below);
+        CHECK(distance(beside, [&](double beta) { return spread(beta) / spread(most); }) < 1.95);
+        CHECK(free.size() > 1800);
+    }
+}
+
+TEST_CASE("blend cross-over is uniform as far beyond the parents as alpha says") {
+    for (const double alpha : {0.0, 0.3, 1.0}) {
+        std::vector<double> genes;
+        for (const auto& pair : children_of(blend(alpha), Boxed{}, 2, 3))
+            genes.insert(genes.end(), pair.begin(), pair.end());
+        CHECK(distance(genes, [&](double x) { return (x - 2 + alpha) / (1 + 2 * alpha); }) < 1.95);
+    }
+}
+
+TEST_CASE("mutations of real genes have their published densities") {
+    const auto start = population(std::vector(8000, std::vector<double>{0.25}));
+    const auto steps = [&](const auto& way, double lower = -1, double upper = 1) {
+        std::vector<double> genes;
+        for (const auto& each : run(mutate(1, way) | score(), Boxed{{}, lower, upper}, start).population)
+            genes.push_back(each.genome[0] - 0.25);
+        return genes;
+    };
+    CHECK(distance(steps(gaussian(0.05)), [](double x) { return 0.5 * std::erfc(-x / 0.1 / std::sqrt(2)); }) < 1.95);
+    CHECK(distance(steps(uniform_step(0.05)), [](double x) { return (x + 0.1) / 0.2; }) < 1.95);
+    CHECK(distance(steps(reset()), [](double x) { return (x + 1.25) / 2; }) < 1.95);
+    for (const double eta : {3.0, 20.0}) // Deb and Goyal 1996
+        CHECK(distance(steps(polynomial(eta)), [&](double x) {
+                  const double p = eta + 1, below = std::pow(1 - 1.25 / 2, p), above = std::pow(1 - 0.75 / 2, p);
+                  return x < 0 ? (std::pow(1 + x / 2, p) - below) / (1 - below) / 2
+                               : 1 - (std::pow(1 - x / 2, p) - above) / (1 - above) / 2;
+              }) < 1.95);
+}
+
+TEST_CASE("bounds that are infinite, differ between parents, or leave a parent outside make no gene a NaN") {
+    struct Own : Boxed { // each genome's bounds are its own
+        std::vector<Variable> bounds(const std::vector<double>& g) const { return {{0, g[0] - 1, g[0] + 1}}; }
+    };
+    const auto finite = [](const auto& problem, double x, double y, double low, double high) {
+        const auto start = population<std::vector<double>>({{x}, {y}, {x}, {y}});
+        for (std::uint64_t seed = 0; seed < 40; ++seed)
+            for (const auto& stage : std::vector<Stage<std::remove_cvref_t<decltype(problem)>>>{
+                     cross(sbx(2)) | score(), cross(blend()) | score(), mutate(1, polynomial(5)) | score(),
+                     mutate(1, gaussian(0.2)) | score(), mutate(1, reset()) | score()})
+                for (const auto& each : run(stage, problem, start, {.seed = seed}).population) {
+                    REQUIRE(std::isfinite(each.genome[0]));
+                    REQUIRE(each.genome[0] >= low);
+                    REQUIRE(each.genome[0] <= high);
+                }
+    };
+    finite(Boxed{}, -3, 5, -1e9, 1e9);
+    finite(Boxed{{}, 0}, 1, 5, 0, 1e9);
+    finite(Boxed{{}, -HUGE_VAL, 0}, -1, -5, -1e9, 0);
+    finite(Boxed{{}, 0, 1}, -3, 5, -3, 5);
+    finite(Own{}, -3, 5, -1e9, 1e9);
+}
+
+TEST_CASE("order cross-over takes the rest in the other's order, from the end of the kept piece on") {
+    const Permutation a{{0, 1, 2, 3, 4, 5, 6, 7}}, b{{3, 7, 0, 6, 2, 5, 1, 4}};
+    // Davis's definition, for every piece
+    std::vector<std::vector<std::uint32_t>> expected;
+    for (std::size_t from = 0; from < 8; ++from)
+        for (std::size_t to = from + 1; to <= 8; ++to) {
+            std::vector<std::uint32_t> rest = b.order, child = a.order;
+            std::rotate(rest.begin(), rest.begin() + static_cast<long>(to % 8), rest.end());
+            std::erase_if(rest, [&](std::uint32_t gene) { return gene >= from && gene < to; }); // a is the identity
+            for (std::size_t i = 0; i < rest.size(); ++i)
+                child[(to + i) % 8] = rest[i];
+            expected.push_back(child);
+        }
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        const auto child = run(cross(order()) | score(), Any<Permutation>{}, population<Permutation>({a, b}),
+                               {.seed = seed})
+                               .population[0]
+                               .genome;
+        CHECK(std::find(expected.begin(), expected.end(), child.order) != expected.end());
     }
 }

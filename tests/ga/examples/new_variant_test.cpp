@@ -16,12 +16,9 @@ struct Knapsack {
     };
 
     std::vector<double> values, weights;
-    std::vector<ga::Objective<Outcome>> list;
+    double capacity;
+    std::vector<ga::Objective<Outcome>> list = {{"value", [](const Outcome& o) { return o.value; }}};
 
-    Knapsack(std::vector<double> v, std::vector<double> w, double capacity) : values(v), weights(w) {
-        list = {{"value",
-                 [=](const Outcome& o) { return o.weight <= capacity ? o.value : capacity - o.weight; }}};
-    }
     Outcome evaluate(const Genome& taken) const {
         Outcome sum{0, 0};
         for (std::size_t i = 0; i < taken.size(); ++i)
@@ -30,6 +27,8 @@ struct Knapsack {
         return sum;
     }
     const std::vector<ga::Objective<Outcome>>& objectives() const { return list; }
+
+    double violation(const Outcome& o) const { return o.weight - capacity; } // optional: a constraint
 
     Genome sample(ga::Stream& stream) const { // optional: what `sample` needs
         Genome taken(values.size());
@@ -41,8 +40,7 @@ struct Knapsack {
 
 /// Replaces the k worst by mutated copies of the best.
 struct Regrow : ga::Operator {
-    std::size_t k;
-    explicit Regrow(std::size_t count = 5) : k(count) {}
+    std::size_t k = 5;
 
     static ga::Words words() {
         return {"regrow", "replacement", "replaces the k worst by mutated copies of the best"};
@@ -69,7 +67,7 @@ struct Regrow : ga::Operator {
 };
 
 /// Twelve things whose best choice is found by trying all 4096.
-const Knapsack problem({12, 7, 9, 3, 14, 6, 8, 5, 11, 4, 10, 2}, {6, 4, 5, 2, 8, 3, 5, 3, 7, 2, 6, 1}, 25);
+const Knapsack problem{{12, 7, 9, 3, 14, 6, 8, 5, 11, 4, 10, 2}, {6, 4, 5, 2, 8, 3, 5, 3, 7, 2, 6, 1}, 25};
 
 double best_choice() {
     double best = -HUGE_VAL;
@@ -77,7 +75,8 @@ double best_choice() {
         std::vector<bool> taken(12);
         for (std::size_t i = 0; i < 12; ++i)
             taken[i] = (choice >> i) & 1u;
-        best = std::max(best, problem.list[0].fitness(problem.evaluate(taken)));
+        if (const auto outcome = problem.evaluate(taken); problem.violation(outcome) <= 0)
+            best = std::max(best, outcome.value);
     }
     return best;
 }
@@ -90,14 +89,13 @@ TEST_CASE("the page's variant solves its problem, in code and in text alike") {
     const auto variant = sample(50) | score() |
                          repeat(100, tournament(2) | cross(uniform()) | mutate(0.05) | score() | elite(1)) |
                          best(1);
-    const auto result = run(variant, problem, population<Knapsack::Genome>({{}}), {.seed = 7, .threads = 2});
+    const auto result = run(variant, problem, {}, {.seed = 7, .threads = 2});
     CHECK(result.best->value() == best_choice());
 
-    const auto registry = vocabulary<Knapsack>();
-    Parser<Knapsack> parser(registry, {{"start", "sample 50 | score"}}); // named pipelines stand as stages
+    Parser<Knapsack> parser(vocabulary<Knapsack>(), {{"start", "sample 50 | score"}}); // named pipelines stand as stages
     const auto text = parser.parse(
         "start | repeat 100 { tournament 2 | cross uniform | mutate 0.05 | score | elite 1 } | best 1");
-    const auto again = run(text, problem, population<Knapsack::Genome>({{}}), {.seed = 7, .threads = 1});
+    const auto again = run(text, problem, {}, {.seed = 7, .threads = 1});
     CHECK(again.best->genome == result.best->genome);
     CHECK(again.best->identity == result.best->identity);
     CHECK(again.counters.evaluations == result.counters.evaluations);
@@ -108,13 +106,13 @@ TEST_CASE("the page's variant solves its problem, in code and in text alike") {
 TEST_CASE("the page's operator works in code and in text") {
     auto registry = vocabulary<Knapsack>();
     registry.add<Regrow>();
-    const auto code = sample(20) | score() | repeat(60, Regrow(8) | score()) | best(1);
+    const auto code = sample(20) | score() | repeat(60, Regrow{{}, 8} | score()) | best(1);
     const auto text =
         Parser<Knapsack>(registry).parse("sample 20 | score | repeat 60 { regrow 8 | score } | best 1");
-    const auto first = run(code, problem, population<Knapsack::Genome>({{}}));
-    const auto second = run(text, problem, population<Knapsack::Genome>({{}}));
+    const auto first = run(code, problem, {});
+    const auto second = run(text, problem, {});
     CHECK(first.best->value() >= 0.95 * best_choice());
     CHECK(first.best->genome == second.best->genome);
-    CHECK(run(sample(20) | score() | Regrow(3) | score(), problem, population<Knapsack::Genome>({{}}))
+    CHECK(run(sample(20) | score() | Regrow{{}, 3} | score(), problem, {})
               .population.size() == 20);
 }

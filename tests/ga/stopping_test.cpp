@@ -1,0 +1,175 @@
+#include "ga/checkpoint.hpp"
+#include "ga/text/parser.hpp"
+#include "ga/text/vocabulary.hpp"
+#include "tests/folder.hpp"
+#include "tests/ga/vectors.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace ga;
+
+namespace {
+
+const Population<std::vector<double>> nobody;
+
+/// A rule of one's own: the population has come together.
+struct AtSpread : StoppingRule {
+    double spread = 0; ///< largest distance of first genes
+
+    static Words words() { return {"spread", "stopping", "the first genes lie this near"}; }
+    static void describe(auto& self, auto visit) {
+        visit(self.spread, ga::number("spread", "", 0, no_limit, words().meaning));
+    }
+    template <class G>
+    bool operator()(const Progress<G>& now, Numbers&) const {
+        double low = HUGE_VAL, high = -HUGE_VAL;
+        for (const auto& each : now.population) {
+            low = std::min(low, each.genome[0]);
+            high = std::max(high, each.genome[0]);
+        }
+        return high - low <= spread;
+    }
+};
+
+/// A mutation whose step grows where it was better and shrinks where not (Rechenberg's rule of one fifth), kept from
+/// one generation to the next.
+struct Adaptive : Operator {
+    struct State {
+        double step = 0.5, best = -HUGE_VAL;
+        std::size_t generation = 0;
+    };
+    static Words words() { return {"adaptive", "mutation", "steps by the rule of one fifth"}; }
+    static void describe(auto&, auto) {}
+    void check(Known& known) const {
+        known.need_one_objective("adaptive");
+        known.scored.reset();
+    }
+    template <HasGenes P>
+    Population<typename P::Genome> operator()(Population<typename P::Genome> population, Context<P>& context,
+                                              State& state) const {
+        const double now = population[0].value();
+        state.step *= now > state.best ? std::exp(0.8) : std::exp(-0.2);
+        state.best = std::max(state.best, now);
+        state.generation = context.where.generation();
+        for (std::size_t i = 0; i < population.size(); ++i) {
+            Stream stream = context.stream(i);
+            for (double& gene : population[i].genome)
+                gene += state.step * stream.normal();
+            context.make_child(population[i], Parents(population[i].identity));
+        }
+        return population;
+    }
+};
+void to_json(json& j, const Adaptive::State& state) { j = {state.step, state.best == -HUGE_VAL ? json() : json(state.best), state.generation}; }
+void from_json(const json& j, Adaptive::State& state) {
+    state = {j.at(0), j.at(1).is_null() ? -HUGE_VAL : j.at(1).get<double>(), j.at(2)};
+}
+
+const auto evolving = sample(1) | score() | repeat(300, Adaptive() | score() | plus());
+
+} // namespace
+
+TEST_CASE("an operator's state lasts from one generation to the next, and through a stop and a resume") {
+    const auto whole = run(evolving, Vectors{}, nobody);
+    CHECK(whole.best->value() > -1e-6); // without growing and shrinking steps far off
+    const tests::Folder folder;
+    std::string stopped = "not yet";
+    for (long budget = 20; !stopped.empty(); budget += 40) {
+        Checkpoints<Vectors> checkpoints(folder / "run", "", true);
+        const auto part =
+            run(evolving, Vectors{}, nobody, {.budget = {.evaluations = budget}}, {}, &checkpoints);
+        stopped = part.stopped;
+        if (stopped.empty())
+            CHECK(part.best->genome == whole.best->genome);
+    }
+}
+
+TEST_CASE("a state begins anew when its block does, and every island has its own") {
+    const auto restarted = run(restarts(2, evolving | best(1)), Vectors{}, nobody);
+    for (const auto& each : restarted.population)
+        CHECK(each.value() > -1e-6);
+    const auto apart = run(sample(3) | score() | islands(3, {.rounds = 300, .migrants = 0}, Adaptive() | score() | plus()),
+                           Vectors{}, nobody);
+    for (const auto& each : apart.population)
+        CHECK(each.value() > -1e-6);
+}
+
+TEST_CASE("a stopping rule of one's own ends a block in code and in text") {
+    const auto body = tournament(2) | cross(blend(0.1)) | score();
+    const auto result = run(sample(30) | score() | until(AtSpread{{}, 0.01}, body), Vectors{}, nobody);
+    const auto close = [](const auto& population) {
+        return std::all_of(population.begin(), population.end(), [&](const auto& each) {
+            return std::abs(each.genome[0] - population[0].genome[0]) <= 0.01;
+        });
+    };
+    CHECK(close(result.population));
+    auto registry = vocabulary<Vectors>();
+    registry.add_rule<AtSpread>();
+    Parser<Vectors> parser(registry);
+    const auto stage =
+        parser.parse("sample 30 | score | until generations 5000 spread 0.01 { tournament 2 | cross blend 0.1 | score }");
+    CHECK(stage.text() == "sample 30 | score | until generations 5000 spread 0.01 { tournament 2 | cross blend 0.1 | score }");
+    CHECK(run(stage, Vectors{}, nobody).population[0].genome == result.population[0].genome);
+    CHECK(run(sample(30) | score() | until(any_of(AfterGenerations{{}, 2}, AtSpread{{}, 0}), body), Vectors{}, nobody)
+              .counters.asked <= 90);
+}
+
+TEST_CASE("a block whose end never comes ends all the same, and says so") {
+    for (const Until end : {Until{.fitness = 1}, Until{.evaluations = 1000}}) {
+        const auto result = run(sample(3) | score() | until(end, best(3)), Vectors{}, nobody, {.variant = "v"});
+        CHECK(result.notes ==
+              std::vector<std::string>{
+                  "v/until.1: ended after 10000 generations that brought it no nearer to its end"});
+    }
+}
+
+TEST_CASE("a population that would not fit into its memory ends the run with what it has") {
+    const Combine<std::vector<double>> first{"first", [n = 0.0](const auto& a, const auto&) mutable {
+                                                 auto child = a.genome;
+                                                 child[0] = n += 1e-9;
+                                                 return std::optional(child);
+                                             }};
+    const auto stopped_with = [](const auto& pipeline, const std::string& reason, std::size_t left) {
+        const auto result =
+            run(pipeline, Vectors{}, nobody, {.variant = "v", .population_bytes = std::size_t{1} << 22});
+        CHECK(result.stopped == reason);
+        CHECK(result.population.size() == left);
+    };
+    stopped_with(sample(10) | score() | repeat(20, pair(score(), score(), first) | score()),
+                 "v/repeat.1/pair.1: a population of 25600 exceeds the 4 MB for one", 10000);
+    stopped_with(sample(10) | score() | tournament(2, 1000000000) | score(),
+                 "v/tournament.1: a population of 1000000000 exceeds the 4 MB for one", 10);
+    stopped_with(sample(1000000000) | score(), "v/sample.1: a population of 1000000000 exceeds the 4 MB for one", 0);
+    CHECK_THROWS_WITH(islands(100000000, {}, score()),
+                      "islands: 100000000 islands in 10 rounds; expected 2 to 10000 islands and 1 round at least");
+}
+
+TEST_CASE("endless generations stop at once when asked to, and remark no more than a hundred times") {
+    std::atomic<bool> stop = false;
+    long stages = 0;
+    const Observer<std::vector<double>> observer = [&](const auto&) { stop = ++stages == 5000; };
+    const auto result = run<Vectors>(sample(5) | score() | repeat(1000000000, score() | above(1, at_least(5))), Vectors{},
+                                     nobody, {.budget = {.stop = &stop}}, {observer});
+    CHECK(stages == 5000);
+    CHECK(result.stopped == "stop requested");
+    CHECK(result.population.size() == 5);
+    REQUIRE(result.notes.size() == 101);
+    CHECK(result.notes.back() == "and 2399 more remarks");
+}
+
+TEST_CASE("every kind of pipeline that is stopped gives back what it has") {
+    const auto count = [](const auto& pipeline, long evaluations) {
+        const auto result = run(pipeline, Vectors{}, nobody, {.budget = {.evaluations = evaluations}});
+        CHECK(result.stopped == "evaluation budget spent");
+        CHECK(!result.front.empty());
+        CHECK(result.best.has_value());
+        for (std::size_t i = 1; i < result.population.size(); ++i)
+            CHECK(result.population[i - 1].value() >= result.population[i].value());
+        return result.population.size();
+    };
+    const auto body = tournament(2) | mutate(1) | score() | elite(2);
+    CHECK(count(sample(20) | score(), 7) == 7);
+    CHECK(count(sample(20) | score() | repeat(100, body), 110) == 12); // ten children and the elite
+    CHECK(count(sample(20) | score() | islands(2, {.rounds = 50}, body), 110) >= 10);
+    CHECK(count(restarts(9, sample(20) | score() | best(3)), 70) == 9 + 10);
+}
