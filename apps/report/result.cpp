@@ -4,6 +4,7 @@
 #include "domain/contact/datum.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/mwm/genome_json.hpp"
+#include "domain/numerics/build.hpp"
 
 namespace app {
 
@@ -87,7 +88,9 @@ json target_json(const rough::Target& target) {
 }
 
 json origin_json(const Origin& origin) {
+    const rough::Build build = rough::build();
     return {{"version", origin.version},
+            {"build", {{"compiler", build.compiler}, {"flags", build.flags}, {"vectors", build.vectors}}},
             {"command", origin.command},
             {"seed", origin.seed},
             {"threads", origin.threads}};

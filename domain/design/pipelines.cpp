@@ -40,6 +40,14 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
     return registry;
 }
 
+DesignPipeline design_pipeline(const DesignSetup& setup, const std::string& text) {
+    return ga::Parser<DesignProblem>(design_registry(setup), design_variants()).parse(text);
+}
+
+DesignPipeline design_variant(const DesignSetup& setup, const std::string& name) {
+    return ga::Parser<DesignProblem>(design_registry(setup), design_variants()).variant(name);
+}
+
 const ga::Variants& design_variants() {
     static const std::string polish = " | best 2 | score judged | refine lm 6 sharpen=2";
     static const ga::Variants variants{
@@ -90,3 +98,8 @@ const ga::Variants& design_variants() {
 }
 
 } // namespace rough
+
+template ga::Result<rough::Genome> ga::run(const rough::DesignPipeline&, const rough::DesignProblem&,
+                                           ga::Population<rough::Genome>, const ga::RunOptions&,
+                                           std::vector<ga::Observer<rough::Genome>>,
+                                           ga::Keeper<rough::DesignProblem>*);

@@ -128,11 +128,10 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
                     std::vector<ga::Observer<Genome>> observers) {
     const DesignProblem problem(given);
     const DesignSetup& setup = problem.setup();
-    const auto registry = design_registry(setup);
-    ga::Parser<DesignProblem> parser(registry, design_variants());
-    auto stage = options.pipeline.empty() ? parser.variant(options.variant) : parser.parse(options.pipeline);
+    auto stage = options.pipeline.empty() ? design_variant(setup, options.variant)
+                                          : design_pipeline(setup, options.pipeline);
     if (options.reach && makes_its_own_starts(stage.text()))
-        stage = parser.parse("restarts " + std::to_string(attempts) + " { " + stage.text() + " }");
+        stage = design_pipeline(setup, "restarts " + std::to_string(attempts) + " { " + stage.text() + " }");
 
     Archive archive(remembered);
     std::vector<Genome> front; // the last that was ranked

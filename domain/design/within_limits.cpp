@@ -52,10 +52,8 @@ std::optional<Genome> brought_within(const DesignProblem& problem, const std::ve
     ga::parallel_for(genomes.size(), ga::thread_count(run.threads), [&](std::size_t i) {
         starts[genomes.size() + i] = least_in_excess(problem, genomes[i]);
     });
-    const auto registry = design_registry(problem.setup());
-    const ga::Variants none;
-    ga::Parser<DesignProblem> parser(registry, none);
-    const auto found = ga::run(parser.parse(to_limits), problem, ga::population(starts), run);
+    const auto found =
+        ga::run(design_pipeline(problem.setup(), to_limits), problem, ga::population(starts), run);
     spent.evaluations += found.counters.evaluations;
     spent.gradients += found.counters.gradients;
     if (!found.best || !holds_limits(problem.setup(), folded(found.best->genome)))

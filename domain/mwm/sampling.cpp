@@ -1,5 +1,8 @@
 #include "domain/mwm/sampling.hpp"
 
+#include "domain/numerics/aligned.hpp"
+#include "domain/numerics/vector_loops.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -25,28 +28,68 @@ struct Turns {
     }
 };
 
-/// Calls use(start, count, c, s, fine): at node start + j, j < count, the wave's angle is that of (c, s) and
-/// of fine's j-th turn together.
-template <class Use>
-void along_wave(double step, double phase, Index nodes, Use use) {
-    constexpr Index block = 32;
-    const Turns fine(0, step, std::min(block, nodes));
-    const Turns starts(phase, step * block, (nodes + block - 1) / block);
-    for (Index b = 0; b < starts.cosines.size(); ++b)
-        use(b * block, std::min(block, nodes - b * block), starts.cosines[b], starts.sines[b], fine);
+constexpr Index block = 32;
+
+/// The angles phase + step * j of a wave at every node, each the sum of two.
+struct AlongWave {
+    Turns starts, fine;
+    WaveAngles angles;
+
+    AlongWave(double step, double phase, Index nodes)
+        : starts(phase, step * block, (nodes + block - 1) / block),
+          fine(0, step, std::min(block, nodes)), angles{nodes,
+                                                        block,
+                                                        starts.cosines.data(),
+                                                        starts.sines.data(),
+                                                        fine.cosines.data(),
+                                                        fine.sines.data()} {}
+};
+
+/// wave_basis with as many further columns of zeros as fill whole blocks of eight.
+Eigen::MatrixXd filled_wave_basis(const std::vector<Wave>& all, const Grid& grid) {
+    const Index columns = 2 * static_cast<Index>(all.size());
+    const Index filled = (columns + panel_width - 1) / panel_width * panel_width;
+    Eigen::MatrixXd basis(grid.nodes, filled);
+    basis.rightCols(filled - columns).setZero();
+    for (Index w = 0; w < static_cast<Index>(all.size()); ++w) {
+        const double k = all[static_cast<std::size_t>(w)].wave_number;
+        const AlongWave along(k * grid.spacing(), k * grid.from, grid.nodes);
+        vector_loops().wave(along.angles, basis.col(2 * w).data(), basis.col(2 * w + 1).data());
+    }
+    return basis;
+}
+
+/// rows * columns, of which there are a multiple of eight.
+Eigen::MatrixXd product(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& columns) {
+    const Index depth = rows.cols();
+    Eigen::MatrixXd result(rows.rows(), columns.cols());
+    AlignedBuffer<double> panel(panel_width * depth);
+    double square[panel_width * panel_width];
+    for (Index first = 0; first < rows.rows(); first += panel_width) {
+        const Index count = std::min(panel_width, rows.rows() - first);
+        std::fill_n(panel.data(), panel_width * depth, 0.0);
+        for (Index i = 0; i < depth; ++i)
+            for (Index r = 0; r < count; ++r)
+                panel[panel_width * i + r] = rows(first + r, i);
+        for (Index column = 0; column < columns.cols(); column += panel_width) {
+            vector_loops().multiply(panel.data(), depth, columns.col(column).data(), columns.rows(), square);
+            for (Index c = 0; c < panel_width; ++c)
+                for (Index r = 0; r < count; ++r)
+                    result(first + r, column + c) = square[panel_width * c + r];
+        }
+    }
+    return result;
 }
 
 } // namespace
 
 Profile sample(const Genome& genome, const Grid& grid) {
     Profile profile{Eigen::VectorXd::Zero(grid.nodes), grid.spacing()};
-    for (const Wave& wave : waves(genome)) // Eq. 9
-        along_wave(wave.wave_number * profile.spacing, wave.phase + wave.wave_number * grid.from, grid.nodes,
-                   [&](Index start, Index count, double c, double s, const Turns& fine) {
-                       profile.heights.segment(start, count).array() +=
-                           wave.offset - (wave.amplitude * c) * fine.cosines.head(count) +
-                           (wave.amplitude * s) * fine.sines.head(count);
-                   });
+    for (const Wave& wave : waves(genome)) { // Eq. 9
+        const AlongWave along(wave.wave_number * profile.spacing, wave.phase + wave.wave_number * grid.from,
+                              grid.nodes);
+        vector_loops().add_wave(along.angles, wave.offset, wave.amplitude, profile.heights.data());
+    }
     return profile;
 }
 
@@ -59,29 +102,18 @@ bool is_flat(const Profile& sampled, const Genome& genome) {
 
 Eigen::MatrixXd wave_basis(const Genome& genome, const Grid& grid) {
     const auto all = waves(genome);
-    Eigen::MatrixXd basis(grid.nodes, 2 * static_cast<Index>(all.size()));
-    for (Index w = 0; w < static_cast<Index>(all.size()); ++w) {
-        const double k = all[static_cast<std::size_t>(w)].wave_number;
-        along_wave(k * grid.spacing(), k * grid.from, grid.nodes,
-                   [&](Index start, Index count, double c, double s, const Turns& fine) {
-                       basis.col(2 * w).segment(start, count).array() =
-                           c * fine.cosines.head(count) - s * fine.sines.head(count);
-                       basis.col(2 * w + 1).segment(start, count).array() =
-                           s * fine.cosines.head(count) + c * fine.sines.head(count);
-                   });
-    }
-    return basis;
+    return filled_wave_basis(all, grid).leftCols(2 * static_cast<Index>(all.size()));
 }
 
 Eigen::MatrixXd pulled_back(const Eigen::MatrixXd& height_gradient, const Genome& genome, const Grid& grid) {
     // With S = sum_i g_i exp(i k x_i) and T = sum_i g_i x_i exp(i k x_i), for the functional g:
     //   cosine part  sum_i g_i cos(k x_i + theta) = Re(S e^{i theta}),  d/d phi_m = Im(S e^{i phi_m}) G,
     //   d/dk = G R Im(T e^{i theta}).
-    const Eigen::MatrixXd basis = wave_basis(genome, grid);
+    const Eigen::MatrixXd basis = filled_wave_basis(waves(genome), grid);
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(
         grid.nodes, grid.from, grid.from + grid.spacing() * static_cast<double>(grid.nodes - 1));
-    const Eigen::MatrixXd S = height_gradient * basis;
-    const Eigen::MatrixXd T = height_gradient * x.asDiagonal() * basis;
+    const Eigen::MatrixXd S = product(height_gradient, basis);
+    const Eigen::MatrixXd T = product(height_gradient * x.asDiagonal(), basis);
 
     const Index rows = height_gradient.rows();
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows, static_cast<Index>(genes(genome).size()));

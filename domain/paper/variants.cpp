@@ -48,6 +48,10 @@ Registry<DesignProblem> paper_registry(const Vocabulary& words) {
     return registry;
 }
 
+PaperPipeline paper_pipeline(const Vocabulary& words, const ga::Variants& variants, const std::string& name) {
+    return Parser<RescaledProblem>(paper_registry(words), variants).variant(name);
+}
+
 ga::Variants paper_variants(const Vocabulary& words) {
     ga::Variants variants;
     for (const auto& [name, algorithm] :
@@ -59,3 +63,8 @@ ga::Variants paper_variants(const Vocabulary& words) {
 }
 
 } // namespace rough
+
+template ga::Result<rough::Genome> ga::run(const rough::PaperPipeline&, const rough::RescaledProblem&,
+                                           ga::Population<rough::Genome>, const ga::RunOptions&,
+                                           std::vector<ga::Observer<rough::Genome>>,
+                                           ga::Keeper<rough::RescaledProblem>*);

@@ -124,15 +124,15 @@ class AccuracyStudy {
                 const rough::DesignProblem problem(
                     paper_setup(model, target, max_pressure(), 0.5 * max_pressure()));
                 const rough::Vocabulary words{std::make_shared<rough::DominanceRule>(model)};
-                using namespace ga;
-                const rough::Pipeline front = score() | best(3);
-                const rough::Pipeline pairing =
-                    pair(score("low") | above(0.95, at_least(3)), score("high") | above(0.95, at_least(3)),
-                         words.unite()) |
-                    score() | best(3);
+                const ga::Variants searches{
+                    {"database", "score | best 3"},
+                    {"pairing",
+                     "pair(score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, unite) | "
+                     "score | best 3"}};
                 const std::string name = file.stem().string();
-                run_.searches.push_back(compared({name, "database", model.grid.nodes}, front, problem));
-                run_.searches.push_back(compared({name, "pairing", model.grid.nodes}, pairing, problem));
+                for (const auto& [search, text] : searches)
+                    run_.searches.push_back(compared({name, search, model.grid.nodes},
+                                                     paper_pipeline(words, searches, search), problem));
             }
     }
 

@@ -60,9 +60,8 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
         texts[name] = settings.text("variants." + name);
     }
     for (const auto& name : own)
-        variants.push_back({name, read_at(settings, "variants." + name, [&] {
-                                return ga::Parser<DesignProblem>(paper_registry(words), texts).variant(name);
-                            })});
+        variants.push_back({name, read_at(settings, "variants." + name,
+                                          [&] { return paper_pipeline(words, texts, name); })});
     return variants;
 }
 

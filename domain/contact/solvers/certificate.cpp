@@ -1,5 +1,7 @@
 #include "domain/contact/solvers/certificate.hpp"
 
+#include "domain/numerics/vector_loops.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,28 +12,28 @@ double Certificate::residual() const { return std::max({gap, penetration, tensio
 
 Certificate certify(const ContactProblem& problem, double approach, const std::vector<int>& contact,
                     const Eigen::VectorXd& pressure, const double* displacement) {
-    const Eigen::Map<const Eigen::VectorXd> u(displacement, problem.nodes());
     const double scale = approach > 0 ? approach : 1, mean = pressure.sum() / problem.elements;
     constexpr double none = std::numeric_limits<double>::infinity();
-    if (!std::isfinite(mean) || !std::isfinite(u.sum())) // a NaN anywhere is no solution at all
+    // Penetration is sought over all nodes: on the contact set it is part of |gap|.
+    bool finite = true;
+    double deepest =
+        vector_loops().deepest(problem.gap.data(), displacement, problem.nodes(), approach, finite);
+    if (!std::isfinite(mean) || !finite) // a NaN anywhere is no solution at all
         return {none, none, none, none};
     const bool yields = std::isfinite(problem.cap);
     double misfit = 0;
     for (std::size_t k = 0; k < contact.size(); ++k) {
-        const double gap = u[contact[k]] - (approach - problem.gap[contact[k]]);
+        const double gap = displacement[contact[k]] - (approach - problem.gap[contact[k]]);
         const bool held = yields && pressure[static_cast<Index>(k)] >= problem.cap;
         misfit = std::max(misfit, held ? gap : std::abs(gap));
     }
-    // Penetration is sought over all nodes: on the contact set it is part of |gap|. Held nodes may sink in.
-    double deepest = 0;
-    if (yields) {
+    if (yields) { // held nodes may sink in
+        const Eigen::Map<const Eigen::VectorXd> u(displacement, problem.nodes());
         Eigen::ArrayXd depth = approach - (problem.gap + u).array();
         for (std::size_t k = 0; k < contact.size(); ++k)
             if (pressure[static_cast<Index>(k)] >= problem.cap)
                 depth[contact[k]] = 0;
         deepest = depth.maxCoeff();
-    } else {
-        deepest = (approach - (problem.gap + u).array()).maxCoeff();
     }
     const double penetration = std::max(0.0, deepest);
     const auto over_mean = [mean](double excess) {

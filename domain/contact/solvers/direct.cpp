@@ -1,21 +1,15 @@
 #include "domain/contact/solvers/direct.hpp"
 
+#include "domain/numerics/vector_loops.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace rough {
 
 namespace {
 
-constexpr Index width = 8, strands = 8, block = width * strands;
-typedef double Lanes __attribute__((vector_size(width * sizeof(double))));
-
-Lanes loaded(const double* p) {
-    Lanes x;
-    std::memcpy(&x, p, sizeof x);
-    return x;
-}
+constexpr Index block = 64; ///< of which the loop takes whole ones
 
 /// Multiplications that are worth one of the M log2 M turns of two transforms of M = 2 N numbers: these have
 /// a cost of their own besides, and sums run through their numbers in order.
@@ -34,17 +28,8 @@ DirectOperator::DirectOperator(const Eigen::VectorXd& first_column)
 }
 
 const double* DirectOperator::apply(const std::vector<int>& nodes, const Eigen::VectorXd& pressure) {
-    const double* centre = mirrored_.data() + (nodes_ - 1);
-    for (Index first = 0; first < padded_; first += block) {
-        Lanes sums[strands] = {};
-        for (std::size_t k = 0; k < nodes.size(); ++k) {
-            const double p = pressure[static_cast<Index>(k)];
-            const double* h = centre + (first - nodes[k]);
-            for (Index s = 0; s < strands; ++s)
-                sums[s] += loaded(h + width * s) * p;
-        }
-        std::memcpy(displacement_.data() + first, sums, sizeof sums);
-    }
+    vector_loops().toeplitz(mirrored_.data() + (nodes_ - 1), padded_, nodes.data(), pressure.data(),
+                            static_cast<Index>(nodes.size()), displacement_.data());
     return displacement_.data();
 }
 

@@ -42,13 +42,14 @@ class GrowingFactor {
     void move_row_heads(Index panel, const std::vector<Index>& sources, Index columns);
     Index build_panel(Index panel, Index first_block);
     void fill_influence(Index panel, Index first_column);
-    void back_substitute(Eigen::VectorXd& x) const;
+    void back_substitute(Eigen::VectorXd& x);
 
     std::vector<double> influence_; ///< h[|i|], i = -(N-1)..N-1
     const double* centre_;
     const Eigen::VectorXd& gap_;
     std::vector<int> nodes_;
     std::vector<AlignedBuffer<double>> panels_;              ///< panel b: 8 (b + 1) columns of 8 rows
+    std::vector<double*> rows_;                              ///< of each panel
     std::vector<double> inverse_diagonal_, one_, gap_image_; ///< 1/L_ii, z, v, padded to whole panels
     Eigen::VectorXd padded_;                                 ///< for substitution
 };
