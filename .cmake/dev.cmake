@@ -2,6 +2,7 @@
 # ccache where they are there.
 set(CMAKE_BUILD_TYPE Release CACHE STRING "")
 set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG" CACHE STRING "")
+set(RUGOSA_UNITY OFF CACHE BOOL "")
 find_program(NINJA ninja)
 if(NINJA)
     set(CMAKE_GENERATOR Ninja CACHE INTERNAL "")

@@ -10,12 +10,6 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
 endif()
 set_source_files_properties(${vectors}/baseline.cpp ${vectors}/avx2.cpp ${vectors}/avx512.cpp
                             PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
-# Where more of the time goes than anywhere else in plain code.
-set_source_files_properties(domain/contact/solvers/certificate.cpp domain/contact/solvers/deflation.cpp
-    domain/contact/solvers/growing_factor.cpp domain/contact/solvers/nnls.cpp domain/contact/solvers/set_solver.cpp
-    domain/mwm/sampling.cpp domain/numerics/fourier.cpp
-    PROPERTIES COMPILE_OPTIONS -O3)
-
 string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
 string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}}" flags)
 if(RUGOSA_NATIVE)
