@@ -116,8 +116,6 @@ Claim over_trios(const std::vector<Trio>& trios, Claim claim,
     return claim;
 }
 
-const std::string both = " on every target; contradicted if on none.";
-
 } // namespace
 
 std::vector<Claim> answer_claims(const PaperRun& run) {

@@ -40,6 +40,9 @@ std::vector<Claim> answer_claims(const PaperRun& run);    ///< Figures 9 to 11
 /// All of them, in the paper's order.
 std::vector<Claim> paper_claims(const PaperRun& run, const Studies& studies);
 
+/// How the rule of a claim ends that holds or not on each target.
+inline const std::string both = " on every target; contradicted if on none.";
+
 /// True, false or unknown for each target: all true is reproduced, all false contradicted; undecidable where
 /// it depends on the target or nothing is known.
 Verdict verdict_over(const std::vector<std::optional<bool>>& targets);

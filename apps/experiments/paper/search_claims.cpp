@@ -145,8 +145,6 @@ Finding more_efficient(const TargetRun& target) {
                                                  : std::optional(rough::mean(gco) > rough::mean(cco))};
 }
 
-const std::string both = " on every target; contradicted if on none.";
-
 } // namespace
 
 std::vector<Claim> search_claims(const PaperRun& run) {
