@@ -11,7 +11,8 @@ set_source_files_properties(${words} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Relea
 option(RUGOSA_UNITY "Compile files that read the same headers together" ON)
 if(RUGOSA_UNITY)
     set_target_properties(rugosa_domain PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-    set_source_files_properties(domain/design/pipelines.cpp domain/design/search.cpp domain/design/within_limits.cpp
+    set_source_files_properties(domain/problem/pipeline.cpp domain/paper/variants.cpp domain/design/pipelines.cpp
+        domain/design/search.cpp domain/design/within_limits.cpp
         PROPERTIES UNITY_GROUP engine)
     if(TARGET rugosa_apps)
         set_target_properties(rugosa_apps PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

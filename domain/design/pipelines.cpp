@@ -40,11 +40,11 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
     return registry;
 }
 
-DesignPipeline design_pipeline(const DesignSetup& setup, const std::string& text) {
+Pipeline design_pipeline(const DesignSetup& setup, const std::string& text) {
     return ga::Parser<DesignProblem>(design_registry(setup), design_variants()).parse(text);
 }
 
-DesignPipeline design_variant(const DesignSetup& setup, const std::string& name) {
+Pipeline design_variant(const DesignSetup& setup, const std::string& name) {
     return ga::Parser<DesignProblem>(design_registry(setup), design_variants()).variant(name);
 }
 
@@ -98,8 +98,3 @@ const ga::Variants& design_variants() {
 }
 
 } // namespace rough
-
-template ga::Result<rough::Genome> ga::run(const rough::DesignPipeline&, const rough::DesignProblem&,
-                                           ga::Population<rough::Genome>, const ga::RunOptions&,
-                                           std::vector<ga::Observer<rough::Genome>>,
-                                           ga::Keeper<rough::DesignProblem>*);

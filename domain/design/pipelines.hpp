@@ -31,19 +31,10 @@ struct Shape : ga::Operator {
 /// `reduce goal1` and on, one a target.
 ga::Registry<DesignProblem> design_registry(const DesignSetup& setup);
 
-/// A pipeline for a design.
-using DesignPipeline = ga::Stage<DesignProblem>;
-
 /// The pipeline of a text made of design_registry's words, in which design_variants may stand as stages.
 /// Throws ga::UsageError on one that cannot be made.
-DesignPipeline design_pipeline(const DesignSetup& setup, const std::string& text);
+Pipeline design_pipeline(const DesignSetup& setup, const std::string& text);
 /// The pipeline of one of design_variants, by its name.
-DesignPipeline design_variant(const DesignSetup& setup, const std::string& name);
+Pipeline design_variant(const DesignSetup& setup, const std::string& name);
 
 } // namespace rough
-
-// Compiled once, in pipelines.cpp: what runs pipelines is most of what the compiler has to do.
-extern template ga::Result<rough::Genome> ga::run(const rough::DesignPipeline&, const rough::DesignProblem&,
-                                                  ga::Population<rough::Genome>, const ga::RunOptions&,
-                                                  std::vector<ga::Observer<rough::Genome>>,
-                                                  ga::Keeper<rough::DesignProblem>*);

@@ -48,7 +48,7 @@ Registry<DesignProblem> paper_registry(const Vocabulary& words) {
     return registry;
 }
 
-PaperPipeline paper_pipeline(const Vocabulary& words, const ga::Variants& variants, const std::string& name) {
+Pipeline paper_pipeline(const Vocabulary& words, const ga::Variants& variants, const std::string& name) {
     return Parser<RescaledProblem>(paper_registry(words), variants).variant(name);
 }
 
@@ -63,8 +63,3 @@ ga::Variants paper_variants(const Vocabulary& words) {
 }
 
 } // namespace rough
-
-template ga::Result<rough::Genome> ga::run(const rough::PaperPipeline&, const rough::RescaledProblem&,
-                                           ga::Population<rough::Genome>, const ga::RunOptions&,
-                                           std::vector<ga::Observer<rough::Genome>>,
-                                           ga::Keeper<rough::RescaledProblem>*);

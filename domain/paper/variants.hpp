@@ -34,15 +34,9 @@ ga::Registry<DesignProblem> paper_registry(const Vocabulary& words);
 
 /// The pipeline of the variant called `name` among `variants`, made of paper_registry's words. Throws
 /// ga::UsageError on one that cannot be made.
-PaperPipeline paper_pipeline(const Vocabulary& words, const ga::Variants& variants, const std::string& name);
+Pipeline paper_pipeline(const Vocabulary& words, const ga::Variants& variants, const std::string& name);
 
 /// sog, gco, cco and their minimax forms as text.
 ga::Variants paper_variants(const Vocabulary& words);
 
 } // namespace rough
-
-// Compiled once, in variants.cpp: what runs pipelines is most of what the compiler has to do.
-extern template ga::Result<rough::Genome> ga::run(const rough::PaperPipeline&, const rough::RescaledProblem&,
-                                                  ga::Population<rough::Genome>, const ga::RunOptions&,
-                                                  std::vector<ga::Observer<rough::Genome>>,
-                                                  ga::Keeper<rough::RescaledProblem>*);
