@@ -10,7 +10,7 @@ std::vector<ErrorSource> error_budget(const DesignSetup& given, const Answer& an
     const Target& target = setup.targets.front();
     const auto values = [&](const Model& model) {
         const DesignResponse response = respond(setup, answer.genome, model);
-        const Curve curve = curve_of(target.quantity, response.responses[response.of_goal.front()]);
+        const Curve& curve = response.curves.front();
         return Eigen::VectorXd(target.x.unaryExpr([&](double x) { return curve.at(x); }));
     };
     const Eigen::VectorXd base = values(own);

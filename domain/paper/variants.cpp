@@ -49,7 +49,7 @@ Registry<DesignProblem> paper_registry(const Vocabulary& words) {
 }
 
 Pipeline paper_pipeline(const Vocabulary& words, const ga::Variants& variants, const std::string& name) {
-    return Parser<RescaledProblem>(paper_registry(words), variants).variant(name);
+    return Parser<DesignProblem>(paper_registry(words), variants).variant(name);
 }
 
 ga::Variants paper_variants(const Vocabulary& words) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "domain/problem/response.hpp"
+#include "ga/refinement/sensitivity.hpp"
 
 namespace rough {
 
