@@ -148,17 +148,22 @@ class Context {
     /// A remark for the run's result, under the path of the stage that runs.
     void note(const std::string& text) { kept.note(path() + ": " + text); }
 
-    /// Ends the run with what it has where a population of so many would exceed the memory for one. Called by
-    /// whoever makes a population larger, before.
-    void need_room(std::size_t individuals, const Genome& like) const {
+    /// Ends the run with what it has in hand where a population of so many would exceed the memory for one. Called
+    /// by whoever makes a population larger, before. `like` is one of the new, where they are not like those in hand.
+    void need_room(std::size_t individuals, const Population<Genome>& in_hand, const Genome* like = nullptr) {
+        if (in_hand.empty() && !like)
+            return;
+        const Genome& genome = like ? *like : in_hand.front().genome;
         std::size_t each = sizeof(Individual<Genome>);
         if constexpr (Keyed<P>)
-            each += 2 * std::string(problem().key(like)).size();
+            each += 2 * std::string(problem().key(genome)).size();
         else if constexpr (std::ranges::sized_range<const Genome>)
-            each += std::ranges::size(like) * sizeof(std::ranges::range_value_t<const Genome>);
-        if (individuals > terms_.population_bytes / each)
-            throw Stopped{path() + ": a population of " + std::to_string(individuals) + " exceeds the " +
-                          std::to_string(terms_.population_bytes >> 20) + " MB for one"};
+            each += std::ranges::size(genome) * sizeof(std::ranges::range_value_t<const Genome>);
+        if (individuals <= terms_.population_bytes / each)
+            return;
+        kept.in_hand = in_hand;
+        throw Stopped{path() + ": a population of " + std::to_string(individuals) + " exceeds the " +
+                      std::to_string(terms_.population_bytes >> 20) + " MB for one"};
     }
 
     bool observed() const { return !terms_.observers.empty(); } ///< whether anybody looks on

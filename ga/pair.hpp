@@ -70,7 +70,7 @@ struct Pair : Operator {
                 if (!genome)
                     continue;
                 if (children.size() % 1024 == 0)
-                    room_for(children.size() + 1024, *genome, lefts, context);
+                    context.need_room(children.size() + 1024, lefts, &*genome);
                 if (std::exchange(seen.at(identify(context.problem(), *genome)), true))
                     continue;
                 children.push_back(
@@ -81,16 +81,6 @@ struct Pair : Operator {
                               std::to_string(rights.size()) + " individuals gave no child by " +
                               combine.name);
         return children;
-    }
-
-    template <Problem P>
-    static void room_for(std::size_t children, const G& like, const Population<G>& lefts, Context<P>& context) {
-        try {
-            context.need_room(children, like);
-        } catch (const Stopped&) {
-            context.kept.in_hand = lefts;
-            throw;
-        }
     }
 };
 

@@ -44,8 +44,7 @@ struct Restarts : Operator {
                 for (auto& each : stages(frame->kept[0], context))
                     frame->kept[1].push_back(std::move(each));
                 frame->states.clear();
-                if (!frame->kept[1].empty())
-                    context.need_room(frame->kept[1].size(), frame->kept[1].front().genome);
+                context.need_room(frame->kept[1].size(), {}, frame->kept[1].empty() ? nullptr : &frame->kept[1].front().genome);
             }
         } catch (const Stopped&) {
             auto& in_hand = context.kept.in_hand;

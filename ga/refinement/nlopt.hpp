@@ -102,7 +102,7 @@ inline int algorithm_number(const std::string& name) {
     if (found == NLOPT_NUM_ALGORITHMS)
         throw UsageError("refine nlopt: unknown algorithm '" + name +
                          "'; expected one of NLopt's, e.g. LN_COBYLA");
-    if (name.find("AUGLAG") != std::string::npos || name.starts_with("G_MLSL"))
+    if (name.find("AUGLAG") != std::string::npos || name.find("MLSL") != std::string::npos)
         throw UsageError("refine nlopt: algorithm '" + name +
                          "' needs a second optimiser; expected one that works alone, e.g. LN_COBYLA");
     return found;
@@ -122,14 +122,16 @@ struct Nlopt {
         visit(self.algorithm, word("algorithm", std::nullopt, "NLopt's name, e.g. LN_COBYLA"));
         visit(self.evaluations, evaluations_parameter());
     }
+    void validate() const { algorithm_number(algorithm); }
     bool needs_gradient() const { return algorithm[1] == 'D'; }
 
     Eigen::VectorXd improve(const Landscape& land) const {
         nlopt::srand(static_cast<unsigned long>(land.seed));
         NloptSearch search(static_cast<nlopt::algorithm>(algorithm_number(algorithm)), land.lower, land.upper, evaluations + 1);
         BestPoint best{land.start, -HUGE_VAL};
+        int used = 0; // not every algorithm keeps to its limit
         search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
-            if (land.exhausted()) {
+            if (used++ > evaluations || land.exhausted()) {
                 search->force_stop();
                 return HUGE_VAL;
             }
@@ -157,7 +159,6 @@ struct Nlopt {
 /// The refinement `nlopt NAME n`. Throws UsageError on a name that is no algorithm that works alone.
 /// @param evaluations  at most, after the start; >= 1
 inline Method nlopt_method(const std::string& name, int evaluations) {
-    algorithm_number(name);
     return method_of(Nlopt{name, evaluations});
 }
 

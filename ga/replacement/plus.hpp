@@ -55,8 +55,7 @@ struct JoinParents : Operator {
     Population<typename P::Genome> operator()(Population<typename P::Genome> population,
                                               Context<P>& context) const {
         const auto& start = context.generation_start();
-        if (!start.empty())
-            context.need_room(population.size() + start.size(), start.front().genome);
+        context.need_room(population.size() + start.size(), population);
         return joined_with(start, std::move(population));
     }
     ///@}

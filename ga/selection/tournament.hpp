@@ -31,7 +31,7 @@ struct Tournament : Operator {
                                               Context<P>& context) const {
         if (population.empty())
             return population;
-        context.need_room(size, population.front().genome);
+        context.need_room(size, population);
         const std::vector<double> worth = merits(population);
         std::vector<std::size_t> winners(size > 0 ? size : population.size());
         for (std::size_t i = 0; i < winners.size(); ++i) {

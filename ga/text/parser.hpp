@@ -39,7 +39,7 @@ class Parser {
     }
 
   private:
-    static constexpr std::size_t most_stages = 100000;
+    static constexpr std::size_t most_stages = 10000;
 
     Stage<P> made(const PipelineText& pipeline, const std::string& where) {
         Stage<P> stage;
@@ -161,7 +161,7 @@ class Parser {
     /// The stage, which says where it was written.
     Stage<P> located(Stage<P> stage, const StageText& text, const std::string& where) {
         if (++stages_ > most_stages)
-            throw TextError(where, text.column, "more than 100000 stages, with those of variants");
+            throw TextError(where, text.column, "more than 10000 stages, with those of variants");
         stage.locate(where, text.column);
         return stage;
     }

@@ -28,7 +28,7 @@ struct Sample : Operator {
             Stream stream = context.stream(i);
             fresh.push_back({context.problem().sample(stream), context.new_identity(), {}, {}, {}});
             if (i == 0) {
-                context.need_room(n, fresh.front().genome);
+                context.need_room(n, {}, &fresh.front().genome);
                 fresh.reserve(n);
             }
         }

@@ -145,7 +145,8 @@ TEST_CASE("an evaluation given up under one objective goes on from there under a
     // Everybody is read to the tenth penalty at least under `late`, which says nothing before.
     const auto both = pair(score("late") | best(3), score() | best(3),
                            Combine<Penalties::Genome>{
-                               "left", [](const auto& a, const auto&) { return std::optional(a.genome); }});
+                               "left", [](const auto& a, const auto&) { return std::optional(a.genome); }}) |
+                      score();
     const Ran whole = run_with(both, false), screened = run_with(both, true);
     CHECK(whole.result.population.size() == screened.result.population.size());
     CHECK(screened.read < whole.read);

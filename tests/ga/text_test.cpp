@@ -184,7 +184,7 @@ TEST_CASE("variants that unfold without end are refused before they fill the mem
     Variants variants{{"v0", "score"}};
     for (int i = 1; i < 40; ++i)
         variants["v" + std::to_string(i)] = "v" + std::to_string(i - 1) + " | v" + std::to_string(i - 1);
-    refused("v39", "variant 'v0', column 1: more than 100000 stages, with those of variants", variants);
+    refused("v39", "variant 'v0', column 1: more than 10000 stages, with those of variants", variants);
 }
 
 TEST_CASE("a value out of range is refused with the range") {
