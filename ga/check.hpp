@@ -17,7 +17,9 @@ struct Known {
     bool in_generation = false;              ///< inside a repeat or until
     std::optional<std::string> start_scored; ///< the policy under which the generation's start is scored
     bool nobody = false;                     ///< the population is empty yet
-    bool several_objectives() const { return scored && scored->find(' ') != std::string::npos; } ///< as by pareto
+    bool several_objectives() const {
+        return scored && scored->find(' ') != std::string::npos;
+    } ///< as by pareto
 
     /// Throws UsageError, naming the stage, where individuals may be unscored.
     void need_score(const std::string& stage) const {
@@ -28,8 +30,9 @@ struct Known {
     void need_one_objective(const std::string& stage) const {
         need_score(stage);
         if (several_objectives())
-            throw UsageError("stage '" + stage + "' needs one objective's fitness, the population is ranked by '" +
-                             *scored + "'; expected score before it");
+            throw UsageError("stage '" + stage +
+                             "' needs one objective's fitness, the population is ranked by '" + *scored +
+                             "'; expected score before it");
     }
     /// Throws UsageError, naming the stage, outside a generation.
     void need_generation(const std::string& stage) const {
@@ -37,8 +40,8 @@ struct Known {
             throw UsageError("stage '" + stage +
                              "' reads the start of a generation; expected it inside repeat or until");
     }
-    /// Throws UsageError, naming the stage, outside a generation, or where its start was scored otherwise than
-    /// the population, so that the two cannot be compared.
+    /// Throws UsageError, naming the stage, outside a generation, or where its start was scored otherwise
+    /// than the population, so that the two cannot be compared.
     void need_comparable_start(const std::string& stage) const {
         need_generation(stage);
         need_score(stage);

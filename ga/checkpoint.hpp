@@ -131,10 +131,10 @@ concept Storable = requires(const json& j, const Outcome& outcome) {
 };
 
 /// Keeps a run in one file, replaced as a whole by renaming: between stages, at most once in so many seconds
-/// and for at most a twentieth of the time, and at the end. The one before is kept beside it ("FILE.before"), and
-/// is gone on from where the newer one was damaged. A run that is resumed, after whatever end of its process,
-/// reaches the very result of one that was never interrupted. A file that cannot be written ends no run: its notes
-/// say so. Genomes must convert to and from nlohmann::json without loss.
+/// and for at most a twentieth of the time, and at the end. The one before is kept beside it ("FILE.before"),
+/// and is gone on from where the newer one was damaged. A run that is resumed, after whatever end of its
+/// process, reaches the very result of one that was never interrupted. A file that cannot be written ends no
+/// run: its notes say so. Genomes must convert to and from nlohmann::json without loss.
 template <Problem P>
 class Checkpoints : public Keeper<P> {
   public:
@@ -162,6 +162,10 @@ class Checkpoints : public Keeper<P> {
     std::optional<Taken> begin(Ledger<P>& ledger, std::uint64_t run) override {
         run_ = run;
         const std::filesystem::path before = file_.string() + ".before";
+        if (!resume_) {
+            std::error_code none;
+            std::filesystem::remove(before, none); // of another run
+        }
         if (!resume_ || !(std::filesystem::exists(file_) || std::filesystem::exists(before)))
             return std::nullopt;
         std::string bytes;
@@ -196,9 +200,12 @@ class Checkpoints : public Keeper<P> {
     void write(const Taken& snapshot, const Ledger<P>& ledger,
                const Population<Genome>* answer = nullptr) override {
         const Stopwatch clock;
-        json j = {{"version", version},   {"run", run_},
-                  {"description", description_}, {"snapshot", snapshot},
-                  {"answer", answer ? json(*answer) : json()}, {"kept", json::object()}};
+        json j = {{"version", version},
+                  {"run", run_},
+                  {"description", description_},
+                  {"snapshot", snapshot},
+                  {"answer", answer ? json(*answer) : json()},
+                  {"kept", json::object()}};
         for (const auto& value : kept_)
             j["kept"][value.name] = value.write();
         remember(j, snapshot, ledger);

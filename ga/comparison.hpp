@@ -9,9 +9,9 @@ namespace ga {
 /// How far up to go when counting individuals: all of them.
 constexpr std::size_t everyone = static_cast<std::size_t>(-1);
 
-/// Positions by Deb's rules among the constrained: one that holds its constraints before one that does not, less
-/// violation before more, then the greater merit; failed ones last (Deb 2000). -1 for the first class, -2 for the
-/// next and so on; equals share a class.
+/// Positions by Deb's rules among the constrained: one that holds its constraints before one that does not,
+/// less violation before more, then the greater merit; failed ones last (Deb 2000). -1 for the first class,
+/// -2 for the next and so on; equals share a class.
 inline std::vector<double> classes_by_rules(std::span<const Fitness* const> all) {
     std::vector<std::size_t> order(all.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -63,10 +63,10 @@ inline std::vector<double> crowded_merits(std::span<const Fitness* const> all) {
     return merits;
 }
 
-/// What each is worth among all of these, by the policy that scored them: greater is better, equal is as good,
-/// minus infinity for the failed. Under one objective the fitness itself, under constraints the class by Deb's
-/// rules, under several objectives rank and crowding. Throws UsageError where two were scored by different
-/// policies, or one was not.
+/// What each is worth among all of these, by the policy that scored them: greater is better, equal is as
+/// good, minus infinity for the failed. Under one objective the fitness itself, under constraints the class
+/// by Deb's rules, under several objectives rank and crowding. Throws UsageError where two were scored by
+/// different policies, or one was not.
 inline std::vector<double> merits(std::span<const Fitness* const> all) {
     bool several = false, ruled = false;
     for (const Fitness* each : all) {
@@ -163,8 +163,8 @@ bool comparable(const Population<G>& population) {
     });
 }
 
-/// The individuals that no other betters: under several objectives the front, under one the best and its equals.
-/// Unscored and failed ones are left out.
+/// The individuals that no other betters: under several objectives the front, under one the best and its
+/// equals. Unscored and failed ones are left out.
 template <class G>
 Population<G> front_of(const Population<G>& population) {
     Population<G> scored;

@@ -8,26 +8,26 @@
 
 namespace ga {
 
-/// What stages share while a pipeline runs, in three rooms: `where` the run stands, what is paid (the door, with
-/// the ledger behind it), and what is `kept`. One for each run and for each island of it, passed down, never
-/// global.
+/// What stages share while a pipeline runs, in three rooms: `where` the run stands, what is paid (the door,
+/// with the ledger behind it), and what is `kept`. One for each run and for each island of it, passed down,
+/// never global.
 template <Problem P>
 class Context {
   public:
-    using Genome = typename P::Genome;   ///< of the problem
-    using Outcome = typename P::Outcome; ///< of the problem's evaluations
+    using Genome = typename P::Genome;                     ///< of the problem
+    using Outcome = typename P::Outcome;                   ///< of the problem's evaluations
     using Scope = typename Where<Genome>::Scope;           ///< see Where
     using Round = typename Where<Genome>::Round;           ///< see Where
     using Generation = typename Where<Genome>::Generation; ///< see Where
     using OpenFrame = typename Kept<Genome>::OpenFrame;    ///< see Kept
 
-    /// How much room populations have, whom observers are, and whether `score` may leave out whom the next stage
-    /// would not keep.
+    /// How much room populations have, whom observers are, and whether `score` may leave out whom the next
+    /// stage would not keep.
     struct Terms {
-        std::vector<Observer<Genome>> observers = {};          ///< see Observer
-        Keeper<P>* keeper = nullptr;                           ///< none: the run is kept nowhere
-        std::size_t population_bytes = std::size_t{1} << 30;   ///< at most, for one population
-        bool screening = false;                                ///< see RunOptions
+        std::vector<Observer<Genome>> observers = {};        ///< see Observer
+        Keeper<P>* keeper = nullptr;                         ///< none: the run is kept nowhere
+        std::size_t population_bytes = std::size_t{1} << 30; ///< at most, for one population
+        bool screening = false;                              ///< see RunOptions
     };
 
     /// The root of a run.
@@ -37,12 +37,11 @@ class Context {
         for (const auto& objective : problem().objectives())
             names_.push_back(Name(objective.name));
     }
-    /// An island: it asks through `door`, gives out identities of a lane of its own, and shows observers what it
-    /// did when its round is over.
+    /// An island: it asks through `door`, gives out identities of a lane of its own, and shows observers what
+    /// it did when its round is over.
     Context(Context& parent, Door<P>& door, std::size_t lane, std::size_t lanes)
-        : where(parent.where),
-          kept(parent.kept.next_identity + lane * parent.kept.identity_step,
-               parent.kept.identity_step * lanes),
+        : where(parent.where), kept(parent.kept.next_identity + lane * parent.kept.identity_step,
+                                    parent.kept.identity_step * lanes),
           ledger_(parent.ledger_), door_(door), root_(parent.root_), names_(parent.names_) {
         terms_.population_bytes = parent.terms_.population_bytes;
         terms_.screening = false;
@@ -58,12 +57,12 @@ class Context {
     Where<Genome> where; ///< path, random streams, generation
     Kept<Genome> kept;   ///< frames, identities, best, notes
 
-    const P& problem() const { return ledger_.problem(); }    ///< what is solved
-    Ledger<P>& ledger() { return ledger_; }                   ///< the engine's books
-    const Ledger<P>& ledger() const { return ledger_; }       ///< the same, to read
-    Door<P>& door() { return door_; }                         ///< where everything paid is asked
-    const Watch& watch() const { return ledger_.watch(); }    ///< since the run began in this process
-    Counters& counters() { return ledger_.counters; }         ///< paid for so far
+    const P& problem() const { return ledger_.problem(); } ///< what is solved
+    Ledger<P>& ledger() { return ledger_; }                ///< the engine's books
+    const Ledger<P>& ledger() const { return ledger_; }    ///< the same, to read
+    Door<P>& door() { return door_; }                      ///< where everything paid is asked
+    const Watch& watch() const { return ledger_.watch(); } ///< since the run began in this process
+    Counters& counters() { return ledger_.counters; }      ///< paid for so far
     /// To work with beside evaluations; decides no result. One on an island.
     int threads() const { return this == &root_ ? ledger_.evaluator().threads() : 1; }
 
@@ -148,8 +147,9 @@ class Context {
     /// A remark for the run's result, under the path of the stage that runs.
     void note(const std::string& text) { kept.note(path() + ": " + text); }
 
-    /// Ends the run with what it has in hand where a population of so many would exceed the memory for one. Called
-    /// by whoever makes a population larger, before. `like` is one of the new, where they are not like those in hand.
+    /// Ends the run with what it has in hand where a population of so many would exceed the memory for one.
+    /// Called by whoever makes a population larger, before. `like` is one of the new, where they are not like
+    /// those in hand.
     void need_room(std::size_t individuals, const Population<Genome>& in_hand, const Genome* like = nullptr) {
         if (in_hand.empty() && !like)
             return;

@@ -17,21 +17,21 @@ struct Inquiry {
 
     /// One genome's outcome.
     struct Question {
-        const Genome* genome;                       ///< must outlive the answer
-        bool counts = true;                         ///< against the budget
-        Fingerprint print = {};                     ///< set by the door
+        const Genome* genome;                        ///< must outlive the answer
+        bool counts = true;                          ///< against the budget
+        Fingerprint print = {};                      ///< set by the door
         const Evaluation<Outcome>* answer = nullptr; ///< set by the door; unanswered where the run had to end
     };
 
     std::vector<Question> questions;    ///< in an order that decides what is paid first
     std::vector<Slope<P>*> slopes;      ///< derivatives
     Patience patience = Patience::none; ///< of the budget and the stop
-    std::function<void()> use = {};     ///< reads the answers, which stand until it returns; on the door's thread
-    std::exception_ptr error = {};      ///< set by the door: Stopped, NothingLeft, or what `use` threw
+    std::function<void()> use = {}; ///< reads the answers, which stand until it returns; on the door's thread
+    std::exception_ptr error = {};  ///< set by the door: Stopped, NothingLeft, or what `use` threw
 };
 
-/// Where everything that is paid for is asked. The ledger is one; a block that works on threads of its own puts
-/// another before it.
+/// Where everything that is paid for is asked. The ledger is one; a block that works on threads of its own
+/// puts another before it.
 template <Problem P>
 class Door {
   public:
@@ -47,8 +47,9 @@ class Door {
     }
 };
 
-/// The engine's books, in front of an evaluator: what is remembered is never asked again, budgets are kept to the
-/// call, failures are counted. Questions are answered in their order, so the number of threads decides nothing.
+/// The engine's books, in front of an evaluator: what is remembered is never asked again, budgets are kept to
+/// the call, failures are counted. Questions are answered in their order, so the number of threads decides
+/// nothing.
 template <Problem P>
 class Ledger : public Door<P> {
   public:
@@ -56,8 +57,8 @@ class Ledger : public Door<P> {
     using Outcome = typename P::Outcome; ///< of its evaluations
     using Door<P>::serve;
 
-    /// The problem, the evaluator and the budget must outlive it. `memory_bytes` bounds what is remembered, not
-    /// the result.
+    /// The problem, the evaluator and the budget must outlive it. `memory_bytes` bounds what is remembered,
+    /// not the result.
     Ledger(const P& problem, Evaluator<P>& evaluator, std::size_t memory_bytes, const Budget& budget)
         : problem_(problem), evaluator_(evaluator), budget_(budget), watch_(budget), memory_(memory_bytes) {}
 
@@ -80,10 +81,10 @@ class Ledger : public Door<P> {
     /// Whether the budget has no room for more evaluations than these.
     bool spent(long evaluations) const { return budget_.evaluations - counters.asked <= evaluations; }
 
-    const P& problem() const { return problem_; }            ///< what is evaluated
-    Evaluator<P>& evaluator() const { return evaluator_; }   ///< who makes the calls
-    const Budget& budget() const { return budget_; }         ///< what may be paid
-    const Watch& watch() const { return watch_; }            ///< since the ledger was made
+    const P& problem() const { return problem_; }          ///< what is evaluated
+    Evaluator<P>& evaluator() const { return evaluator_; } ///< who makes the calls
+    const Budget& budget() const { return budget_; }       ///< what may be paid
+    const Watch& watch() const { return watch_; }          ///< since the ledger was made
 
     Counters counters; ///< what was paid
 
@@ -244,9 +245,9 @@ Fitness judged(const P& problem, const Evaluation<typename P::Outcome>& evaluati
             violation = std::max(0.0, static_cast<double>(problem.violation(outcome)));
         if (std::isfinite(value) && std::isfinite(violation))
             return Fitness(name, value, objective.minimise, violation);
-        return Fitness::failed(name, std::isfinite(value)
-                                         ? reason("the constraints' violation is not finite")
-                                         : reason("fitness " + objective.name + " is " + std::to_string(value)));
+        return Fitness::failed(name, std::isfinite(value) ? reason("the constraints' violation is not finite")
+                                                          : reason("fitness " + objective.name + " is " +
+                                                                   std::to_string(value)));
     } catch (const std::exception& error) {
         return Fitness::failed(name, reason(error.what()));
     }

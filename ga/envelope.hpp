@@ -14,8 +14,8 @@
 
 namespace ga {
 
-/// A sealed file: its mark, the length of what it holds, its fingerprint, and then that. A file that was cut short or
-/// altered anywhere is known by it.
+/// A sealed file: its mark, the length of what it holds, its fingerprint, and then that. A file that was cut
+/// short or altered anywhere is known by it.
 inline const std::string seal_mark = "rugosa checkpoint 2\n";
 
 /// The mark, length and fingerprint of what is to be sealed.
@@ -28,7 +28,8 @@ inline std::string seal_of(std::string_view bytes) {
     return seal;
 }
 
-/// What a sealed file holds. Throws UsageError, naming the file, where it cannot be read or is not as it was sealed.
+/// What a sealed file holds. Throws UsageError, naming the file, where it cannot be read or is not as it was
+/// sealed.
 inline std::string opened(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     const std::string all{std::istreambuf_iterator<char>(stream), {}};
@@ -40,8 +41,9 @@ inline std::string opened(const std::filesystem::path& file) {
     return all.substr(head);
 }
 
-/// Writes a sealed file in the place of the one there, which is kept as "FILE.before": to a new file of its own, no
-/// link followed, on the disk before it gets the name. What went wrong, in words; empty when nothing did.
+/// Writes a sealed file in the place of the one there, which is kept as "FILE.before": to a new file of its
+/// own, no link followed, on the disk before it gets the name. What went wrong, in words; empty when nothing
+/// did.
 inline std::string seal(const std::filesystem::path& file, std::string_view bytes) {
     const std::filesystem::path draft = file.string() + ".tmp", before = file.string() + ".before";
     ::unlink(draft.c_str());

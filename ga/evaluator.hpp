@@ -12,7 +12,7 @@ namespace ga {
 /// One outcome to be found: a genome, and the place for its outcome or for the reason that it has none.
 template <Problem P>
 struct Call {
-    const typename P::Genome* genome;         ///< to be evaluated
+    const typename P::Genome* genome;        ///< to be evaluated
     Evaluation<typename P::Outcome>* answer; ///< left as it is when the run must end first
 };
 
@@ -58,9 +58,10 @@ void differentiate(const P& problem, Slope<P>& slope) {
     }
 }
 
-/// How the paid calls are made: here, on threads, in other processes, on other machines, by a surrogate. Replace
-/// it to make them elsewhere; what is remembered, counted and paid is the engine's, in front of it. It is asked
-/// from one thread at a time, and its answers must not depend on the order in which it makes them.
+/// How the paid calls are made: here, on threads, in other processes, on other machines, by a surrogate.
+/// Replace it to make them elsewhere; what is remembered, counted and paid is the engine's, in front of it.
+/// It is asked from one thread at a time, and its answers must not depend on the order in which it makes
+/// them.
 template <Problem P>
 class Evaluator {
   public:
@@ -72,8 +73,8 @@ class Evaluator {
         for (Slope<P>* slope : slopes)
             differentiate(problem, *slope);
     }
-    /// job(0) .. job(n-1), in no particular order: work beside evaluations, such as the steps of one that may be
-    /// given up.
+    /// job(0) .. job(n-1), in no particular order: work beside evaluations, such as the steps of one that may
+    /// be given up.
     virtual void each(std::size_t n, const std::function<void(std::size_t)>& job) {
         for (std::size_t i = 0; i < n; ++i)
             job(i);

@@ -36,9 +36,10 @@ using Reason = std::shared_ptr<const std::string>;
 /// The reason of these words.
 inline Reason reason(std::string words) { return std::make_shared<const std::string>(std::move(words)); }
 
-/// How good an individual is, and by which policy: the name of one objective, or "pareto f1 f2 ..." for several
-/// at once. It has the objectives' values, by how much constraints are violated, or why the evaluation failed.
-/// A fitness that was never given cannot be read, and two of different policies are never compared.
+/// How good an individual is, and by which policy: the name of one objective, or "pareto f1 f2 ..." for
+/// several at once. It has the objectives' values, by how much constraints are violated, or why the
+/// evaluation failed. A fitness that was never given cannot be read, and two of different policies are never
+/// compared.
 class Fitness {
   public:
     Fitness() = default;
@@ -59,11 +60,11 @@ class Fitness {
     bool known() const { return policy_ != Name(); } ///< whether it was scored at all
     /// Whether it was scored under this policy.
     bool known(Name policy) const { return policy_ == policy; }
-    bool has_failed() const { return detail_ && detail_->failure; }         ///< whether the evaluation failed
-    bool several() const { return detail_ && !detail_->values.empty(); }    ///< under several objectives
-    bool feasible() const { return !(violation_ > 0); }                     ///< no constraint is violated
-    double violation() const { return violation_; }                         ///< of all constraints together, 0 or more
-    bool minimises() const { return minimise_; }                            ///< whether less is better
+    bool has_failed() const { return detail_ && detail_->failure; }      ///< whether the evaluation failed
+    bool several() const { return detail_ && !detail_->values.empty(); } ///< under several objectives
+    bool feasible() const { return !(violation_ > 0); }                  ///< no constraint is violated
+    double violation() const { return violation_; } ///< of all constraints together, 0 or more
+    bool minimises() const { return minimise_; }    ///< whether less is better
 
     /// Under one objective, as the objective states it; minus infinity when the evaluation failed. Throws
     /// UsageError when unscored, or scored under several objectives.

@@ -13,8 +13,8 @@ struct Migration {
 
 /// Deals the population to n islands (individual i to island i modulo n), lets each evolve by itself under
 /// the body, with migration between rounds (Cohoon, Hegde, Martin and Richards 1987), and joins them again.
-/// Islands run side by side and what they ask is evaluated together (`Rounds`). A run is kept between two rounds;
-/// what an unfinished round has paid for is not paid again.
+/// Islands run side by side and what they ask is evaluated together (`Rounds`). A run is kept between two
+/// rounds; what an unfinished round has paid for is not paid again.
 template <class Body>
 struct Islands : Operator {
     static constexpr std::size_t most = 10000; ///< islands

@@ -36,7 +36,8 @@ struct Frame {
     std::vector<std::vector<double>> numbers; ///< numbers the block and its rules hold aside
     std::map<std::string, HeldState> states;  ///< of the operators inside, by their path
 
-    /// Throws UsageError where a frame that was read from a checkpoint is not what the block would have written.
+    /// Throws UsageError where a frame that was read from a checkpoint is not what the block would have
+    /// written.
     void expect(bool fits) const {
         if (!fits)
             throw UsageError("the checkpoint does not fit its pipeline; expected one that was written by it");
@@ -55,8 +56,8 @@ struct Snapshot {
     std::size_t remembered = 0;        ///< how many evaluations of the memory's young half were known then
 };
 
-/// What is kept of a run on its way: the frames of open blocks, the identities given out, the best so far, the
-/// notes, and what was in hand when it had to stop.
+/// What is kept of a run on its way: the frames of open blocks, the identities given out, the best so far,
+/// the notes, and what was in hand when it had to stop.
 template <class G>
 class Kept {
   public:
@@ -64,14 +65,14 @@ class Kept {
     /// @param step  between two identities given out
     explicit Kept(Identity next, Identity step = 1) : next_identity(next), identity_step(step) {}
 
-    Identity next_identity;                  ///< the next new individual's
-    Identity identity_step;                  ///< from one to the next
-    std::deque<Frame<G>> frames;             ///< of the open blocks, outermost first
-    std::deque<Frame<G>> saved;              ///< of blocks that will open again after a resume
-    std::vector<Frame<G>*> loops;            ///< of those whose stages run again and again
-    std::optional<Individual<G>> best;       ///< under the problem's first objective
-    std::optional<Population<G>> in_hand;    ///< of a run that has to stop
-    double earlier_seconds = 0;              ///< of the processes before this one
+    Identity next_identity;               ///< the next new individual's
+    Identity identity_step;               ///< from one to the next
+    std::deque<Frame<G>> frames;          ///< of the open blocks, outermost first
+    std::deque<Frame<G>> saved;           ///< of blocks that will open again after a resume
+    std::vector<Frame<G>*> loops;         ///< of those whose stages run again and again
+    std::optional<Individual<G>> best;    ///< under the problem's first objective
+    std::optional<Population<G>> in_hand; ///< of a run that has to stop
+    double earlier_seconds = 0;           ///< of the processes before this one
 
     /// A remark; after the first hundred they are counted alone.
     void note(std::string text) {
@@ -115,9 +116,9 @@ class Kept {
                 kept_.loops.pop_back();
             kept_.frames.pop_back();
         }
-        Frame<G>* operator->() { return frame_; }        ///< the frame
-        Frame<G>& operator*() { return *frame_; }        ///< the frame
-        bool resumed() const { return resumed_; }        ///< whether the block goes on from a checkpoint
+        Frame<G>* operator->() { return frame_; } ///< the frame
+        Frame<G>& operator*() { return *frame_; } ///< the frame
+        bool resumed() const { return resumed_; } ///< whether the block goes on from a checkpoint
 
       private:
         Kept& kept_;

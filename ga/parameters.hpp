@@ -75,18 +75,19 @@ struct Parameter {
 };
 
 /// A parameter that takes a real number in [lower, upper].
-[[gnu::cold]] inline Parameter number(std::string name, std::optional<std::string> standard, double lower, double upper,
-                        std::string meaning) {
+[[gnu::cold]] inline Parameter number(std::string name, std::optional<std::string> standard, double lower,
+                                      double upper, std::string meaning) {
     return {std::move(name), Parameter::Kind::number, std::move(standard), lower, upper, std::move(meaning)};
 }
 /// A parameter that takes a whole number from `lower` on.
 [[gnu::cold]] inline Parameter whole(std::string name, std::optional<std::string> standard, double lower,
-                       std::string meaning) {
+                                     std::string meaning) {
     return {std::move(name), Parameter::Kind::whole, std::move(standard),
             lower,           Parameter::most,        std::move(meaning)};
 }
 /// A parameter that takes a word.
-[[gnu::cold]] inline Parameter word(std::string name, std::optional<std::string> standard, std::string meaning) {
+[[gnu::cold]] inline Parameter word(std::string name, std::optional<std::string> standard,
+                                    std::string meaning) {
     Parameter parameter{std::move(name), Parameter::Kind::word, std::move(standard)};
     parameter.meaning = std::move(meaning);
     return parameter;
@@ -107,7 +108,8 @@ struct Words {
 
 /// An operator says once what its parameters are, by
 ///     static Words words();
-///     static void describe(auto& self, auto visit) { visit(self.k, whole("k", "2", 1, "how many are drawn")); ... }
+///     static void describe(auto& self, auto visit) { visit(self.k, whole("k", "2", 1, "how many are
+///     drawn")); ... }
 /// Its text, its checks, its reading from text and its place in the listing follow.
 template <class T>
 concept Described = requires {
@@ -173,7 +175,8 @@ inline std::string values_in_words(const std::vector<Field>& fields) {
         const std::string words = field.in_words();
         if (words.empty() || (field.parameter.is_quiet && field.parameter.standard == words))
             continue;
-        text += (text.empty() ? "" : " ") + (field.parameter.is_keyed ? field.parameter.name + "=" : "") + words;
+        text +=
+            (text.empty() ? "" : " ") + (field.parameter.is_keyed ? field.parameter.name + "=" : "") + words;
     }
     return text;
 }

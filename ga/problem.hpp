@@ -12,8 +12,8 @@
 
 namespace ga {
 
-/// One reading of an evaluation's outcome. A pure function; NaN, infinity or an exception marks the individual
-/// as failed.
+/// One reading of an evaluation's outcome. A pure function; NaN, infinity or an exception marks the
+/// individual as failed.
 template <class Outcome>
 struct Objective {
     std::string name;                              ///< as pipelines call it
@@ -93,9 +93,9 @@ concept Differentiable = HasGenes<P> &&
     { problem.gradient(genome, objective) } -> std::same_as<std::vector<double>>;
 };
 
-/// Optional: by how much an outcome violates the problem's constraints, all together; 0 or less where it holds
-/// them. Individuals are then compared by Deb's rules (2000): one that holds them before one that does not, less
-/// violation before more, then the fitness.
+/// Optional: by how much an outcome violates the problem's constraints, all together; 0 or less where it
+/// holds them. Individuals are then compared by Deb's rules (2000): one that holds them before one that does
+/// not, less violation before more, then the fitness.
 template <class P>
 concept Constrained = requires(const P& problem, const typename P::Outcome& outcome) {
     { problem.violation(outcome) } -> std::convertible_to<double>;
@@ -156,18 +156,19 @@ concept Appraises = Problem<P> && requires(const P& problem, const typename P::G
 
 /// Whether a member pointer's or a static member's type is a function's.
 template <class Member>
-constexpr bool is_function_member = std::is_member_function_pointer_v<Member> ||
-                                    std::is_function_v<std::remove_pointer_t<Member>>;
+constexpr bool is_function_member =
+    std::is_member_function_pointer_v<Member> || std::is_function_v<std::remove_pointer_t<Member>>;
 
-/// A compile-time error that names a member which is there but does not fit its concept, as a misspelt signature
-/// would otherwise be passed over. Overloaded and templated members cannot be seen.
+/// A compile-time error that names a member which is there but does not fit its concept, as a misspelt
+/// signature would otherwise be passed over. Overloaded and templated members cannot be seen.
 template <class P>
 constexpr bool members_fit() {
-#define GA_MEMBER_FITS(member, Concept)                                                                        \
-    if constexpr (requires { &P::member; })                                                                    \
-        if constexpr (is_function_member<decltype(&P::member)>)                                                \
-            static_assert(Concept<P>, "the problem's member '" #member                                         \
-                                      "' has another signature than " #Concept " (ga/problem.hpp) asks for");
+#define GA_MEMBER_FITS(member, Concept)                                                                      \
+    if constexpr (requires { &P::member; })                                                                  \
+        if constexpr (is_function_member<decltype(&P::member)>)                                              \
+            static_assert(Concept<P>,                                                                        \
+                          "the problem's member '" #member "' has another signature than " #Concept          \
+                          " (ga/problem.hpp) asks for");
     GA_MEMBER_FITS(key, Keyed)
     GA_MEMBER_FITS(settled, Settling)
     GA_MEMBER_FITS(genes, ConvertsGenes)

@@ -6,9 +6,9 @@
 namespace ga {
 
 /// Runs a pipeline again and again on its own answer. Each pass is a generation: its random numbers are its
-/// own, and the best at its start are kept where `elite` and `plus` read them. Where no rule is sure to hold some
-/// day, the block ends after 10,000 generations that bettered nothing (and asked for nothing, where it ends on
-/// evaluations).
+/// own, and the best at its start are kept where `elite` and `plus` read them. Where no rule is sure to hold
+/// some day, the block ends after 10,000 generations that bettered nothing (and asked for nothing, where it
+/// ends on evaluations).
 template <class Body, class Ends>
 struct Generations : Operator {
     Body body;    ///< what each generation runs
@@ -32,8 +32,9 @@ struct Generations : Operator {
         if (counted)
             name = "repeat" + rules.front().text.substr(rules.front().text.find(' '));
         if (rules.empty() || name == "repeat 0")
-            throw UsageError("a block of generations needs an end; expected repeat N with N >= 1, or until with "
-                             "one of generations, evaluations, seconds, fitness, stagnation");
+            throw UsageError(
+                "a block of generations needs an end; expected repeat N with N >= 1, or until with "
+                "one of generations, evaluations, seconds, fitness, stagnation");
         const std::size_t reads = stages.reads_of_start();
         return {name + " { " + stages.text() + " }",
                 [=](Known& known) {
@@ -52,7 +53,9 @@ struct Generations : Operator {
                 [=](Population<G> population, Context<P>& context) {
                     return generations(std::move(population), stages, rules, reads, context);
                 },
-                0, {}, stages.begins()};
+                0,
+                {},
+                stages.begins()};
     }
 
   private:
@@ -62,7 +65,7 @@ struct Generations : Operator {
                                      Context<P>& context) {
         typename Context<P>::OpenFrame frame(context.kept, std::move(population), true);
         enum { asked, seconds, asked_last, moved }; // the block's own numbers
-        auto& numbers = frame->numbers; // its own, what it knows of improvement, and each rule's
+        auto& numbers = frame->numbers;             // its own, what it knows of improvement, and each rule's
         if (!frame.resumed()) {
             numbers.resize(2 + rules.size());
             const auto began = static_cast<double>(context.counters().asked);
@@ -104,7 +107,8 @@ struct Generations : Operator {
         return std::move(frame->population);
     }
 
-    /// Whether nothing has moved for so long that nothing will; evaluations move what waits for them (`paying`).
+    /// Whether nothing has moved for so long that nothing will; evaluations move what waits for them
+    /// (`paying`).
     template <class G, Problem P>
     static bool idle(const Progress<G>& now, Numbers& own, Numbers& improvement, bool paying,
                      Context<P>& context) {
@@ -130,7 +134,8 @@ Generations<Body, Until> repeat(std::size_t n, Body body) {
 template <class Body>
 Generations<Body, Until> until(Until end, Body body) {
     if (!(end.generations || end.evaluations || end.seconds || end.fitness || end.stagnation))
-        throw UsageError("until has no end; expected one of generations, evaluations, seconds, fitness, stagnation");
+        throw UsageError(
+            "until has no end; expected one of generations, evaluations, seconds, fitness, stagnation");
     return {std::move(body), end};
 }
 /// The stage `until ... { body }` by rules of any kind.

@@ -27,7 +27,9 @@ struct Restarts : Operator {
                 [stages, n = n](Population<G> population, Context<P>& context) {
                     return again(std::move(population), stages, n, context);
                 },
-                stages.reads_of_start(), {}, stages.begins()};
+                stages.reads_of_start(),
+                {},
+                stages.begins()};
     }
 
   private:
@@ -44,7 +46,8 @@ struct Restarts : Operator {
                 for (auto& each : stages(frame->kept[0], context))
                     frame->kept[1].push_back(std::move(each));
                 frame->states.clear();
-                context.need_room(frame->kept[1].size(), {}, frame->kept[1].empty() ? nullptr : &frame->kept[1].front().genome);
+                context.need_room(frame->kept[1].size(), {},
+                                  frame->kept[1].empty() ? nullptr : &frame->kept[1].front().genome);
             }
         } catch (const Stopped&) {
             auto& in_hand = context.kept.in_hand;

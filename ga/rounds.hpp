@@ -8,11 +8,12 @@
 
 namespace ga {
 
-/// Runs job(i, door) for i = 0 .. n-1, each on a thread of its own, and serves what they ask in rounds: whenever
-/// every job that is not done waits for an answer, their inquiries go to `through` together, in the jobs' order
-/// and from the caller's thread. So searches that ask one thing at a time fill every thread of the evaluator, what
-/// two of them ask is paid once, and no bit depends on which of them was quicker. `after` is called after every
-/// round. An exception ends no other job; that of the smallest i is thrown when all are done.
+/// Runs job(i, door) for i = 0 .. n-1, each on a thread of its own, and serves what they ask in rounds:
+/// whenever every job that is not done waits for an answer, their inquiries go to `through` together, in the
+/// jobs' order and from the caller's thread. So searches that ask one thing at a time fill every thread of
+/// the evaluator, what two of them ask is paid once, and no bit depends on which of them was quicker. `after`
+/// is called after every round. An exception ends no other job; that of the smallest i is thrown when all are
+/// done.
 template <Problem P>
 class Rounds {
   public:

@@ -22,8 +22,8 @@ struct RunOptions {
 /// What a run gives back.
 template <class G>
 struct Result {
-    /// The pipeline's answer. When the run was stopped, what it had in hand: the scored of the population and what
-    /// its generation kept of its start, best first.
+    /// The pipeline's answer. When the run was stopped, what it had in hand: the scored of the population and
+    /// what its generation kept of its start, best first.
     Population<G> population;
     std::optional<Individual<G>> best; ///< the best ever scored under the problem's first objective
     Counters counters;                 ///< what was paid for
@@ -62,7 +62,8 @@ std::uint64_t identity_of_run(const Stage<P>& pipeline, const P& problem, std::u
     return key;
 }
 
-/// What a stopped run gives back of what it had in hand: whoever is scored under the policy of most, best first.
+/// What a stopped run gives back of what it had in hand: whoever is scored under the policy of most, best
+/// first.
 template <class G>
 Population<G> salvaged(Population<G> in_hand) {
     std::erase_if(in_hand, [](const auto& individual) { return !individual.fitness.known(); });
@@ -77,18 +78,15 @@ Population<G> salvaged(Population<G> in_hand) {
     return best_of(in_hand, everyone);
 }
 
-/// Runs a pipeline on a population, every paid call made by `evaluator`. The pipeline is checked first: UsageError
-/// says what it lacks. The same seed gives the same result, bit for bit, for any evaluator of the same outcomes, any
-/// number of threads and any memory, unless the run ends on seconds or a stop; with a keeper, however often the
-/// process ended on the way.
+/// Runs a pipeline on a population, every paid call made by `evaluator`. The pipeline is checked first:
+/// UsageError says what it lacks. The same seed gives the same result, bit for bit, for any evaluator of the
+/// same outcomes, any number of threads and any memory, unless the run ends on seconds or a stop; with a
+/// keeper, however often the process ended on the way.
 /// @param population  may be empty where the pipeline begins with `sample`
 template <Problem P, class Pipeline, class G = typename P::Genome>
-requires(std::convertible_to<Pipeline, Stage<P>>) Result<G> run_by(Evaluator<P>& evaluator,
-                                                                   const Pipeline& pipeline, const P& problem,
-                                                                   Population<G> population,
-                                                                   const RunOptions& options = {},
-                                                                   std::vector<Observer<G>> observers = {},
-                                                                   Keeper<P>* keeper = nullptr) {
+requires(std::convertible_to<Pipeline, Stage<P>>) Result<G> run_by(
+    Evaluator<P>& evaluator, const Pipeline& pipeline, const P& problem, Population<G> population,
+    const RunOptions& options = {}, std::vector<Observer<G>> observers = {}, Keeper<P>* keeper = nullptr) {
     const Stage<P> stage(pipeline);
     check(stage, problem, population);
     Identity next = 0;

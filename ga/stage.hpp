@@ -25,11 +25,12 @@ struct Step {
 ///     Population operator()(Population, Context<P>&) const;      a template over the problem P, constrained
 ///                                                                by what it uses
 /// deriving from this tag, which gives it `|`. Besides, it may have
-///     struct State;                           what it carries from one generation to the next, written and read
+///     struct State;                           what it carries from one generation to the next, written and
+///     read
 ///                                             by to_json and from_json; the call takes a State& at its end
-///     std::size_t reads_of_start() const;     how many of the best at its generation's start it reads; everyone
-///     static constexpr bool begins = true;    where it makes a population of nothing
-///     Demand demand() const;                  whom it keeps of a scored population, whatever the others' fitness
+///     std::size_t reads_of_start() const;     how many of the best at its generation's start it reads;
+///     everyone static constexpr bool begins = true;    where it makes a population of nothing Demand
+///     demand() const;                  whom it keeps of a scored population, whatever the others' fitness
 ///     template <Problem P> void check_problem() const;   what no concept can tell of a problem
 struct Operator {};
 
@@ -92,7 +93,8 @@ class Stage {
             places_.back().written = place.written;
         }
     }
-    /// Says where the stages were written that know no better, so that what they are refused for is told there.
+    /// Says where the stages were written that know no better, so that what they are refused for is told
+    /// there.
     void locate(const std::string& text, std::size_t column) {
         for (auto& place : places_)
             if (!place.written)
@@ -147,7 +149,7 @@ class Stage {
             text += (text.empty() ? "" : " | ") + place.step.text;
         return text;
     }
-    bool empty() const { return places_.empty(); } ///< without any stage
+    bool empty() const { return places_.empty(); }                                  ///< without any stage
     bool begins() const { return !places_.empty() && places_.front().step.begins; } ///< needs no population
     /// How many of the best at the start of a generation its stages read.
     std::size_t reads_of_start() const {

@@ -10,9 +10,11 @@ namespace ga {
 class AnyState {
   public:
     virtual ~AnyState() = default;
-    virtual std::unique_ptr<AnyState> clone() const = 0;     ///< a copy
-    virtual void write(nlohmann::json& j) const = 0;         ///< as a checkpoint holds it
-    virtual const nlohmann::json* stored() const { return nullptr; } ///< where it was read and not yet understood
+    virtual std::unique_ptr<AnyState> clone() const = 0; ///< a copy
+    virtual void write(nlohmann::json& j) const = 0;     ///< as a checkpoint holds it
+    virtual const nlohmann::json* stored() const {
+        return nullptr;
+    } ///< where it was read and not yet understood
 };
 
 /// A state of type S, which to_json and from_json write and read without loss.

@@ -7,8 +7,8 @@
 
 namespace ga {
 
-/// Where a run stands: the path of the stage, its random streams, its generation. Streams are keyed by the seed,
-/// the path without the variant's own name, the generation and an index, and by nothing else.
+/// Where a run stands: the path of the stage, its random streams, its generation. Streams are keyed by the
+/// seed, the path without the variant's own name, the generation and an index, and by nothing else.
 template <class G>
 class Where {
   public:
@@ -46,7 +46,8 @@ class Where {
                 return *place->generation;
         return 0;
     }
-    /// The best of the population at the start of the innermost generation, as many as `elite` and `plus` read.
+    /// The best of the population at the start of the innermost generation, as many as `elite` and `plus`
+    /// read.
     const Population<G>& generation_start() const { return *starts_.back(); }
 
     /// Stands on a place of the pipeline while it lives. Ordinal 0 is not shown.
@@ -63,7 +64,8 @@ class Where {
       private:
         Where& where_;
     };
-    /// Counts a pass through the block that runs while it lives: stages inside draw other random numbers in each.
+    /// Counts a pass through the block that runs while it lives: stages inside draw other random numbers in
+    /// each.
     class Round {
       public:
         /// Begins pass `number`, from 0.

@@ -90,7 +90,8 @@ int design(const Words& words) {
         throw rough::InputError(
             "--resume: given without --out, expected the folder of the design to go on with");
     const OutputFolder output(settings.text("out"), "design",
-                              {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor"},
+                              {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor",
+                                "checkpoint.cbor.before"},
                                settings.files(),
                                settings.is_on("force"),
                                resume});
@@ -120,7 +121,7 @@ int design(const Words& words) {
     double best = -HUGE_VAL;
     const auto report_progress = [&](const ga::Event<rough::Genome>& event) {
         for (const auto& individual : event.population)
-            if (individual.fitness.known() && !individual.fitness.has_failed())
+            if (const ga::Fitness& f = individual.fitness; f.known() && !f.has_failed() && !f.several())
                 best = std::max(best, individual.value());
         progress.show(event.path + ": " + std::to_string(event.counters.asked) + " curves, best " +
                       readable(best, 5));
@@ -148,7 +149,8 @@ int design(const Words& words) {
             say("note: no time was left for report.html; expected more --seconds for it");
     }
     if (run.found.stopped.empty() || (run.options.reach && run.found.best.judged() >= *run.options.reach))
-        std::filesystem::remove(checkpoint);
+        for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
+            std::filesystem::remove(folder / kept);
     if (run.trust)
         for (const auto& flag : run.trust->flags)
             say("note: " + flag);

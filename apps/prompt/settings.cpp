@@ -3,8 +3,8 @@
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/lines.hpp"
 #include "domain/text/words.hpp"
+#include "ga/number.hpp"
 #include "ga/text/nearest.hpp"
-#include "ga/text/number.hpp"
 
 #include <boost/program_options.hpp>
 

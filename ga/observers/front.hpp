@@ -5,16 +5,17 @@
 
 namespace ga {
 
-/// The front of a population under several objectives, and how much of the space above a reference it dominates.
+/// The front of a population under several objectives, and how much of the space above a reference it
+/// dominates.
 template <class G>
 struct FrontEvent {
-    const Event<G>& event;   ///< the stage that left the population
-    Population<G> front;     ///< those that none dominates
-    double hypervolume;      ///< above the reference; 0 where somebody is not feasible
+    const Event<G>& event; ///< the stage that left the population
+    Population<G> front;   ///< those that none dominates
+    double hypervolume;    ///< above the reference; 0 where somebody is not feasible
 };
 
-/// Calls show(FrontEvent) after every stage whose path ends in `stage`, where the population is scored under several
-/// objectives. Nothing is evaluated for it.
+/// Calls show(FrontEvent) after every stage whose path ends in `stage`, where the population is scored under
+/// several objectives. Nothing is evaluated for it.
 /// @param reference  one value an objective, turned so that greater is better
 template <class G>
 Observer<G> fronts(std::string stage, Point reference, std::function<void(const FrontEvent<G>&)> show) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ga/observers/summary.hpp"
 #include "ga/number.hpp"
+#include "ga/observers/summary.hpp"
 
 #include <filesystem>
 #include <fstream>

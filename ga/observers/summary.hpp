@@ -6,8 +6,8 @@
 
 namespace ga {
 
-/// The best fitness of those that are scored under one objective and have not failed, as the objective states it;
-/// none where there are none.
+/// The best fitness of those that are scored under one objective and have not failed, as the objective states
+/// it; none where there are none.
 template <class G>
 std::optional<double> best_value(const Population<G>& population) {
     const Fitness* best = nullptr;
@@ -20,8 +20,9 @@ std::optional<double> best_value(const Population<G>& population) {
 
 /// A population in four numbers.
 struct Summary {
-    std::size_t individuals = 0; ///< scored or not
-    std::optional<double> best;  ///< fitness under one objective among the scored that have not failed; none where there are none
+    std::size_t individuals = 0;  ///< scored or not
+    std::optional<double> best;   ///< fitness under one objective among the scored that have not failed; none
+                                  ///< where there are none
     std::optional<double> median; ///< of the same
     double diversity = 0;         ///< share of different genomes, in (0, 1]
 };

@@ -4,9 +4,9 @@
 
 namespace ga {
 
-/// How much of the space above `reference` the points dominate, greater is better in every objective (Zitzler and
-/// Thiele 1998); points that are not above it in all objectives count nothing. By slicing one objective after the
-/// other (While et al. 2006): n log n for two objectives, n times as much for each further one.
+/// How much of the space above `reference` the points dominate, greater is better in every objective (Zitzler
+/// and Thiele 1998); points that are not above it in all objectives count nothing. By slicing one objective
+/// after the other (While et al. 2006): n log n for two objectives, n times as much for each further one.
 inline double hypervolume(std::vector<Point> points, const Point& reference) {
     const std::size_t last = reference.size() - 1;
     std::erase_if(points, [&](const Point& point) {

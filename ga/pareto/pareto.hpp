@@ -4,13 +4,13 @@
 
 namespace ga {
 
-/// Scores by several objectives at once. Individuals are compared as NSGA-II does (Deb et al. 2002): by the rank
-/// of their front, then by crowding, those that violate constraints after all others (Deb's rules). Rank and
-/// crowding are those among whomever a stage compares, so every selection and replacement serves:
+/// Scores by several objectives at once. Individuals are compared as NSGA-II does (Deb et al. 2002): by the
+/// rank of their front, then by crowding, those that violate constraints after all others (Deb's rules). Rank
+/// and crowding are those among whomever a stage compares, so every selection and replacement serves:
 ///
 ///     pareto({"f1", "f2"})
-///         | repeat(250, tournament(2) | cross(sbx()) | mutate(0.03, polynomial()) | pareto({"f1", "f2"}) | plus())
-///         | front()
+///         | repeat(250, tournament(2) | cross(sbx()) | mutate(0.03, polynomial()) | pareto({"f1", "f2"}) |
+///         plus()) | front()
 struct Pareto : Operator {
     std::vector<std::string> objectives; ///< names, two at least, each once
 

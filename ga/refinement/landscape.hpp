@@ -16,8 +16,8 @@ struct Landscape {
     Eigen::VectorXd lower; ///< n
     Eigen::VectorXd upper; ///< n, greater than `lower`
 
-    /// Fitness at x, turned so that greater is better; minus infinity where the evaluation fails or a constraint is
-    /// violated.
+    /// Fitness at x, turned so that greater is better; minus infinity where the evaluation fails or a
+    /// constraint is violated.
     std::function<double(const Eigen::VectorXd&)> fitness;
     /// Gradient of that fitness at x; empty where the problem has none, of size zero when the evaluation
     /// fails.
@@ -39,8 +39,8 @@ struct Method {
 /// A method that works on residuals: it asks the problem for `sensitivity`.
 struct ResidualMethod : Method {};
 
-/// A method's values, checked, as the method that `refine` takes. The values say what they are (Described), improve a
-/// landscape, and work on residuals where they have `static constexpr bool on_residuals = true`.
+/// A method's values, checked, as the method that `refine` takes. The values say what they are (Described),
+/// improve a landscape, and work on residuals where they have `static constexpr bool on_residuals = true`.
 template <Described V>
 auto method_of(V values) {
     using M = std::conditional_t<V::on_residuals, ResidualMethod, Method>;

@@ -13,8 +13,8 @@ struct LevenbergMarquardt {
     static constexpr bool on_residuals = true; ///< and on their derivatives
 
     int evaluations = 30; ///< at most, after the start; >= 1
-    /// After this many of them, row k weighs (|r_k| / max|r|)^2 + 0.05, which drives the squares towards the maximum
-    /// norm; 0 for never.
+    /// After this many of them, row k weighs (|r_k| / max|r|)^2 + 0.05, which drives the squares towards the
+    /// maximum norm; 0 for never.
     int sharpen = 0;
 
     ///@{
@@ -22,8 +22,9 @@ struct LevenbergMarquardt {
     static Words words() { return {"lm", "refinement", "Levenberg-Marquardt on the residuals' squares"}; }
     static void describe(auto& self, auto visit) {
         visit(self.evaluations, evaluations_parameter("30"));
-        visit(self.sharpen,
-              whole("sharpen", "0", 0, "after so many, great residuals weigh more; 0 for never").keyed().quiet());
+        visit(self.sharpen, whole("sharpen", "0", 0, "after so many, great residuals weigh more; 0 for never")
+                                .keyed()
+                                .quiet());
     }
 
     Eigen::VectorXd improve(const Landscape& land) const {

@@ -5,8 +5,8 @@
 namespace ga {
 
 /// Minimises the largest |r_k| by the globally convergent method of moving asymptotes (Svanberg 2002; NLopt's
-/// LD_MMA) in its smooth form: minimise t subject to r_k - t <= 0 and -r_k - t <= 0, with t as one more variable.
-/// Where a search on one number of the residuals (`mma`) sees one row at a time, this sees all.
+/// LD_MMA) in its smooth form: minimise t subject to r_k - t <= 0 and -r_k - t <= 0, with t as one more
+/// variable. Where a search on one number of the residuals (`mma`) sees one row at a time, this sees all.
 struct Minimax {
     static constexpr bool on_residuals = true; ///< and on their derivatives
 

@@ -18,8 +18,8 @@ inline Reading least_worst(const Eigen::VectorXd& residuals) {
     return {-largest, -largest, {{worst, residuals[worst] < 0 ? 1.0 : -1.0}}};
 }
 
-/// Maximises a reading of the residuals by the globally convergent method of moving asymptotes (Svanberg 2002;
-/// NLopt's LD_MMA). The reading is the problem's own; by default `least_worst`.
+/// Maximises a reading of the residuals by the globally convergent method of moving asymptotes (Svanberg
+/// 2002; NLopt's LD_MMA). The reading is the problem's own; by default `least_worst`.
 /// @param evaluations  at most, after the start; inner iterations count
 inline Eigen::VectorXd maximised_by_mma(const Landscape& land, int evaluations,
                                         const std::function<Reading(const Eigen::VectorXd&)>& read) {

@@ -93,11 +93,12 @@ class NloptSearch {
     std::exception_ptr error_;
 };
 
-/// NLopt's number of the algorithm with that name. Throws UsageError on another name, and on algorithms that need a
-/// second optimiser.
+/// NLopt's number of the algorithm with that name. Throws UsageError on another name, and on algorithms that
+/// need a second optimiser.
 inline int algorithm_number(const std::string& name) {
     int found = 0;
-    while (found < NLOPT_NUM_ALGORITHMS && name != nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(found)))
+    while (found < NLOPT_NUM_ALGORITHMS &&
+           name != nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(found)))
         ++found;
     if (found == NLOPT_NUM_ALGORITHMS)
         throw UsageError("refine nlopt: unknown algorithm '" + name +
@@ -127,7 +128,8 @@ struct Nlopt {
 
     Eigen::VectorXd improve(const Landscape& land) const {
         nlopt::srand(static_cast<unsigned long>(land.seed));
-        NloptSearch search(static_cast<nlopt::algorithm>(algorithm_number(algorithm)), land.lower, land.upper, evaluations + 1);
+        NloptSearch search(static_cast<nlopt::algorithm>(algorithm_number(algorithm)), land.lower, land.upper,
+                           evaluations + 1);
         BestPoint best{land.start, -HUGE_VAL};
         int used = 0; // not every algorithm keeps to its limit
         search.minimize([&](const Eigen::VectorXd& x, double* gradient) {

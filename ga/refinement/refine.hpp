@@ -15,15 +15,16 @@ class Search {
   public:
     using Genome = typename P::Genome; ///< of the problem
 
-    /// `moving` are the genes that move, `limit` the questions that may be asked. All must outlive the search.
+    /// `moving` are the genes that move, `limit` the questions that may be asked. All must outlive the
+    /// search.
     Search(const P& problem, Door<P>& door, const Watch& watch, const Individual<Genome>& individual,
            std::vector<Variable> moving, long limit)
         : problem_(problem), door_(door), watch_(watch), individual_(individual), moving_(std::move(moving)),
           limit_(limit), genes_(genes_of(problem, individual.genome)) {
         for (const Variable& variable : moving_)
             if (variable.gene >= genes_.size())
-                throw UsageError("refine: gene " + std::to_string(variable.gene) + " is to move, the genome has " +
-                                 std::to_string(genes_.size()));
+                throw UsageError("refine: gene " + std::to_string(variable.gene) +
+                                 " is to move, the genome has " + std::to_string(genes_.size()));
         const auto& objectives = problem.objectives();
         for (std::size_t i = 0; i < objectives.size(); ++i)
             if (objectives[i].name == individual.fitness.objective())
@@ -107,13 +108,14 @@ class Search {
             return {};
         Eigen::VectorXd chosen(x.size());
         for (Eigen::Index i = 0; i < x.size(); ++i)
-            chosen[i] = (objective().minimise ? -1 : 1) *
-                        found.gradient[moving_[static_cast<std::size_t>(i)].gene];
+            chosen[i] =
+                (objective().minimise ? -1 : 1) * found.gradient[moving_[static_cast<std::size_t>(i)].gene];
         return chosen;
     }
     std::optional<Sensitivity> sensitivity(const Eigen::VectorXd& x) {
         const Slope<P> found = slope(x, true);
-        if (!found.sensitivity || found.sensitivity->jacobian.cols() != static_cast<Eigen::Index>(genes_.size()))
+        if (!found.sensitivity ||
+            found.sensitivity->jacobian.cols() != static_cast<Eigen::Index>(genes_.size()))
             return std::nullopt;
         const Sensitivity& all = *found.sensitivity;
         Sensitivity chosen{all.residuals, Eigen::MatrixXd(all.residuals.size(), x.size())};
@@ -136,9 +138,10 @@ class Search {
     bool stopped_ = false;
 };
 
-/// Moves the chosen genes of every individual by a local method, individuals side by side (`Rounds`), and scores
-/// the answers; an individual that did not get better stays as it was. Bounds and the choice of genes are those
-/// of the genome as it was when the individual was first refined. Failed individuals are left alone.
+/// Moves the chosen genes of every individual by a local method, individuals side by side (`Rounds`), and
+/// scores the answers; an individual that did not get better stays as it was. Bounds and the choice of genes
+/// are those of the genome as it was when the individual was first refined. Failed individuals are left
+/// alone.
 template <class M, class Choice>
 struct Refine : Operator {
     M method;         ///< what moves them
@@ -178,12 +181,14 @@ struct Refine : Operator {
         std::vector<std::optional<G>> found(jobs.size());
         Rounds<P>::run(jobs.size(), context.door(), [&](std::size_t i, Door<P>& door) {
             const auto& individual = *jobs[i];
-            auto moving = variables.template on<P>(context.problem(),
-                                                   individual.origin ? *individual.origin : individual.genome);
-            std::erase_if(moving, [](const Variable& variable) { return !(variable.lower < variable.upper); });
+            auto moving = variables.template on<P>(context.problem(), individual.origin ? *individual.origin
+                                                                                        : individual.genome);
+            std::erase_if(moving,
+                          [](const Variable& variable) { return !(variable.lower < variable.upper); });
             const long limit = left / count + (static_cast<long>(i) < left % count ? 1 : 0);
-            found[i] = Search<P>(context.problem(), door, context.watch(), individual, std::move(moving), limit)
-                           .by(method, context.stream(i)());
+            found[i] =
+                Search<P>(context.problem(), door, context.watch(), individual, std::move(moving), limit)
+                    .by(method, context.stream(i)());
         });
         Population<G> answers;
         for (std::size_t i = 0; i < jobs.size(); ++i) {

@@ -5,8 +5,8 @@
 namespace ga {
 
 /// Brings back the k best of the generation's start; as many of the worst go, so that the size stays. An
-/// individual that is there still is not doubled, and none that is better is lost for one that is worse. Under
-/// several objectives all of them are ranked together first.
+/// individual that is there still is not doubled, and none that is better is lost for one that is worse.
+/// Under several objectives all of them are ranked together first.
 struct Elite : Operator {
     std::size_t k = 1; ///< how many come back, >= 1
 

@@ -4,8 +4,8 @@
 
 namespace ga {
 
-/// (mu + lambda) replacement (Schwefel 1975): the mu best of the generation's start and its children together.
-/// Under several objectives both are ranked together: NSGA-II's replacement (Deb et al. 2002).
+/// (mu + lambda) replacement (Schwefel 1975): the mu best of the generation's start and its children
+/// together. Under several objectives both are ranked together: NSGA-II's replacement (Deb et al. 2002).
 struct Plus : Operator {
     std::size_t mu = 0; ///< 0 for as many as there were at the start
 
@@ -41,7 +41,8 @@ struct JoinParents : Operator {
     ///@{
     /// What every operator has (Operator).
     static Words words() {
-        return {"parents", "replacement", "adds the generation's start, for what follows to choose among all"};
+        return {"parents", "replacement",
+                "adds the generation's start, for what follows to choose among all"};
     }
     static void describe(auto&, auto) {}
     std::size_t reads_of_start() const { return everyone; }

@@ -11,9 +11,10 @@ struct AtLeast {
 /// The argument `at_least=count`.
 inline AtLeast at_least(std::size_t count) { return {count}; }
 
-/// Keeps those whose fitness, as its objective states it, is above (or, for `below`, under) a threshold, in the
-/// population's order; failed ones and those that violate constraints go. When fewer than at_least pass, the
-/// at_least nearest to passing are taken and the run's notes say so; without it, an empty answer ends the run.
+/// Keeps those whose fitness, as its objective states it, is above (or, for `below`, under) a threshold, in
+/// the population's order; failed ones and those that violate constraints go. When fewer than at_least pass,
+/// the at_least nearest to passing are taken and the run's notes say so; without it, an empty answer ends the
+/// run.
 template <bool upwards>
 struct Threshold : Operator {
     double threshold = 0; ///< of fitness, not included
@@ -32,7 +33,9 @@ struct Threshold : Operator {
     static void describe(auto& self, auto visit) {
         visit(self.threshold, number("threshold", std::nullopt, -no_limit, no_limit, "a fitness"));
         visit(self.least.count,
-              whole("at_least", "0", 0, "where fewer pass, so many nearest to passing are taken").keyed().quiet());
+              whole("at_least", "0", 0, "where fewer pass, so many nearest to passing are taken")
+                  .keyed()
+                  .quiet());
     }
     void check(Known& known) const { known.need_one_objective(text_of(*this)); }
 

@@ -6,8 +6,8 @@
 
 namespace ga {
 
-/// How much each counts by its fitness above that of the worst (windowing, so that any fitness will do and the
-/// worst is never chosen); all the same where all are equal. Failed individuals, and those that violate
+/// How much each counts by its fitness above that of the worst (windowing, so that any fitness will do and
+/// the worst is never chosen); all the same where all are equal. Failed individuals, and those that violate
 /// constraints where others do not, count nothing.
 struct ByFitness {
     /// In [0, 1], one an individual.
@@ -28,13 +28,15 @@ struct ByFitness {
             if (weight > -HUGE_VAL)
                 worst = std::min(worst, weight);
         for (double& weight : weights)
-            weight = !(best > -HUGE_VAL)  ? 1
+            weight = !(best > -HUGE_VAL)   ? 1
                      : weight == -HUGE_VAL ? 0
                      : best > worst        ? (weight - worst) / (best - worst)
                                            : 1;
         return weights;
     }
-    void check(const Known& known, const std::string& stage) const { known.need_one_objective(stage); } ///< as it says
+    void check(const Known& known, const std::string& stage) const {
+        known.need_one_objective(stage);
+    }                                    ///< as it says
     static void describe(auto&, auto) {} ///< no parameters
 };
 
@@ -42,17 +44,20 @@ struct ByFitness {
 struct Roulette : ByFitness {
     static constexpr bool one_spin = false; ///< a spin for every place
     /// In the listing.
-    static Words words() { return {"roulette", "selection", "chooses in proportion to the fitness above the worst"}; }
+    static Words words() {
+        return {"roulette", "selection", "chooses in proportion to the fitness above the worst"};
+    }
 };
-/// Stochastic universal sampling (Baker 1987): all places by equally spaced marks on one spin, which leaves no
-/// individual more than one place from its due.
+/// Stochastic universal sampling (Baker 1987): all places by equally spaced marks on one spin, which leaves
+/// no individual more than one place from its due.
 struct Universal : ByFitness {
     static constexpr bool one_spin = true; ///< one for all places
     /// In the listing.
     static Words words() { return {"sus", "selection", "the same by equally spaced marks on one spin"}; }
 };
 
-/// Linear ranking (Baker 1985): the best counts `pressure`, the worst 2 - pressure, on a straight line between.
+/// Linear ranking (Baker 1985): the best counts `pressure`, the worst 2 - pressure, on a straight line
+/// between.
 struct ByRank {
     static constexpr bool one_spin = false; ///< a spin for every place
 
@@ -105,7 +110,7 @@ struct Proportional : Operator {
         std::vector<std::size_t> places(n);
         for (std::size_t i = 0; i < n; ++i) {
             const double mark = Weights::one_spin ? (static_cast<double>(i) + offset) / static_cast<double>(n)
-                                         : context.stream(i).uniform();
+                                                  : context.stream(i).uniform();
             const auto end = std::upper_bound(ends.begin(), ends.end() - 1, mark * ends.back());
             places[i] = static_cast<std::size_t>(end - ends.begin());
         }

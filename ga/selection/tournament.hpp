@@ -38,8 +38,7 @@ struct Tournament : Operator {
             Stream stream = context.stream(i);
             std::size_t winner = stream.below(population.size());
             for (std::size_t draw = 1; draw < k; ++draw)
-                if (const std::size_t rival = stream.below(population.size());
-                    worth[rival] > worth[winner])
+                if (const std::size_t rival = stream.below(population.size()); worth[rival] > worth[winner])
                     winner = rival;
             winners[i] = winner;
         }

@@ -11,7 +11,9 @@ struct AfterEvaluations : StoppingRule {
     ///@{
     /// What every rule has (StoppingRule).
     static Words words() { return {"evaluations", "stopping", "so many were asked for"}; }
-    static void describe(auto& self, auto visit) { visit(self.n, whole("evaluations", "", 1, words().meaning)); }
+    static void describe(auto& self, auto visit) {
+        visit(self.n, whole("evaluations", "", 1, words().meaning));
+    }
 
     template <class G>
     bool operator()(const Progress<G>& now, Numbers&) const {

@@ -12,7 +12,9 @@ struct AfterGenerations : StoppingRule {
     /// What every rule has (StoppingRule).
     static constexpr bool sure = true;
     static Words words() { return {"generations", "stopping", "so many were made"}; }
-    static void describe(auto& self, auto visit) { visit(self.n, whole("generations", "", 1, words().meaning)); }
+    static void describe(auto& self, auto visit) {
+        visit(self.n, whole("generations", "", 1, words().meaning));
+    }
 
     template <class G>
     bool operator()(const Progress<G>& now, Numbers&) const {

@@ -21,7 +21,8 @@ struct Progress {
 /// Numbers that a rule keeps from one generation to the next; a checkpoint holds them.
 using Numbers = std::vector<double>;
 
-/// A stopping rule is a small struct deriving from this tag, with words() and describe() as an operator has, and
+/// A stopping rule is a small struct deriving from this tag, with words() and describe() as an operator has,
+/// and
 ///     template <class G> bool operator()(const Progress<G>&, Numbers& memory) const;
 /// Besides, it may have
 ///     void check(const Known&, const std::string& stage) const;   what it needs
@@ -31,10 +32,10 @@ struct StoppingRule {};
 /// A stopping rule for one type of genome.
 template <class G>
 struct Rule {
-    std::string text;                                         ///< "stagnation 5"
+    std::string text;                                            ///< "stagnation 5"
     std::function<void(const Known&, const std::string&)> check; ///< what it needs; named stage
-    std::function<bool(const Progress<G>&, Numbers&)> holds;  ///< whether the block ends
-    bool sure = false;                                        ///< it holds some day
+    std::function<bool(const Progress<G>&, Numbers&)> holds;     ///< whether the block ends
+    bool sure = false;                                           ///< it holds some day
 };
 
 /// The rule for one type of genome.
@@ -49,8 +50,9 @@ requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
 }
 
 /// Whether the population is better than the block's has been before, by its policy: the best of it by Deb's
-/// rules, under several objectives the hypervolume of its front above what the first front had least, and a tenth
-/// of its range below. Keeps that in `memory`: violation, worth, and the generation that was better last.
+/// rules, under several objectives the hypervolume of its front above what the first front had least, and a
+/// tenth of its range below. Keeps that in `memory`: violation, worth, and the generation that was better
+/// last.
 template <class G>
 bool improves(const Progress<G>& now, Numbers& memory) {
     if (memory.empty())

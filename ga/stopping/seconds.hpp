@@ -11,7 +11,9 @@ struct AfterSeconds : StoppingRule {
     ///@{
     /// What every rule has (StoppingRule).
     static constexpr bool sure = true;
-    static Words words() { return {"seconds", "stopping", "so long; such a run cannot be repeated bit for bit"}; }
+    static Words words() {
+        return {"seconds", "stopping", "so long; such a run cannot be repeated bit for bit"};
+    }
     static void describe(auto& self, auto visit) {
         visit(self.limit, number("seconds", "", 0, no_limit, words().meaning));
     }

@@ -12,7 +12,9 @@ struct AtStagnation : StoppingRule {
     /// What every rule has (StoppingRule).
     static constexpr bool sure = true;
     static Words words() { return {"stagnation", "stopping", "so many generations without a better best"}; }
-    static void describe(auto& self, auto visit) { visit(self.n, whole("stagnation", "", 1, words().meaning)); }
+    static void describe(auto& self, auto visit) {
+        visit(self.n, whole("stagnation", "", 1, words().meaning));
+    }
     void check(const Known& known, const std::string& stage) const { known.need_score(stage); }
 
     template <class G>

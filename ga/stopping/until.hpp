@@ -10,9 +10,9 @@
 
 namespace ga {
 
-/// When a block of generations ends: at the first of the engine's own rules that holds, looked at before every
-/// generation. At least one is given: `until({.evaluations = 10000, .fitness = 0.99}, body)`. A run that ends on
-/// seconds cannot be repeated bit for bit; every other can.
+/// When a block of generations ends: at the first of the engine's own rules that holds, looked at before
+/// every generation. At least one is given: `until({.evaluations = 10000, .fitness = 0.99}, body)`. A run
+/// that ends on seconds cannot be repeated bit for bit; every other can.
 struct Until {
     std::optional<std::size_t> generations = std::nullopt; ///< this many were made
     std::optional<long> evaluations = std::nullopt;        ///< this many were asked for since the block began

@@ -4,8 +4,8 @@
 
 namespace ga {
 
-/// A way to cross two genomes in place: words() and describe() as an operator has, and, constrained by what it uses
-/// of the problem, `void operator()(const P&, Genome& a, Genome& b, Stream&) const`.
+/// A way to cross two genomes in place: words() and describe() as an operator has, and, constrained by what
+/// it uses of the problem, `void operator()(const P&, Genome& a, Genome& b, Stream&) const`.
 template <class Way, class P>
 concept Crosses = Problem<P> &&
     requires(const Way& way, const P& problem, typename P::Genome& genome, Stream& stream) {

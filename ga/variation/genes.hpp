@@ -40,8 +40,9 @@ decltype(auto) variables_of(const P& problem, const typename P::Genome& genome) 
     }
 }
 
-/// Calls cross(x, y, variable) for the real genes of both parents that may move in both, with the bounds that both
-/// allow, widened to where the parents are: children never leave what their parents' bounds and genes span.
+/// Calls cross(x, y, variable) for the real genes of both parents that may move in both, with the bounds that
+/// both allow, widened to where the parents are: children never leave what their parents' bounds and genes
+/// span.
 template <HasGenes P, class Cross>
 void cross_genes(const P& problem, typename P::Genome& a, typename P::Genome& b, Cross cross) {
     const auto& of_first = variables_of(problem, a);

@@ -4,8 +4,8 @@
 
 namespace ga {
 
-/// A way to mutate a genome in place, each gene by its chance: words() and describe() as an operator has, and,
-/// constrained by what it uses of the problem, `bool operator()(const P&, Genome&, const Chance&,
+/// A way to mutate a genome in place, each gene by its chance: words() and describe() as an operator has,
+/// and, constrained by what it uses of the problem, `bool operator()(const P&, Genome&, const Chance&,
 /// Stream&) const`, true when a gene changed.
 template <class Way, class P>
 concept Mutates = Problem<P> && requires(const Way& way, const P& problem, typename P::Genome& genome,
@@ -35,7 +35,8 @@ struct Mutate : Operator {
     }
     std::string text() const {
         const std::string name = Way::words().name, values = values_in_words(way);
-        return "mutate " + number(rate) + (name.empty() ? "" : " " + name) + (values.empty() ? "" : " " + values);
+        return "mutate " + number(rate) + (name.empty() ? "" : " " + name) +
+               (values.empty() ? "" : " " + values);
     }
     void check(Known& known) const { known.scored.reset(); }
 

@@ -29,7 +29,8 @@ bool mutate_genes(const P& problem, typename P::Genome& genome, const Chance& ch
     return changed;
 }
 
-/// A value brought back between its bounds by mirrors at them; at the nearer one where a mirror is not enough.
+/// A value brought back between its bounds by mirrors at them; at the nearer one where a mirror is not
+/// enough.
 inline double reflected(double value, const Variable& variable) {
     if (value < variable.lower)
         value = 2 * variable.lower - value;
@@ -51,7 +52,8 @@ struct Gaussian {
     /// What every way of mutating has (Mutates).
     static Words words() { return {"gaussian", "mutation", "adds a normal step"}; }
     static void describe(auto& self, auto visit) {
-        visit(self.sigma, number("sigma", "0.1", above_zero, no_limit, "deviation, in widths between bounds"));
+        visit(self.sigma,
+              number("sigma", "0.1", above_zero, no_limit, "deviation, in widths between bounds"));
     }
 
     template <HasGenes P>
@@ -71,7 +73,8 @@ struct UniformStep {
     /// What every way of mutating has (Mutates).
     static Words words() { return {"uniform", "mutation", "adds a uniform step"}; }
     static void describe(auto& self, auto visit) {
-        visit(self.step, number("step", "0.1", above_zero, no_limit, "largest step, in widths between bounds"));
+        visit(self.step,
+              number("step", "0.1", above_zero, no_limit, "largest step, in widths between bounds"));
     }
 
     template <HasGenes P>
@@ -85,8 +88,8 @@ struct UniformStep {
 };
 
 /// Polynomial mutation (Deb and Goyal 1996, as in NSGA-II's code): a step within the bounds whose density
-/// falls as (1 - |step| / width)^eta. A gene outside its bounds starts from the nearer one; one without bounds on both
-/// sides takes steps as if 1 were its width, and the bound it has is a wall.
+/// falls as (1 - |step| / width)^eta. A gene outside its bounds starts from the nearer one; one without
+/// bounds on both sides takes steps as if 1 were its width, and the bound it has is a wall.
 struct Polynomial {
     double eta = 20; ///< greater: smaller steps
     ///@{
@@ -105,7 +108,9 @@ struct Polynomial {
             if (!(width > 0))
                 return gene;
             gene = std::clamp(gene, variable.lower, variable.upper);
-            const auto beyond = [&](double room) { return room < width ? std::pow(1 - room / width, power) : 0; };
+            const auto beyond = [&](double room) {
+                return room < width ? std::pow(1 - room / width, power) : 0;
+            };
             const double below = beyond(gene - variable.lower), above = beyond(variable.upper - gene);
             const double step = u < 0.5 ? std::pow(2 * u + (1 - 2 * u) * below, 1 / power) - 1
                                         : 1 - std::pow(2 * (1 - u) + (2 * u - 1) * above, 1 / power);
@@ -217,7 +222,9 @@ struct Swap {
 struct Reverse {
     ///@{
     /// What every way of mutating has (Mutates).
-    static Words words() { return {"reverse", "mutation", "turns round the piece between the gene and another"}; }
+    static Words words() {
+        return {"reverse", "mutation", "turns round the piece between the gene and another"};
+    }
     static void describe(auto&, auto) {}
 
     template <Problem P>

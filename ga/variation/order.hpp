@@ -11,7 +11,8 @@ struct Order {
     ///@{
     /// What every way of crossing has (Crosses).
     static Words words() {
-        return {"order", "cross-over", "keeps a piece of one permutation in place and the other's order elsewhere"};
+        return {"order", "cross-over",
+                "keeps a piece of one permutation in place and the other's order elsewhere"};
     }
     static void describe(auto&, auto) {}
 

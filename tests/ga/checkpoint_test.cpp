@@ -145,9 +145,10 @@ TEST_CASE("a checkpoint that was altered anywhere is refused, and the one before
         Checkpoints<Vectors> resume(file, "", true);
         const auto result = run(pipeline, Vectors{}, nobody, {}, {}, &resume);
         CHECK(result.population[0].genome == whole.population[0].genome);
-        CHECK(result.notes == std::vector<std::string>{"checkpoint '" + file.string() +
-                                                       "' is damaged or none; expected a file as this version wrote "
-                                                       "it; went on from the one before"});
+        CHECK(result.notes ==
+              std::vector<std::string>{"checkpoint '" + file.string() +
+                                       "' is damaged or none; expected a file as this version wrote "
+                                       "it; went on from the one before"});
         std::ofstream(file.string() + ".before", std::ios::binary) << good; // what was there before
     }
     std::ofstream(file, std::ios::binary) << good.substr(0, good.size() / 2);
@@ -158,7 +159,8 @@ TEST_CASE("a checkpoint that was altered anywhere is refused, and the one before
                           "' is damaged or none; expected a file as this version wrote it");
 }
 
-TEST_CASE("a checkpoint that nests without end, or does not fit its pipeline, is refused though its seal is whole") {
+TEST_CASE("a checkpoint that nests without end, or does not fit its pipeline, is refused though its seal is "
+          "whole") {
     const tests::Folder folder;
     const fs::path file = folder / "run";
     seal(file, std::string(200000, '\x81') + '\x01'); // arrays of one array of one array ...
@@ -169,8 +171,10 @@ TEST_CASE("a checkpoint that nests without end, or does not fit its pipeline, is
     Checkpoints<Vectors> write(file, "", false, 0);
     run(pipeline, Vectors{}, nobody, {.budget = {.evaluations = 30}}, {}, &write);
     json j = json::from_cbor(opened(file));
-    for (const auto& [place, value] : std::vector<std::pair<std::string, json>>{
-             {"/snapshot/0/0/0", 99}, {"/snapshot/0/1/2", json::array()}, {"/snapshot/0/1/3", json::array()}}) {
+    for (const auto& [place, value] :
+         std::vector<std::pair<std::string, json>>{{"/snapshot/0/0/0", 99},
+                                                   {"/snapshot/0/1/2", json::array()},
+                                                   {"/snapshot/0/1/3", json::array()}}) {
         json altered = j;
         altered[json::json_pointer(place)] = value;
         const auto bytes = json::to_cbor(altered);

@@ -49,10 +49,11 @@ std::string bits_of(const auto& result) {
 
 } // namespace
 
-TEST_CASE("every thread works from the first batch on, whatever single evaluations cost, and decides no bit") {
-    const auto pipeline =
-        sample(24) | score() |
-        islands(3, {.rounds = 2, .migrants = 1}, tournament(2) | cross(blend()) | mutate(0.3) | score() | elite(1));
+TEST_CASE(
+    "every thread works from the first batch on, whatever single evaluations cost, and decides no bit") {
+    const auto pipeline = sample(24) | score() |
+                          islands(3, {.rounds = 2, .migrants = 1},
+                                  tournament(2) | cross(blend()) | mutate(0.3) | score() | elite(1));
     std::string one;
     for (const int threads : {1, 2, 5}) {
         Uneven::threads().clear();
@@ -74,10 +75,12 @@ TEST_CASE("what the memory holds is never evaluated again, whoever asks") {
         std::sort(genomes.begin(), genomes.end());
         return static_cast<std::size_t>(genomes.end() - std::unique(genomes.begin(), genomes.end()));
     };
-    CHECK(twice(score() | refine(nlopt_method("LN_COBYLA", 20)) | refine(nlopt_method("LN_COBYLA", 20))) == 0);
+    CHECK(twice(score() | refine(nlopt_method("LN_COBYLA", 20)) | refine(nlopt_method("LN_COBYLA", 20))) ==
+          0);
     CHECK(twice(score() | repeat(3, refine(nlopt_method("LN_NELDERMEAD", 20)) | refine(lm(3)))) == 0);
     CHECK(twice(score() | islands(2, {.rounds = 3, .migrants = 1},
-                                  mutate(0.5) | cross(uniform()) | score() | refine(nlopt_method("LN_COBYLA", 4)))) == 0);
+                                  mutate(0.5) | cross(uniform()) | score() |
+                                      refine(nlopt_method("LN_COBYLA", 4)))) == 0);
 }
 
 TEST_CASE("searches of several individuals ask together") {
@@ -91,8 +94,9 @@ TEST_CASE("searches of several individuals ask together") {
 TEST_CASE("islands are evaluated together, and an island's bits do not hang on the others' speed") {
     Serial<Vectors> serial;
     Recording<Vectors> record(serial);
-    const auto pipeline = sample(20) | score() |
-                          islands(4, {.rounds = 3, .migrants = 1}, mutate(1, gaussian(0.1)) | score() | elite(1));
+    const auto pipeline =
+        sample(20) | score() |
+        islands(4, {.rounds = 3, .migrants = 1}, mutate(1, gaussian(0.1)) | score() | elite(1));
     const auto result = run_by(record, pipeline, Vectors{}, nobody);
     CHECK(record.batches == std::vector<std::size_t>{20, 20, 20, 20});
     std::set<Identity> identities;
@@ -101,7 +105,8 @@ TEST_CASE("islands are evaluated together, and an island's bits do not hang on t
     CHECK(bits_of(result) == bits_of(run(pipeline, Vectors{}, nobody, {.threads = 3})));
 }
 
-TEST_CASE("an evaluator may answer with failures, and leave unanswered what it had not begun when the run must end") {
+TEST_CASE("an evaluator may answer with failures, and leave unanswered what it had not begun when the run "
+          "must end") {
     struct Odd : Serial<Vectors> {
         void outcomes(const Vectors& problem, std::span<Call<Vectors>> calls, const Watch& watch) override {
             for (auto& call : calls)
@@ -131,7 +136,8 @@ TEST_CASE("an evaluator may answer with failures, and leave unanswered what it h
     CHECK(part.counters.evaluations == 7);
 }
 
-TEST_CASE("uneven evaluations are spread over four threads at three and a half times the speed of one", "[.][speed]") {
+TEST_CASE("uneven evaluations are spread over four threads at three and a half times the speed of one",
+          "[.][speed]") {
     const auto seconds = [](int threads) {
         const Stopwatch clock;
         run(sample(200) | score(), Uneven{}, nobody, {.threads = threads});

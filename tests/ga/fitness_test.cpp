@@ -11,7 +11,8 @@ namespace {
 
 const Population<std::vector<double>> nobody;
 
-/// Schaffer's problem (1985): x^2 and (x - 2)^2 are to be small; `cost` is the first, and is said to be minimised.
+/// Schaffer's problem (1985): x^2 and (x - 2)^2 are to be small; `cost` is the first, and is said to be
+/// minimised.
 struct Schaffer {
     using Genome = std::vector<double>;
     using Outcome = std::array<double, 2>;
@@ -51,16 +52,18 @@ TEST_CASE("less is better where the objective says so, and a fitness reads as it
     const auto elites = run(sample(20) | score() | repeat(30, tournament(2) | mutate(1) | score() | elite(1)),
                             Schaffer{}, nobody);
     CHECK(elites.best->value() < 1e-2);
-    CHECK(run(sample(30) | score("f1") | below(1, at_least(1)), Schaffer{}, nobody).population[0].value() < 1);
+    CHECK(run(sample(30) | score("f1") | below(1, at_least(1)), Schaffer{}, nobody).population[0].value() <
+          1);
 }
 
-TEST_CASE("of two that violate constraints the one that does it less is better, and any that holds them betters both") {
+TEST_CASE("of two that violate constraints the one that does it less is better, and any that holds them "
+          "betters both") {
     CHECK(better(fitness(1), fitness(9, false, 0.1)));
     CHECK(better(fitness(1, false, 0.1), fitness(9, false, 0.2)));
     CHECK(!better(fitness(1, false, 0.2), fitness(9, false, 0.2)));
     CHECK(better(fitness(9, false, 0.2), Fitness::failed(Name(std::string("f")), reason("no"))));
-    const auto result = run(sample(40) | score() | repeat(40, tournament(2) | cross(blend()) | mutate(0.5) |
-                                                                  score() | plus()),
+    const auto result = run(sample(40) | score() |
+                                repeat(40, tournament(2) | cross(blend()) | mutate(0.5) | score() | plus()),
                             Walled{}, nobody);
     CHECK(result.best->fitness.feasible());
     CHECK(result.best->value() == Approx(1).margin(0.01));
@@ -75,37 +78,45 @@ TEST_CASE("what was scored by one policy is compared by no other") {
         CHECK_THROWS_WITH(run(pipeline, Schaffer{}, nobody), message);
     };
     refused(sample(5) | score("f1") | repeat(2, score("f2") | elite(1)),
-            "stage 'elite 1' compares the population, scored by 'f2', with the generation's start, scored by 'f1'; "
+            "stage 'elite 1' compares the population, scored by 'f2', with the generation's start, scored by "
+            "'f1'; "
             "expected the same for both");
     refused(sample(5) | pareto({"f1", "f2"}) | repeat(2, mutate(1) | score() | plus()),
-            "stage 'plus' compares the population, scored by 'f1', with the generation's start, scored by 'pareto f1 "
+            "stage 'plus' compares the population, scored by 'f1', with the generation's start, scored by "
+            "'pareto f1 "
             "f2'; expected the same for both");
     refused(sample(5) | pareto({"f1", "f2"}) | above(1),
-            "stage 'above 1' needs one objective's fitness, the population is ranked by 'pareto f1 f2'; expected score "
+            "stage 'above 1' needs one objective's fitness, the population is ranked by 'pareto f1 f2'; "
+            "expected score "
             "before it");
-    refused(sample(5) | pareto({"f1", "f2"}) | until({.generations = 3, .fitness = 1}, mutate(1) | pareto({"f1", "f2"})),
-            "stage 'until generations 3 fitness 1' needs one objective's fitness, the population is ranked by 'pareto "
+    refused(sample(5) | pareto({"f1", "f2"}) |
+                until({.generations = 3, .fitness = 1}, mutate(1) | pareto({"f1", "f2"})),
+            "stage 'until generations 3 fitness 1' needs one objective's fitness, the population is ranked "
+            "by 'pareto "
             "f1 f2'; expected score before it");
     CHECK_THROWS_WITH(pareto({"f1", "f1"}), "pareto is given 'f1' twice; expected different objectives");
 }
 
 TEST_CASE("under several objectives plus, elite and best keep the front of all they choose from") {
     const auto children = tournament(2) | cross(blend()) | mutate(0.5, gaussian(0.05)) | pareto({"f1", "f2"});
-    const auto result = run(sample(40) | pareto({"f1", "f2"}) | repeat(40, children | plus()), Schaffer{}, nobody);
+    const auto result =
+        run(sample(40) | pareto({"f1", "f2"}) | repeat(40, children | plus()), Schaffer{}, nobody);
     REQUIRE(result.population.size() == 40);
     CHECK(result.front.size() == 40);
     for (const auto& a : result.front)
         for (const auto& b : result.front)
             CHECK(!dominates(a.fitness.values(), b.fitness.values()));
     CHECK(result.best->fitness.objective() == "f1"); // the best by the first of them is remembered
-    const auto elites = run(sample(40) | pareto({"f1", "f2"}) | repeat(40, children | elite(10)), Schaffer{}, nobody);
+    const auto elites =
+        run(sample(40) | pareto({"f1", "f2"}) | repeat(40, children | elite(10)), Schaffer{}, nobody);
     CHECK(elites.front.size() >= 10);
 }
 
 TEST_CASE("a run under several objectives that stops gives back its population and its front") {
-    const auto result = run(sample(40) | pareto({"f1", "f2"}) |
-                                repeat(1000, tournament(2) | mutate(1, gaussian(0.05)) | pareto({"f1", "f2"}) | plus()),
-                            Schaffer{}, nobody, {.budget = {.evaluations = 410}});
+    const auto result =
+        run(sample(40) | pareto({"f1", "f2"}) |
+                repeat(1000, tournament(2) | mutate(1, gaussian(0.05)) | pareto({"f1", "f2"}) | plus()),
+            Schaffer{}, nobody, {.budget = {.evaluations = 410}});
     CHECK(result.stopped == "evaluation budget spent");
     CHECK(result.population.size() >= 40);
     CHECK(result.front.size() > 10);

@@ -88,16 +88,18 @@ TEST_CASE("no name of NLopt's list ends the program, and a misspelt one is refus
             CHECK(std::string(refused.what()).find(name) != std::string::npos);
         }
     }
-    CHECK_THROWS_WITH(nlopt_method("LN_AUGLAG", 10), "refine nlopt: algorithm 'LN_AUGLAG' needs a second optimiser; "
-                                                     "expected one that works alone, e.g. LN_COBYLA");
+    CHECK_THROWS_WITH(nlopt_method("LN_AUGLAG", 10),
+                      "refine nlopt: algorithm 'LN_AUGLAG' needs a second optimiser; "
+                      "expected one that works alone, e.g. LN_COBYLA");
     CHECK_THROWS_WITH(nlopt_method("LN_COBYLE", 10),
                       "refine nlopt: unknown algorithm 'LN_COBYLE'; expected one of NLopt's, e.g. LN_COBYLA");
     CHECK_THROWS_AS(nlopt_method("", 10), UsageError);
 }
 
 TEST_CASE("a choice of genes that the genome does not have is refused") {
-    const Variables<CurveFit::Genome> beyond{
-        "beyond", [](const CurveFit::Genome&) { return std::vector<Variable>{{7, 0, 1}}; }};
+    const Variables<CurveFit::Genome> beyond{"beyond", [](const CurveFit::Genome&) {
+                                                 return std::vector<Variable>{{7, 0, 1}};
+                                             }};
     CHECK_THROWS_WITH(run(score() | refine(lm(3), beyond), CurveFit{}, CurveFit::start(2)),
                       "refine: gene 7 is to move, the genome has 3");
 }

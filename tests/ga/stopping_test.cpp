@@ -31,8 +31,8 @@ struct AtSpread : StoppingRule {
     }
 };
 
-/// A mutation whose step grows where it was better and shrinks where not (Rechenberg's rule of one fifth), kept from
-/// one generation to the next.
+/// A mutation whose step grows where it was better and shrinks where not (Rechenberg's rule of one fifth),
+/// kept from one generation to the next.
 struct Adaptive : Operator {
     struct State {
         double step = 0.5, best = -HUGE_VAL;
@@ -60,7 +60,9 @@ struct Adaptive : Operator {
         return population;
     }
 };
-void to_json(json& j, const Adaptive::State& state) { j = {state.step, state.best == -HUGE_VAL ? json() : json(state.best), state.generation}; }
+void to_json(json& j, const Adaptive::State& state) {
+    j = {state.step, state.best == -HUGE_VAL ? json() : json(state.best), state.generation};
+}
 void from_json(const json& j, Adaptive::State& state) {
     state = {j.at(0), j.at(1).is_null() ? -HUGE_VAL : j.at(1).get<double>(), j.at(2)};
 }
@@ -88,8 +90,9 @@ TEST_CASE("a state begins anew when its block does, and every island has its own
     const auto restarted = run(restarts(2, evolving | best(1)), Vectors{}, nobody);
     for (const auto& each : restarted.population)
         CHECK(each.value() > -1e-4);
-    const auto apart = run(sample(3) | score() | islands(3, {.rounds = 300, .migrants = 0}, Adaptive() | score() | plus()),
-                           Vectors{}, nobody);
+    const auto apart =
+        run(sample(3) | score() | islands(3, {.rounds = 300, .migrants = 0}, Adaptive() | score() | plus()),
+            Vectors{}, nobody);
     for (const auto& each : apart.population)
         CHECK(each.value() > -1e-4);
 }
@@ -106,17 +109,21 @@ TEST_CASE("a stopping rule of one's own ends a block in code and in text") {
     auto registry = vocabulary<Vectors>();
     registry.add_rule<AtSpread>();
     Parser<Vectors> parser(registry);
-    const auto stage =
-        parser.parse("sample 30 | score | until generations 5000 spread 0.01 { tournament 2 | cross blend 0.1 | score }");
-    CHECK(stage.text() == "sample 30 | score | until generations 5000 spread 0.01 { tournament 2 | cross blend 0.1 | score }");
+    const auto stage = parser.parse(
+        "sample 30 | score | until generations 5000 spread 0.01 { tournament 2 | cross blend 0.1 | score }");
+    CHECK(
+        stage.text() ==
+        "sample 30 | score | until generations 5000 spread 0.01 { tournament 2 | cross blend 0.1 | score }");
     CHECK(run(stage, Vectors{}, nobody).population[0].genome == result.population[0].genome);
-    CHECK(run(sample(30) | score() | until(any_of(AfterGenerations{{}, 2}, AtSpread{{}, 0}), body), Vectors{}, nobody)
+    CHECK(run(sample(30) | score() | until(any_of(AfterGenerations{{}, 2}, AtSpread{{}, 0}), body), Vectors{},
+              nobody)
               .counters.asked <= 90);
 }
 
 TEST_CASE("a block whose end never comes ends all the same, and says so") {
     for (const Until& end : {Until{.fitness = 1}, Until{.evaluations = 1000}}) {
-        const auto result = run(sample(3) | score() | until(end, best(3)), Vectors{}, nobody, {.variant = "v"});
+        const auto result =
+            run(sample(3) | score() | until(end, best(3)), Vectors{}, nobody, {.variant = "v"});
         CHECK(result.notes ==
               std::vector<std::string>{
                   "v/until.1: ended after 10000 generations that brought it no nearer to its end"});
@@ -139,17 +146,20 @@ TEST_CASE("a population that would not fit into its memory ends the run with wha
                  "v/repeat.1/pair.1: a population of 25600 exceeds the 4 MB for one", 10000);
     stopped_with(sample(10) | score() | tournament(2, 1000000000) | score(),
                  "v/tournament.1: a population of 1000000000 exceeds the 4 MB for one", 10);
-    stopped_with(sample(1000000000) | score(), "v/sample.1: a population of 1000000000 exceeds the 4 MB for one", 0);
-    CHECK_THROWS_WITH(islands(100000000, {}, score()),
-                      "islands: 100000000 islands in 10 rounds; expected 2 to 10000 islands and 1 round at least");
+    stopped_with(sample(1000000000) | score(),
+                 "v/sample.1: a population of 1000000000 exceeds the 4 MB for one", 0);
+    CHECK_THROWS_WITH(
+        islands(100000000, {}, score()),
+        "islands: 100000000 islands in 10 rounds; expected 2 to 10000 islands and 1 round at least");
 }
 
 TEST_CASE("endless generations stop at once when asked to, and remark no more than a hundred times") {
     std::atomic<bool> stop = false;
     long stages = 0;
     const Observer<std::vector<double>> observer = [&](const auto&) { stop = ++stages == 5000; };
-    const auto result = run<Vectors>(sample(5) | score() | repeat(1000000000, score() | above(1, at_least(5))), Vectors{},
-                                     nobody, {.budget = {.stop = &stop}}, {observer});
+    const auto result =
+        run<Vectors>(sample(5) | score() | repeat(1000000000, score() | above(1, at_least(5))), Vectors{},
+                     nobody, {.budget = {.stop = &stop}}, {observer});
     CHECK(stages == 5000);
     CHECK(result.stopped == "stop requested");
     CHECK(result.population.size() == 5);

@@ -1,6 +1,6 @@
+#include "ga/refinement/vocabulary.hpp"
 #include "ga/text/listing.hpp"
 #include "ga/text/parser.hpp"
-#include "ga/refinement/vocabulary.hpp"
 #include "tests/ga/curve_fit.hpp"
 
 #include <catch2/catch.hpp>
@@ -167,17 +167,21 @@ TEST_CASE("an unknown word is refused with the nearest known one") {
 
 TEST_CASE("what looks like another notation is refused with what to write instead") {
     refused("score > best 3", "pipeline, column 7: unexpected '>'; expected | or the end");
-    refused("score | until generations { score }",
-            "pipeline, column 15: stage 'until': 'generations' lacks its value; expected a whole number from 1");
+    refused(
+        "score | until generations { score }",
+        "pipeline, column 15: stage 'until': 'generations' lacks its value; expected a whole number from 1");
     refused("crossover uniform", "pipeline, column 1: unknown stage 'crossover'; did you mean 'cross'?");
-    refused("score | cross uniform", "pipeline, column 9: stage 'cross uniform' leaves the population unscored at the "
-                                     "end; expected score after it");
-    refused("pareto low low", "pipeline, column 1: pareto is given 'low' twice; expected different objectives");
-    refused("score | repeat 2 { score low | elite 1 }",
-            "pipeline, column 32: stage 'elite 1' compares the population, scored by 'low', with the generation's "
-            "start, scored by 'fit'; expected the same for both");
-    refused("islands 100000000 { score }", "pipeline, column 9: stage 'islands': n is '100000000'; expected a whole "
-                                           "number from 2 to 10000");
+    refused("score | cross uniform",
+            "pipeline, column 9: stage 'cross uniform' leaves the population unscored at the "
+            "end; expected score after it");
+    refused("pareto low low",
+            "pipeline, column 1: pareto is given 'low' twice; expected different objectives");
+    refused("score | repeat 2 { score low | elite 1 }", "pipeline, column 32: stage 'elite 1' compares the "
+                                                        "population, scored by 'low', with the generation's "
+                                                        "start, scored by 'fit'; expected the same for both");
+    refused("islands 100000000 { score }",
+            "pipeline, column 9: stage 'islands': n is '100000000'; expected a whole "
+            "number from 2 to 10000");
 }
 
 TEST_CASE("variants that unfold without end are refused before they fill the memory") {

@@ -38,8 +38,8 @@ struct Boxed : Any<std::vector<double>> {
     std::vector<Variable> bounds(const std::vector<double>&) const { return {{0, lower, upper}}; }
 };
 
-/// The largest distance between the draws' distribution and the one they should have (Kolmogorov and Smirnov), in
-/// units that 1.95 of a thousand tests exceed once.
+/// The largest distance between the draws' distribution and the one they should have (Kolmogorov and
+/// Smirnov), in units that 1.95 of a thousand tests exceed once.
 double distance(std::vector<double> draws, const auto& distribution) {
     std::sort(draws.begin(), draws.end());
     const auto n = static_cast<double>(draws.size());
@@ -132,9 +132,9 @@ TEST_CASE("n points cut two genomes into n + 1 pieces that change hands by turns
     const std::vector<std::vector<int>> parents = {std::vector<int>(12, 0), std::vector<int>(12, 1)};
     for (const std::size_t n : {1u, 2u, 3u, 7u, 11u})
         for (std::uint64_t seed = 0; seed < 30; ++seed) {
-            const auto child =
-                run(cross(n_points(n)) | score(), Any<std::vector<int>>{}, population(parents), {.seed = seed})
-                    .population[0];
+            const auto child = run(cross(n_points(n)) | score(), Any<std::vector<int>>{}, population(parents),
+                                   {.seed = seed})
+                                   .population[0];
             std::size_t changes = 0;
             for (std::size_t i = 0; i + 1 < 12; ++i)
                 changes += child.genome[i] != child.genome[i + 1];
@@ -161,7 +161,8 @@ TEST_CASE("simulated binary cross-over keeps the parents' mean and spreads as it
     constexpr int draws = 20000;
     int crossed = 0, inside = 0;
     for (std::uint64_t seed = 0; seed < draws; ++seed) {
-        const auto children = run(cross(sbx(eta)) | score(), Line{}, population(parents), {.seed = seed}).population;
+        const auto children =
+            run(cross(sbx(eta)) | score(), Line{}, population(parents), {.seed = seed}).population;
         const double a = children[0].genome[0], b = children[1].genome[0];
         REQUIRE(a + b == Approx(0).margin(1e-12));
         if (std::abs(a) != 1) {
@@ -221,7 +222,8 @@ TEST_CASE("permutations stay permutations") {
             Stream stream(i);
             start.push_back(Permutation::random(13, stream));
         }
-        const auto result = run(repeat(50, variation) | score(), Any<Permutation>{}, population(start)).population;
+        const auto result =
+            run(repeat(50, variation) | score(), Any<Permutation>{}, population(start)).population;
         REQUIRE(result.size() == 21);
         bool changed = false;
         for (std::size_t i = 0; i < 20; ++i) {
@@ -263,7 +265,8 @@ TEST_CASE("a mutated unscored individual stays itself") {
     }
 }
 
-TEST_CASE("simulated binary cross-over spreads by its published density, for every index and beside a bound") {
+TEST_CASE(
+    "simulated binary cross-over spreads by its published density, for every index and beside a bound") {
     for (const double eta : {1.0, 5.0, 15.0}) {
         const auto spread = [&](double beta) { // Deb and Agrawal 1995
             return beta <= 1 ? 0.5 * std::pow(beta, eta + 1) : 1 - 0.5 * std::pow(beta, -(eta + 1));
@@ -299,12 +302,14 @@ TEST_CASE("mutations of real genes have their published densities") {
             genes.push_back(each.genome[0] - 0.25);
         return genes;
     };
-    CHECK(distance(steps(gaussian(0.05)), [](double x) { return 0.5 * std::erfc(-x / 0.1 / std::sqrt(2)); }) < 1.95);
+    CHECK(distance(steps(gaussian(0.05)), [](double x) { return 0.5 * std::erfc(-x / 0.1 / std::sqrt(2)); }) <
+          1.95);
     CHECK(distance(steps(uniform_step(0.05)), [](double x) { return (x + 0.1) / 0.2; }) < 1.95);
     CHECK(distance(steps(reset()), [](double x) { return (x + 1.25) / 2; }) < 1.95);
     for (const double eta : {3.0, 20.0}) // Deb and Goyal 1996
         CHECK(distance(steps(polynomial(eta)), [&](double x) {
-                  const double p = eta + 1, below = std::pow(1 - 1.25 / 2, p), above = std::pow(1 - 0.75 / 2, p);
+                  const double p = eta + 1, below = std::pow(1 - 1.25 / 2, p),
+                               above = std::pow(1 - 0.75 / 2, p);
                   return x < 0 ? (std::pow(1 + x / 2, p) - below) / (1 - below) / 2
                                : 1 - (std::pow(1 - x / 2, p) - above) / (1 - above) / 2;
               }) < 1.95);
@@ -341,16 +346,17 @@ TEST_CASE("order cross-over takes the rest in the other's order, from the end of
         for (std::size_t to = from + 1; to <= 8; ++to) {
             std::vector<std::uint32_t> rest = b.order, child = a.order;
             std::rotate(rest.begin(), rest.begin() + static_cast<long>(to % 8), rest.end());
-            std::erase_if(rest, [&](std::uint32_t gene) { return gene >= from && gene < to; }); // a is the identity
+            std::erase_if(rest,
+                          [&](std::uint32_t gene) { return gene >= from && gene < to; }); // a is the identity
             for (std::size_t i = 0; i < rest.size(); ++i)
                 child[(to + i) % 8] = rest[i];
             expected.push_back(child);
         }
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
-        const auto child = run(cross(order()) | score(), Any<Permutation>{}, population<Permutation>({a, b}),
-                               {.seed = seed})
-                               .population[0]
-                               .genome;
+        const auto child =
+            run(cross(order()) | score(), Any<Permutation>{}, population<Permutation>({a, b}), {.seed = seed})
+                .population[0]
+                .genome;
         CHECK(std::find(expected.begin(), expected.end(), child.order) != expected.end());
     }
 }

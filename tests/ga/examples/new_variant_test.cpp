@@ -92,7 +92,8 @@ TEST_CASE("the page's variant solves its problem, in code and in text alike") {
     const auto result = run(variant, problem, {}, {.seed = 7, .threads = 2});
     CHECK(result.best->value() == best_choice());
 
-    Parser<Knapsack> parser(vocabulary<Knapsack>(), {{"start", "sample 50 | score"}}); // named pipelines stand as stages
+    Parser<Knapsack> parser(vocabulary<Knapsack>(),
+                            {{"start", "sample 50 | score"}}); // named pipelines stand as stages
     const auto text = parser.parse(
         "start | repeat 100 { tournament 2 | cross uniform | mutate 0.05 | score | elite 1 } | best 1");
     const auto again = run(text, problem, {}, {.seed = 7, .threads = 1});
@@ -113,6 +114,5 @@ TEST_CASE("the page's operator works in code and in text") {
     const auto second = run(text, problem, {});
     CHECK(first.best->value() >= 0.95 * best_choice());
     CHECK(first.best->genome == second.best->genome);
-    CHECK(run(sample(20) | score() | Regrow{{}, 3} | score(), problem, {})
-              .population.size() == 20);
+    CHECK(run(sample(20) | score() | Regrow{{}, 3} | score(), problem, {}).population.size() == 20);
 }

@@ -91,8 +91,9 @@ class ProcessPool : public Evaluator<Vectors> {
 } // namespace
 
 TEST_CASE("a pool of processes evaluates in the place of threads, with the same bits") {
-    const auto pipeline = sample(20) | score() |
-                          repeat(5, tournament(2) | cross(blend(0.1)) | mutate(0.2, gaussian(0.01)) | score() | elite(1));
+    const auto pipeline =
+        sample(20) | score() |
+        repeat(5, tournament(2) | cross(blend(0.1)) | mutate(0.2, gaussian(0.01)) | score() | elite(1));
     const Vectors problem;
     const auto here = run(pipeline, problem, {});
     ProcessPool pool(problem, 3);
