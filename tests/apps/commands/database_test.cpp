@@ -1,4 +1,5 @@
 #include "domain/accuracy/respond.hpp"
+#include "domain/database/sqlite.hpp"
 #include "domain/database/store.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/response/curve.hpp"

@@ -1,6 +1,7 @@
 #include "domain/errors.hpp"
 #include "domain/target/like.hpp"
 #include "domain/target/recorded.hpp"
+#include "domain/target/similarity.hpp"
 
 #include <catch2/catch.hpp>
 
