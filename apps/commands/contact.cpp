@@ -179,7 +179,8 @@ int contact(const Words& words) {
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
          name_of(response.solver) + ", height range " + readable(response.range) +
          " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));
-    tell(in_words(result.account));
+    // Held nodes change what may be made of the curve.
+    (result.account.held_nodes > 0 ? say : tell)(in_words(result.account));
     return 0;
 }
 

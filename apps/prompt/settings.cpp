@@ -1,7 +1,6 @@
 #include "apps/prompt/settings.hpp"
 
 #include "domain/text/atomic_file.hpp"
-#include "domain/text/lines.hpp"
 #include "domain/text/words.hpp"
 #include "ga/number.hpp"
 #include "ga/text/nearest.hpp"
@@ -68,10 +67,11 @@ struct Ini {
 Ini parsed_ini(const std::filesystem::path& file) {
     Ini ini;
     std::string section;
-    int number = 0;
-    for (const std::string& line :
-         rough::text_lines(rough::read_whole(file, most_ini_bytes), file.string())) {
-        ++number;
+    std::istringstream in(rough::read_whole(file, most_ini_bytes));
+    std::string line;
+    for (int number = 1; std::getline(in, line); ++number) { // the bytes of file names stay as they are
+        if (number == 1 && line.starts_with("\xEF\xBB\xBF"))
+            line.erase(0, 3);
         const std::string_view text = rough::trim(line);
         const std::string place = file.string() + ":" + std::to_string(number) + ": ";
         std::istringstream one(section + "\n" + line);

@@ -140,8 +140,8 @@ TEST_CASE("a genome designed for a scan's length is pressed, printed and describ
                        " --out given.csv",
                    folder.path())
                 .code == 0);
-    const std::string header =
-        "displacement_mm,pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm,kkt_residual";
+    const std::string header = "displacement_mm,pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm,"
+                               "kkt_residual,interface_stiffness_MPa_per_mm";
     const auto own = rows(folder / "own.csv", header), given = rows(folder / "given.csv", header);
     for (std::size_t i = 0; i < own.size(); ++i)
         CHECK(own[i][1] == Approx(given[i][1]).epsilon(1e-4));

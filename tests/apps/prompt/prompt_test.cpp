@@ -179,7 +179,7 @@ const std::vector<Wrong> wrong_uses{
     {"run twice.ini", {"twice.ini:3: paper.threshold:", "given twice"}},
     {"run variant.ini", {"variant.ini:6: variants.mine:", "'scor'", "'score'"}},
     {"run ways.ini", {"ways.ini:6: variants.mine:", "'bst'", "'best'"}},
-    {"run key.ini --set paper.x= --set foo.bar=3", {"'foo.bar'", "expected one of database.*, "}},
+    {"run key.ini --set paper.x= --set foo.bar=3", {"'foo.bar'", "expected one of accuracy.*, "}},
     {"run empty", {"empty: target.file", "missing"}},
     {"run noise", {"noise"}},
     {paper + "more", {"'more'", "one experiment"}},
@@ -193,7 +193,7 @@ const std::vector<Wrong> wrong_uses{
     {"chart --minutes 0", {"--minutes", "0 given", "greater than 0"}},
     {"chart --minutes soon", {"--minutes", "soon", "number"}},
     {"chart --minutes nan", {"--minutes", "nan"}},
-    {"stability --scene spik", {"--scene", "'spik'", "did you mean 'spike'"}},
+    {"stability --scene spik", {"--scene", "\"spik\"", "did you mean 'spike'"}},
     {"operators more", {"'more'", "flags only"}},
     {"help contct", {"'contct'", "did you mean 'contact'"}},
 };

@@ -122,5 +122,5 @@ TEST_CASE("what takes contact to be nested refuses a hardness", "[contact]") {
     CHECK_THROWS_WITH(solve_contact(scene.profile, scene.body, {0.1}, options), Catch::Contains("hardness"));
     CHECK_THROWS_WITH(SteppedContact(scene.profile, scene.body, {0.1}, {}), Catch::Contains("hardness"));
     scene.body.hardness = 0;
-    CHECK_THROWS_WITH(solve_contact(scene.profile, scene.body, {0.1}), Catch::Contains("hardness 0 MPa"));
+    CHECK_THROWS_WITH(solve_contact(scene.profile, scene.body, {0.1}), Catch::Contains("hardness: 0 MPa"));
 }

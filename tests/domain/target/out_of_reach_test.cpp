@@ -17,7 +17,7 @@ Model model_on(Kernel kernel, Index nodes, int steps) {
     model.body.kernel = kernel;
     model.body.strip_width = model.grid.length / 511;
     model.loading = {steps, kernel == Kernel::periodic ? 0.9 : 1};
-    return model;
+    return completed(model);
 }
 
 /// A punch whose flank is the dent that its raised end node makes before anything else touches, at `depth`:
