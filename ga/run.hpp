@@ -117,7 +117,7 @@ requires(std::convertible_to<Pipeline, Stage<P>>) Result<G> run_by(
             result.population = {*context.best()};
     }
     if (comparable(result.population))
-        result.front = front_of(result.population);
+        result.front = ga::front_of(result.population);
     result.best = context.best();
     result.counters = context.counters();
     if (keeper && !keeper->trouble().empty())

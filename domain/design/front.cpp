@@ -7,7 +7,7 @@
 
 namespace rough {
 
-std::vector<Genome> front_of(const ga::Population<Genome>& population) {
+std::vector<Genome> genomes_on_front(const ga::Population<Genome>& population) {
     std::vector<Genome> front;
     if (!ga::comparable(population))
         return front;

@@ -13,7 +13,7 @@ struct Compromise {
 };
 
 /// The genomes on the front of a population that `pareto` ranked; nothing of another.
-std::vector<Genome> front_of(const ga::Population<Genome>& population);
+std::vector<Genome> genomes_on_front(const ga::Population<Genome>& population);
 
 /// Those of the genomes that are within the limits and that no other is better than, by the first target's
 /// similarity, the best last; at most `most`, spread evenly with both ends among them.

@@ -139,7 +139,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     observers.insert(observers.begin(), [&](const ga::Event<Genome>& event) {
         for (const auto& individual : event.population)
             archive.offer(problem, individual);
-        if (auto ranked = front_of(event.population); !ranked.empty())
+        if (auto ranked = genomes_on_front(event.population); !ranked.empty())
             front = std::move(ranked);
         if (!options.reach || archive.best.empty() || archive.best.front().value < judged_from)
             return;

@@ -24,7 +24,7 @@ Observer<G> fronts(std::string stage, Point reference, std::function<void(const 
         if (!event.path.ends_with(stage) || event.population.empty() || !comparable(event.population) ||
             event.population.front().fitness.objective().find(' ') == std::string::npos)
             return;
-        FrontEvent<G> seen{event, front_of(event.population), 0};
+        FrontEvent<G> seen{event, ga::front_of(event.population), 0};
         std::vector<Point> points;
         for (const auto& individual : seen.front)
             if (individual.fitness.feasible() && individual.fitness.several())

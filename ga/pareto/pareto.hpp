@@ -94,7 +94,7 @@ struct Front : Operator {
     template <Problem P>
     Population<typename P::Genome> operator()(Population<typename P::Genome> population,
                                               Context<P>& context) const {
-        auto front = front_of(population);
+        auto front = ga::front_of(population);
         if (front.empty())
             throw NothingLeft(context.path() + ": none of " + std::to_string(population.size()) +
                               " holds its constraints");
