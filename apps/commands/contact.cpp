@@ -6,6 +6,7 @@
 #include "apps/report/account.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
+#include "apps/report/shape_notes.hpp"
 #include "apps/report/units.hpp"
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/contact/names.hpp"
@@ -104,6 +105,15 @@ void expect_common(const Settings& settings) {
     settings.seed("seed");
 }
 
+/// What strains the model of a genome, a line each.
+void say_strains(const rough::Genome& genome, const rough::Model& model, double range) {
+    if (model.grid.wraps)
+        if (const std::string jump = jump_note(genome, model.grid.length, range); !jump.empty())
+            say(jump);
+    if (const std::string waves = wave_note(genome, model.grid); !waves.empty())
+        say(waves);
+}
+
 rough::AccountedResponse pressed(const Settings& settings) {
     const rough::Source source = source_from(settings, nodes_from(settings, 0));
     rough::Model model = loaded(model_from(settings, source), settings);
@@ -116,6 +126,10 @@ rough::AccountedResponse pressed(const Settings& settings) {
     rough::AccountedResponse result = respond_accounted(source, model);
     if (!source.account.empty())
         say(source.account);
+    if (source.genome) {
+        const rough::Profile profile = source.on(model.grid);
+        say_strains(*source.genome, model, profile.heights.maxCoeff() - profile.heights.minCoeff());
+    }
     return result;
 }
 
@@ -176,6 +190,8 @@ int contact(const Words& words) {
     }
     for (const auto& note : without_effect(settings))
         say(note);
+    if (!settings.given("modulus"))
+        say(modulus_note);
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
          name_of(response.solver) + ", height range " + readable(response.range) +
          " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));

@@ -5,6 +5,7 @@
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/plot.hpp"
+#include "apps/report/shape_notes.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/discrete_spectrum.hpp"
@@ -48,6 +49,7 @@ struct Shape {
     rough::Profile profile;
     std::vector<rough::SpectralLine> lines; ///< of a genome
     std::string account;
+    std::string jump; ///< in words; "" where its ends meet
 };
 
 Shape shape_from(const Settings& settings) {
@@ -60,7 +62,7 @@ Shape shape_from(const Settings& settings) {
         grid.nodes = nodes;
     if (settings.has("length"))
         grid.length = settings.positive("length");
-    Shape shape{source.on(grid), {}, source.account};
+    Shape shape{source.on(grid), {}, source.account, ""};
     if (!source.genome)
         return shape;
     shape.lines = rough::discrete_spectrum(*source.genome);
@@ -70,6 +72,8 @@ Shape shape_from(const Settings& settings) {
                     " nodes long";
     if (shortest < 8)
         shape.account += " (waves under 8 nodes: slopes, curvatures and light contact depend on the grid)";
+    shape.jump = jump_note(*source.genome, grid.length,
+                           shape.profile.heights.maxCoeff() - shape.profile.heights.minCoeff());
     return shape;
 }
 
@@ -217,6 +221,8 @@ int profile(const Words& words) {
     }
     write_json(out.path() / numbers_file, numbers_of(shape, roughness));
     say(shape.account);
+    if (!shape.jump.empty())
+        say(shape.jump);
     tell_roughness(roughness);
     say("written to " + out.path().string());
     return 0;

@@ -6,6 +6,10 @@
 
 namespace app {
 
+/// Says which pressures those of an unstated modulus are.
+inline constexpr const char* modulus_note =
+    "note: no --modulus given: E is 1 MPa, so pressures and stiffness are in units of E";
+
 /// The settings that make a model: --nodes, --length, --kernel … as flags (prefix "") or keys (prefix
 /// "model.").
 std::vector<Setting> model_settings(const std::string& prefix = "");

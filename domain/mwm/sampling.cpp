@@ -93,6 +93,11 @@ Profile sample(const Genome& genome, const Grid& grid) {
     return profile;
 }
 
+double jump_at_ends(const Genome& genome, double length) {
+    const Profile ends = sample(genome, {2, length});
+    return ends.heights[1] - ends.heights[0];
+}
+
 bool is_flat(const Profile& sampled, const Genome& genome) {
     double amplitudes = 0;
     for (const Wave& wave : waves(genome))

@@ -8,6 +8,10 @@ namespace rough {
 /// Z(x_i) of Eq. 1: the sum of all chromosomes, each one cosine.
 Profile sample(const Genome& genome, const Grid& grid);
 
+/// Z(L) - Z(0), mm: by how much a genome jumps where it is continued with the period L, `length` in mm. 0,
+/// but for rounding, where every wave's length divides L.
+double jump_at_ends(const Genome& genome, double length);
+
 /// Whether the sampled profile's height range is rounding alone: under 1e-12 of its amplitudes' sum.
 bool is_flat(const Profile& sampled, const Genome& genome);
 
