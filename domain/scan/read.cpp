@@ -64,21 +64,33 @@ Layout layout_of(const Table& table, const Header& header, bool spacing_given, c
         return {0, 1, 2};
     if (table.columns == 3 && running_index(table.column[0]))
         return {1, 2, no_column};
-    throw InputError(at(file, table.line[0]) + ": " + std::to_string(table.columns) +
-                     " columns, expected a line scan: heights, or x and height" +
-                     (table.dialect.separator == Dialect::Separator::comma
-                          ? " (decimal commas need another separator)"
-                          : ""));
+    throw InputError(
+        at(file, table.line[0]) + ": " + std::to_string(table.columns) +
+            " columns, expected a line scan: heights, or x and height; or, of an areal matrix, the row to "
+            "take" +
+            (table.dialect.separator == Dialect::Separator::comma ? " (decimal commas need another separator)"
+                                                                  : ""),
+        "row");
 }
 
-/// A single row of many heights as one column.
-void stand_up(Table& table) {
-    if (!(table.columns > 3 && table.rows() == 1))
+/// A row of many heights as one column: the only one, or the one that is asked for (1 the first).
+void stand_up(Table& table, Index asked, const std::string& file, Account& account) {
+    if (asked == 0 && !(table.columns > 3 && table.rows() == 1))
         return;
+    const auto row = static_cast<std::size_t>(std::max<Index>(asked, 1)) - 1;
+    if (asked > 0) {
+        const std::string size =
+            std::to_string(table.rows()) + " rows of " + std::to_string(table.columns) + " heights";
+        if (table.columns < 3 || row >= table.rows())
+            throw InputError(file + ": row " + std::to_string(asked) + " given of " + size +
+                                 ", expected one of an areal matrix",
+                             "row");
+        account.say("row " + std::to_string(asked) + " of " + size);
+    }
     std::vector<Number> heights;
     for (const auto& column : table.column)
-        heights.push_back(column[0]);
-    table.line.assign(table.columns, table.line[0]);
+        heights.push_back(column[row]);
+    table.line.assign(table.columns, table.line[row]);
     table.column = {std::move(heights)};
     table.columns = 1;
 }
@@ -184,6 +196,9 @@ Points points_of(const NamedProfile& profile, const ScanOptions& options, const 
     if (!options.unit.empty())
         agree(profile.height_unit, length_unit_named(options.unit, "unit"), "heights", file);
     agree(profile.spacing, spacing_given(options), file);
+    if (options.row > 0)
+        throw InputError(file + ": a row given, expected none: " + profile.format + " holds one profile",
+                         "row");
     account.say(profile.format + ", heights in " + profile.height_unit.name);
     Points points;
     points.line = profile.line;
@@ -201,7 +216,7 @@ Points points_of(const std::vector<std::string>& lines, const ScanOptions& optio
     const bool spacing_named = std::any_of(lines.begin(), lines.end(), names_spacing);
     Table table = read_table(lines, file, options.spacing > 0 || spacing_named);
     const Header header = read_header(table.header, table.dialect, table.columns, file);
-    stand_up(table);
+    stand_up(table, options.row, file, account);
     const Layout layout = layout_of(table, header, options.spacing > 0, file);
     const Units units = units_of(header, layout, options, file, account);
     const double spacing = layout.x == no_column ? spacing_of(header, options, table.rows(),
@@ -280,6 +295,8 @@ const char* what_was_removed(Detrend form) {
 void check(const ScanOptions& options) {
     if (!(options.spacing >= 0) || !std::isfinite(options.spacing))
         throw InputError("spacing: " + short_number(options.spacing) + ", expected a length above 0");
+    if (options.row < 0)
+        throw InputError("row: " + std::to_string(options.row) + ", expected 1 or more");
     if (options.nodes != 0 && (options.nodes < 2 || options.nodes > 10'000'000))
         throw InputError("nodes: " + std::to_string(options.nodes) + ", expected 2 to 1e7");
 }

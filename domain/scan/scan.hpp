@@ -14,6 +14,7 @@ struct ScanOptions {
     double spacing = 0; ///< distance of a one-column file's points, in `unit` (mm without); 0: none given
     Detrend detrend = Detrend::line; ///< what is taken off the heights
     bool fill = false; ///< replace missing heights by linear interpolation instead of refusing them
+    Index row = 0;     ///< of an areal matrix, the row to take, 1 the first; 0: the file is no matrix
     Index nodes = 0;   ///< resample to that many even nodes, >= 2; 0: as many as the file has points
 };
 
