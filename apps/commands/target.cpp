@@ -16,7 +16,8 @@ namespace app {
 
 namespace {
 
-const std::vector<std::string> quantity_names{"stiffness", "area", "area-displacement", "load"};
+const std::vector<std::string> quantity_names{"stiffness", "area", "area-displacement", "load",
+                                              "interface_stiffness"};
 
 std::vector<Setting> target_settings() {
     const std::vector<Setting> settings{
@@ -26,11 +27,14 @@ std::vector<Setting> target_settings() {
         {"like", "", "measured profile whose own response is the target"},
         {"check", "", "target file to check in place of making one"},
         {"quantity", "stiffness",
-         "of what: stiffness or area (against pressure), area-displacement or load (against displacement)"},
+         "of what: stiffness, interface_stiffness or area (against pressure), area-displacement or load "
+         "(against displacement)"},
         {"to", "", "last pressure (MPa) or displacement (mm) [the response's own; needed with --formula]"},
         {"points", "20", "points of the target, evenly spaced"},
         {"band", "", "tolerance band, a fraction of each value on both sides [none]"},
-        {"resistivity", "", "rho1 + rho2 of a conductance target to check"},
+        {"resistivity", "",
+         "rho1 + rho2 of a conductance target to check, C = 2 K_i/(E* (rho1 + rho2)) of the interface "
+         "stiffness K_i"},
         {"out", "", "target file to write (CSV)"},
         {"force", "", "write over an existing file", true},
     };
@@ -62,15 +66,22 @@ Made made_target(const Settings& settings) {
     rough::Model loaded = model;
     const double last = settings.has("to") ? settings.positive("to") : 0;
     (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) = last;
-    return {target_like(source.on(model.grid), loaded, source.name, quantity, points, last), model};
+    return {placing(settings, "",
+                    [&] {
+                        return target_like(source.on(model.grid), loaded, source.name, quantity, points,
+                                           last);
+                    }),
+            model};
 }
 
 /// Says what the target is; gives the exit code, 3 where it is out of reach.
-int report(const rough::Target& goal, const rough::Model& model) {
+int report(const rough::Target& goal, const rough::Model& model, const Settings& settings) {
     const rough::Columns columns = columns_of(goal.quantity);
     say(goal.name + ": " + std::to_string(goal.points()) + " points of " + columns.y + " from " +
         readable(goal.y.minCoeff(), 4) + " to " + readable(goal.y.maxCoeff(), 4) + " against " + columns.x +
         " up to " + readable(goal.last(), 4) + (goal.has_band() ? ", with a band" : ""));
+    if (!settings.given("modulus"))
+        say(modulus_note);
     const auto reasons = rough::out_of_reach({goal}, model);
     for (const auto& reason : reasons)
         say(reason.verdict() + "; no similarity is above " + readable(reason.bound, 4));
@@ -103,7 +114,9 @@ int target(const Words& words) {
         const rough::Target goal = goal_from(settings, settings.text("check"), model);
         for (const auto& note : without_effect(settings, {settings.text("check")}))
             say(note);
-        return report(goal, model);
+        for (const auto& note : carried_notes({goal}, model))
+            say(note);
+        return report(goal, model, settings);
     }
     if (!settings.has("out"))
         throw rough::InputError("target: --out is missing, expected the target file to write");
@@ -118,7 +131,7 @@ int target(const Words& words) {
     rough::write_atomically(out, to_csv(made.goal));
     for (const auto& note : without_effect(settings))
         say(note);
-    return report(made.goal, made.model);
+    return report(made.goal, made.model, settings);
 }
 
 } // namespace app

@@ -24,7 +24,7 @@ _rugosa() {
     --solver) COMPREPLY=($(compgen -W "auto nested nnls polonsky-keer active-set" -- "$current")) ;;
     --detrend) COMPREPLY=($(compgen -W "none mean line parabola" -- "$current")) ;;
     --unit) COMPREPLY=($(compgen -W "m mm um nm A in" -- "$current")) ;;
-    --quantity) COMPREPLY=($(compgen -W "stiffness area area-displacement load" -- "$current")) ;;
+    --quantity) COMPREPLY=($(compgen -W "stiffness interface_stiffness area area-displacement load" -- "$current")) ;;
     --pictures) COMPREPLY=($(compgen -W "on off" -- "$current")) ;;
     --variant) COMPREPLY=($(compgen -W "$(_rugosa_variants "${COMP_WORDS[0]}")" -- "$current")) ;;
     esac

@@ -36,7 +36,7 @@ void expect_same_model(const rough::Target& goal, const rough::Model& model) {
 } // namespace
 
 rough::Target goal_from(const Settings& settings, const std::string& file, const rough::Model& model) {
-    // C = 2 K/(E* (rho1 + rho2))
+    // C = 2 K_i/(E* (rho1 + rho2))
     const double conductance_to_stiffness =
         settings.has("resistivity") ? 0.5 * model.body.effective_modulus * settings.positive("resistivity")
                                     : 0;
@@ -44,6 +44,16 @@ rough::Target goal_from(const Settings& settings, const std::string& file, const
         placing(settings, "", [&] { return rough::read_target(file, conductance_to_stiffness); });
     expect_same_model(goal, model);
     return goal;
+}
+
+std::vector<std::string> carried_notes(const std::vector<rough::Target>& goals, const rough::Model& model) {
+    std::vector<std::string> notes;
+    for (const rough::Target& goal : goals)
+        if (const auto carried = carried_over(goal, model); !carried.empty())
+            notes.push_back("note: " + goal.name + ": recorded with " + in_words(carried) +
+                            ": an interface's stiffness does not depend on the datum, and is taken over to "
+                            "another length as the layer's own");
+    return notes;
 }
 
 std::vector<std::string> without_effect(const Settings& settings, const std::vector<std::string>& targets) {

@@ -10,6 +10,9 @@ namespace app {
 /// cannot be read, or where what it records of its model is not so.
 rough::Target goal_from(const Settings& settings, const std::string& file, const rough::Model& model);
 
+/// A line for each target over whose recorded datum or length it carries (rough::carried_over).
+std::vector<std::string> carried_notes(const std::vector<rough::Target>& goals, const rough::Model& model);
+
 /// A line for each flag that was given and decides nothing: of another kernel, or of targets that these are
 /// not (`targets`, their files).
 std::vector<std::string> without_effect(const Settings& settings,

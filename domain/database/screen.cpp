@@ -1,6 +1,8 @@
 #include "domain/database/screen.hpp"
 
+#include "domain/contact/full_contact.hpp"
 #include "domain/errors.hpp"
+#include "domain/response/interface.hpp"
 #include "domain/target/similarity.hpp"
 #include "ga/parallel.hpp"
 
@@ -71,7 +73,8 @@ class Reader {
   public:
     Reader(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets)
         : curves_(curves), targets_(targets), steps_(static_cast<std::size_t>(model.loading.steps)),
-          of_range_(load_displacements(1, model.loading, model.body.kernel)) {}
+          of_range_(load_displacements(1, model.loading, model.body.kernel)),
+          full_stiffness_(full_contact_stiffness(model.grid.nodes, model.grid.spacing(), model.body)) {}
 
     void read(std::size_t g, Curves& into) const {
         const double* pressure = &curves_.pressure[g * steps_];
@@ -93,6 +96,11 @@ class Reader {
                 take_from_origin(into[i], of_range_.data(), range, pressure, steps_);
                 into[i].stretches_y = true;
                 break;
+            case Quantity::interface_stiffness:
+                take_secants(into[i], pressure, steps_, of_range_.front() * range);
+                for (double& K : into[i].y)
+                    K = interface_of(K, full_stiffness_);
+                break;
             }
     }
     /// Where a genome's curve ends for a target, at scale 1.
@@ -106,6 +114,7 @@ class Reader {
     const std::vector<Target>& targets_;
     std::size_t steps_;
     std::vector<double> of_range_; ///< displacements of the load steps over the height range
+    double full_stiffness_;        ///< of the model's full contact, MPa/mm
 };
 
 /// The similarity at a scale; stops below `bar`, where the exact value does not matter.

@@ -1,5 +1,7 @@
 #include "domain/design/advance.hpp"
 
+#include "domain/response/interface.hpp"
+
 #include <algorithm>
 
 namespace rough {
@@ -59,12 +61,16 @@ Advance advance_for(const Target& target, Index nodes) {
         const auto most = static_cast<std::size_t>(stiffness.size());
         // Where (pressure, or displacement) the first k + 1 nodes begin to be the contact set.
         std::vector<double> begins(most + 1, 0.0);
+        Eigen::VectorXd asked = stiffness; // a periodic body's never has every node, and K_i = K
+        if (quantity == Quantity::interface_stiffness && stiffness.size() == nodes)
+            for (double& K : asked)
+                K = interface_of(K, stiffness[nodes - 1]);
         for (std::size_t k = 1; k < most; ++k)
-            begins[k] =
-                std::max(begins[k - 1],
-                         curve.reaches(by_area ? (static_cast<double>(k) + 0.5) / static_cast<double>(nodes)
-                                               : 0.5 * (stiffness[static_cast<Index>(k) - 1] +
-                                                        stiffness[static_cast<Index>(k)])));
+            begins[k] = std::max(
+                begins[k - 1],
+                curve.reaches(by_area
+                                  ? (static_cast<double>(k) + 0.5) / static_cast<double>(nodes)
+                                  : 0.5 * (asked[static_cast<Index>(k) - 1] + asked[static_cast<Index>(k)])));
         begins[most] = begins[most - 1];
         std::vector<double> steps(most);
         for (std::size_t k = 0; k < most; ++k) {

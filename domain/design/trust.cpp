@@ -179,7 +179,8 @@ std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& 
                 stiffer(target.lower), stiffer(target.upper);
         } else if (target.quantity == Quantity::load_at_displacement && !target.has_band()) {
             target.x += c * target.y;
-        } else if (target.quantity != Quantity::area_at_pressure) {
+        } else if (target.quantity != Quantity::area_at_pressure &&
+                   target.quantity != Quantity::interface_stiffness) {
             continue;
         }
         moved.push_back(std::move(target));

@@ -1,6 +1,7 @@
 #include "domain/problem/rows.hpp"
 
 #include "domain/mwm/sampling.hpp"
+#include "domain/response/interface.hpp"
 #include "domain/target/similarity.hpp"
 
 namespace rough {
@@ -10,6 +11,9 @@ namespace {
 CurveJacobian curve_jacobian(Quantity quantity, const Response& response, const ResponseJacobian& jacobian) {
     if (quantity == Quantity::stiffness)
         return secant_jacobian(response, jacobian);
+    if (quantity == Quantity::interface_stiffness)
+        return interface_jacobian(secant_jacobian(response, jacobian), secant_stiffness(response),
+                                  response.full_stiffness);
     const Index steps = response.steps(), genes = jacobian.pressure.cols();
     CurveJacobian result{Eigen::MatrixXd::Zero(steps + 1, genes), Eigen::MatrixXd::Zero(steps + 1, genes)};
     if (is_area(quantity))

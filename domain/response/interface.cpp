@@ -32,9 +32,13 @@ Eigen::VectorXd interface_stiffness(const Response& response) {
     return result;
 }
 
+double interface_of(double stiffness, double full_stiffness) {
+    return stiffness / std::max(interface_share(stiffness, full_stiffness), rounding);
+}
+
 Curve interface_curve(Curve stiffness, double full_stiffness) {
     for (double& K : stiffness.y)
-        K /= std::max(interface_share(K, full_stiffness), rounding);
+        K = interface_of(K, full_stiffness);
     return stiffness;
 }
 

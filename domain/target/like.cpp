@@ -1,8 +1,17 @@
 #include "domain/target/like.hpp"
 
+#include "domain/errors.hpp"
+#include "domain/response/record.hpp"
 #include "domain/target/recorded.hpp"
 
 namespace rough {
+
+namespace {
+
+/// K_i over K that only rounding next to full contact gives.
+constexpr double nearly_rigid = 1e9;
+
+} // namespace
 
 Target even_target(Quantity quantity, const std::string& name, Index points, double last,
                    const std::function<double(double)>& y) {
@@ -16,12 +25,19 @@ Target even_target(Quantity quantity, const std::string& name, Index points, dou
 
 Target target_like(const Profile& profile, const Model& model, const std::string& name, Quantity quantity,
                    Index points, double last) {
-    const Curve curve = curve_of(quantity, respond(profile, model));
+    const Response response = respond(profile, model);
+    const Curve curve = curve_of(quantity, response);
     // A load found by a solver ends within its tolerance of the one asked for.
     const bool reaches = last > 0 && last <= curve.to * (1 + 1e-9);
     Target target =
         even_target(quantity, name, points, reaches ? last : curve.to, [&](double x) { return curve.at(x); });
     target.recorded = recorded_model(model);
+    if (quantity == Quantity::interface_stiffness &&
+        target.y.maxCoeff() > nearly_rigid * response.tangent_stiffness.maxCoeff())
+        throw InputError(name + ": in full contact up to " + field_text(target.last()) +
+                             " MPa, where an interface's stiffness is infinite; expected a last pressure "
+                             "below full contact",
+                         "to");
     return target;
 }
 

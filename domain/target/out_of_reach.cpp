@@ -1,6 +1,9 @@
 #include "domain/target/out_of_reach.hpp"
 
+#include "domain/response/interface.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace rough {
@@ -31,6 +34,10 @@ struct Allowed {
 
 const char* unit_of(const Target& target) { return target.against_pressure() ? " MPa" : " mm"; }
 
+const char* name_of(const Target& target) {
+    return target.quantity == Quantity::interface_stiffness ? "interface stiffness" : "stiffness";
+}
+
 void find_fall(const Target& target, std::vector<OutOfReach>& found) {
     const Allowed allowed{target};
     Index first = 0, second = 0;
@@ -41,7 +48,7 @@ void find_fall(const Target& target, std::vector<OutOfReach>& found) {
                 worst = allowed.least_misfit(i, j), first = i, second = j;
     if (worst <= negligible)
         return;
-    const char* what = target.quantity == Quantity::stiffness ? "stiffness" : "contact fraction";
+    const char* what = is_area(target.quantity) ? "contact fraction" : name_of(target);
     found.push_back({line_of(what, " falls from ", allowed.lower(first), " at ", target.x[first],
                              unit_of(target), " to ", allowed.upper(second), " at ", target.x[second],
                              unit_of(target), ": contact only grows under load, so it never falls"),
@@ -84,12 +91,25 @@ void find_too_stiff(const Target& target, const Load& load, std::vector<OutOfRea
         found.push_back(worst);
 }
 
+/// The least that a target of K or K_i can be answered with at a pressure (MPa), MPa/mm. With a second secant
+/// near full contact the line that continues K_i below the first is as steep as one likes: no limit there.
+/// The first lies at P/(2 n) at most, since secants never fall.
+double least_at(double pressure, const Target& target, const Load& load) {
+    const double share = pressure / load.last;
+    if (target.quantity == Quantity::stiffness || std::isinf(load.secants.most)) // periodic: K_i = K
+        return scored_limits(load.secants, load.steps, share).least;
+    return 2 * load.steps * share >= 1 ? interface_of(load.secants.least, load.secants.most) : 0;
+}
+
 void find_too_soft(const Target& target, const Load& load, std::vector<OutOfReach>& found) {
+    const bool of_interface = target.quantity == Quantity::interface_stiffness;
+    const double one_node =
+        of_interface ? interface_of(load.secants.least, load.secants.most) : load.secants.least;
     const Allowed allowed{target};
     OutOfReach worst;
     worst.on_this_grid = true;
     for (Index k = 0; k < target.points(); ++k) {
-        const double least = scored_limits(load.secants, load.steps, target.x[k] / load.last).least;
+        const double least = least_at(target.x[k], target, load);
         const double under = target.weight * (least - allowed.upper(k)) / target.y[k];
         if (under <= negligible)
             continue;
@@ -97,10 +117,9 @@ void find_too_soft(const Target& target, const Load& load, std::vector<OutOfReac
         if (1 - under >= worst.bound)
             continue;
         worst.bound = 1 - under;
-        worst.reason =
-            line_of("stiffness ", allowed.upper(k), " MPa/mm at ", target.x[k],
-                    " MPa is below that of a single node in contact, ", load.secants.least, " MPa/mm");
-        if (least < load.secants.least)
+        worst.reason = line_of(name_of(target), " ", allowed.upper(k), " MPa/mm at ", target.x[k],
+                               " MPa is below that of a single node in contact, ", one_node, " MPa/mm");
+        if (least < one_node)
             worst.reason += line_of(", even as its first load steps continue it, ", least, " MPa/mm");
     }
     if (!worst.at.empty())
@@ -161,10 +180,10 @@ std::vector<OutOfReach> out_of_reach(const std::vector<Target>& targets, const M
             find_concave(target, load.secants, found);
         else
             find_fall(target, found);
-        if (target.quantity == Quantity::stiffness) {
+        if (target.quantity == Quantity::stiffness)
             find_too_stiff(target, load, found);
+        if (target.quantity == Quantity::stiffness || target.quantity == Quantity::interface_stiffness)
             find_too_soft(target, load, found);
-        }
     }
     return found;
 }

@@ -23,6 +23,8 @@ struct OutOfReach {
 ///   y_i above y_j with i < j, by (y_i - y_j)/(y_i + y_j) at least;
 /// - secants of K lie between one node alone and full contact, and so the curve that is scored, ends
 ///   continued, between scored_limits(); the lower of them is the less the finer the grid;
+/// - K_i never falls either. It has no upper limit, and from the middle of the first load step on, which no
+///   curve's first secant lies beyond, is at least that of one node alone; on a periodic body it is K;
 /// - P(Delta) is convex from (0, 0) on, for the same reason, and no steeper than full contact.
 /// The load of K(P) ends at `max_pressure` (MPa, Eq. 11), or without it at the last pressure of all targets.
 /// Nothing is found where a band allows a curve of that kind. The worst of each kind is returned.

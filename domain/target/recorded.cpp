@@ -41,18 +41,36 @@ std::map<std::string, std::string> recorded_model(const Model& model) {
     return recorded;
 }
 
-std::vector<RecordedDifference> recorded_differences(const Target& target, const Model& model) {
+namespace {
+
+bool carries_over(const std::string& key, Quantity quantity) {
+    return quantity == Quantity::interface_stiffness && (key == "datum_mm" || key == "length_mm");
+}
+
+std::vector<RecordedDifference> differences(const Target& target, const Model& model, bool carried) {
     const auto own = recorded_model(model);
-    std::vector<RecordedDifference> differences;
+    std::vector<RecordedDifference> found;
     for (const char* key : recorded_keys) {
+        if (carries_over(key, target.quantity) != carried)
+            continue;
         const auto there = target.recorded.find(key), here = own.find(key);
         if (there == target.recorded.end() || there->second.empty())
             continue;
         const std::string value = here == own.end() ? "" : here->second;
         if (here == own.end() || !same(key, there->second, value, target.name))
-            differences.push_back({key, there->second, as_read(key, value)});
+            found.push_back({key, there->second, as_read(key, value)});
     }
-    return differences;
+    return found;
+}
+
+} // namespace
+
+std::vector<RecordedDifference> recorded_differences(const Target& target, const Model& model) {
+    return differences(target, model, false);
+}
+
+std::vector<RecordedDifference> carried_over(const Target& target, const Model& model) {
+    return differences(target, model, true);
 }
 
 std::string in_words(const std::vector<RecordedDifference>& differences) {

@@ -15,9 +15,14 @@ struct RecordedDifference {
     std::string own;      ///< of the model; "" where it has no such thing
 };
 
-/// All of them, in the order kernel, length, modulus, datum, strip width; numbers may differ by 1e-9,
+/// All that matter, in the order kernel, length, modulus, datum, strip width; numbers may differ by 1e-9,
 /// relative. Throws InputError where a recorded number is none.
 std::vector<RecordedDifference> recorded_differences(const Target& target, const Model& model);
+
+/// Those over which a target carries. An interface's stiffness does not depend on the datum, and is a layer's
+/// own, whatever the length of the piece that is looked at: the half-plane behind it, whose stiffness depends
+/// on both, is taken out. No other quantity carries over anything.
+std::vector<RecordedDifference> carried_over(const Target& target, const Model& model);
 
 /// In words: "kernel strip (here free), length_mm 0.004 (here 0.84942)".
 std::string in_words(const std::vector<RecordedDifference>& differences);

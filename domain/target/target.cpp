@@ -1,6 +1,7 @@
 #include "domain/target/target.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/response/interface.hpp"
 #include "domain/target/target_table.hpp"
 
 #include <cmath>
@@ -12,10 +13,11 @@ namespace rough {
 namespace {
 
 constexpr Quantity quantities[] = {Quantity::stiffness, Quantity::area_at_pressure,
-                                   Quantity::area_at_displacement, Quantity::load_at_displacement};
-constexpr const char* expected_columns = "expected pressure_MPa with stiffness_MPa_per_mm, contact_fraction "
-                                         "or conductance, or displacement_mm with "
-                                         "contact_fraction or pressure_MPa; optionally lower and upper";
+                                   Quantity::area_at_displacement, Quantity::load_at_displacement,
+                                   Quantity::interface_stiffness};
+constexpr const char* expected_columns =
+    "expected pressure_MPa with stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, contact_fraction or "
+    "conductance, or displacement_mm with contact_fraction or pressure_MPa; optionally lower and upper";
 
 } // namespace
 
@@ -29,6 +31,8 @@ Columns columns_of(Quantity quantity) {
         return {"displacement_mm", "contact_fraction"};
     case Quantity::load_at_displacement:
         return {"displacement_mm", "pressure_MPa"};
+    case Quantity::interface_stiffness:
+        return {"pressure_MPa", "interface_stiffness_MPa_per_mm"};
     }
     throw InputError("quantity: unknown");
 }
@@ -75,10 +79,11 @@ Target read_target(const std::filesystem::path& file, double conductance_to_stif
         if (!(conductance_to_stiffness > 0))
             throw InputError(
                 file.string() +
-                    ": a conductance given, expected a resistivity with it: C = 2 K/(E* resistivity)",
+                    ": a conductance given, expected a resistivity with it: C = 2 K_i/(E* resistivity)",
                 "resistivity");
         x = cells.place_of("pressure_MPa"), y = cells.place_of("conductance");
         factor = conductance_to_stiffness;
+        target.quantity = Quantity::interface_stiffness;
     }
     const int lower = cells.place_of("lower"), upper = cells.place_of("upper");
     const std::size_t known = (x >= 0) + (y >= 0) + (lower >= 0) + (upper >= 0);
@@ -122,6 +127,8 @@ Curve curve_of(Quantity quantity, const Response& response) {
         return area_against_displacement(response);
     case Quantity::load_at_displacement:
         return load_against_displacement(response);
+    case Quantity::interface_stiffness:
+        return interface_secants(response);
     }
     throw InputError("quantity: unknown");
 }

@@ -14,6 +14,7 @@ enum class Quantity {
     area_at_pressure,     ///< contact fraction against mean pressure (MPa)
     area_at_displacement, ///< contact fraction against displacement from the highest point (mm)
     load_at_displacement, ///< mean pressure (MPa) against displacement (mm)
+    interface_stiffness,  ///< K_i (MPa/mm; response/interface.hpp) against mean pressure (MPa)
 };
 
 /// Whether it is of contact fractions.
@@ -22,7 +23,7 @@ inline bool is_area(Quantity quantity) {
 }
 /// Whether it is against a mean pressure (MPa), not a displacement (mm).
 inline bool against_pressure(Quantity quantity) {
-    return quantity == Quantity::stiffness || quantity == Quantity::area_at_pressure;
+    return quantity != Quantity::area_at_displacement && quantity != Quantity::load_at_displacement;
 }
 
 /// One curve that is asked for, with how much it counts and, where given, the band that satisfies it.
@@ -57,8 +58,9 @@ Columns columns_of(Quantity quantity);
 void validate(const Target& target);
 
 /// Reads a target: CSV, header first, any columns order; `#` lines before the header record the model as
-/// "# key: value". The column `conductance` stands for K by C = 2 K/(E* resistivities) (Barber 2003), where
-/// `conductance_to_stiffness` is E* resistivities/2; 0 refuses it. Throws InputError with file and line.
+/// "# key: value". The column `conductance` stands for the interface stiffness by C = 2 K_i/(E*
+/// resistivities) (Barber 2003), where `conductance_to_stiffness` is E* resistivities/2; 0 refuses it. Throws
+/// InputError with file and line.
 Target read_target(const std::filesystem::path& file, double conductance_to_stiffness = 0);
 
 /// The target as a file: the recorded lines, the header, a row a point with 17 digits.

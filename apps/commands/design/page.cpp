@@ -27,6 +27,8 @@ Shown shown_as(const rough::Target& goal) {
         return {x, "Stiffness K (MPa/mm)", unit};
     case rough::Quantity::load_at_displacement:
         return {x, "Mean pressure p (MPa)", unit};
+    case rough::Quantity::interface_stiffness:
+        return {x, "Interface stiffness K_i (MPa/mm)", unit};
     default:
         return {x, "Contact fraction A", unit};
     }

@@ -85,7 +85,8 @@ std::vector<Setting> design_settings() {
         {"weights", "", "how much each target counts, with commas between [1 each]"},
         {"like", "", "measured profile whose own response is the target"},
         {"points", "20", "points of the target that --like gives"},
-        {"resistivity", "", "rho1 + rho2 of a conductance target, C = 2 K/(E* (rho1 + rho2))"},
+        {"resistivity", "",
+         "rho1 + rho2 of a conductance target, C = 2 K_i/(E* (rho1 + rho2)) of the interface stiffness K_i"},
         {"max-pressure", "",
          "rescale every genome to this mean pressure at full approach (Eq. 11), MPa [amplitude is a gene]"},
         {"database", "", "genome database whose stored curves nearest to the target the search begins from"},
@@ -150,6 +151,8 @@ DesignRun design_from(const Settings& settings) {
                                     " MPa given, expected at least the last pressure of " + goal.name + ", " +
                                     readable(goal.last(), 6) + " MPa");
     for (const auto& note : without_effect(settings, rough::listed(settings.text("target"))))
+        run.accounts.push_back(note);
+    for (const auto& note : carried_notes(setup.targets, setup.model))
         run.accounts.push_back(note);
     take_bounds(settings, setup);
     run.searched = setup;
