@@ -53,6 +53,24 @@ TEST_CASE("a file with any one quirk of real scans holds the same profile as the
     }
 }
 
+TEST_CASE("of an areal matrix one row is taken, counted from 1, with the spacing given") {
+    const std::string matrix = "1 2 3 4\n5 6 7 9\n0 0 1 0\n";
+    ScanOptions options{.unit = "um", .spacing = 2, .detrend = Detrend::none, .row = 2};
+    const Scan scan = read(matrix, options);
+    CHECK(scan.profile.heights.isApprox(1e-3 * Eigen::Vector4d(5, 6, 7, 9)));
+    CHECK(scan.profile.spacing == Approx(2e-3));
+    CHECK_THAT(scan.account, Catch::Contains("row 2 of 3 rows of 4 heights"));
+    options.row = 3;
+    CHECK(read("# map\n" + matrix, options).profile.heights[2] == Approx(1e-3));
+    options.row = 4;
+    CHECK_THAT(refusal(matrix, options), Catch::Contains("row 4 given of 3 rows"));
+    options.row = 1;
+    CHECK_THAT(refusal("0 1\n1 2\n2 1\n", options), Catch::Contains("row 1 given of 3 rows of 2"));
+    CHECK_THAT(refusal("1 NaN 3 4\n5 6 7 9\n", options), Catch::Contains("missing"));
+    options.spacing = 0;
+    CHECK_THAT(refusal(matrix, options), Catch::Contains("spacing"));
+}
+
 TEST_CASE("the account says which unit was named, given or assumed") {
     CHECK_THAT(read("0 1\n1 2\n2 1\n").account,
                Catch::Contains("x in mm (assumed), heights in mm (assumed)"));
@@ -150,6 +168,7 @@ TEST_CASE("what cannot be a line scan is refused in one line that says why") {
     CHECK_THAT(refusal("1\n2\n0\n"), Catch::Contains("expected a spacing"));
     CHECK_THAT(refusal("0 1\n1 2\n2 1\n", {.spacing = 0.5}).substr(0, 8), !Catch::Contains("column"));
     CHECK_THAT(refusal("0.5 1\n1 2\n2 1\n", {.spacing = 0.5}), Catch::Contains("two columns"));
+    CHECK_THAT(refusal("1 2 3 4\n5 6 7 9\n"), Catch::Contains("of an areal matrix, the row to take"));
     CHECK_THAT(refusal("0 1 5\n1 2 5.5\n3 1 7\n"), Catch::Contains("3 columns"));
     CHECK_THAT(refusal("0 1\n1 2\n2 here\n3 1\n"), Catch::Contains("line 3") && Catch::Contains("2 here"));
     CHECK_THAT(refusal("0 1\n1 2\n2 3 4\n3 1\n"), Catch::Contains("line 3") && Catch::Contains("3 columns"));
