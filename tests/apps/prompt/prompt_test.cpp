@@ -291,6 +291,32 @@ TEST_CASE("a flag that decides nothing is taken, and a note says so") {
     }
 }
 
+TEST_CASE("contact says what strains its model: a jump at periodic ends, short waves, no modulus") {
+    const Desk desk;
+    desk.write("jump.json", R"({"series":[{"A":1e-3,"H":1,"gamma":1.7,"lambda":0.84942,"chromosomes":[)"
+                            R"({"n":1,"phases":[0]},{"n":2,"phases":[1.5]}]}]})");
+    desk.write("meets.json", R"({"series":[{"A":1e-3,"H":1,"gamma":2,"lambda":0.84942,"chromosomes":[)"
+                             R"({"n":1,"phases":[0]},{"n":2,"phases":[1.5]}]}]})");
+    const auto said = [&](const std::string& words) {
+        const Ended ended = rugosa("contact --out c.csv --force " + words, desk.path());
+        INFO(words << ended.err);
+        CHECK(ended.code == 0);
+        return ended.out;
+    };
+    // G_2/G_1 = 1/1.7; cos(1.5) - cos(3.4 pi + 1.5) over the range of both
+    const std::string jump = "of its height range: a step where a periodic body repeats it";
+    CHECK_THAT(said("--genome jump.json --kernel periodic"), Catch::Contains(jump));
+    CHECK(said("--genome jump.json").find(jump) == std::string::npos);
+    CHECK(said("--genome meets.json --kernel periodic").find(jump) == std::string::npos);
+    CHECK_THAT(rugosa("profile jump.json --pictures off --out p", desk.path()).out, Catch::Contains(jump));
+    const std::string waves = "nodes long, under 8";
+    CHECK_THAT(said("--genome meets.json --nodes 14"), Catch::Contains("6.50 " + waves));
+    CHECK(said("--genome meets.json --nodes 18").find(waves) == std::string::npos);
+    const std::string modulus = "E is 1 MPa";
+    CHECK_THAT(said("--genome meets.json"), Catch::Contains(modulus));
+    CHECK(said("--genome meets.json --modulus 1").find(modulus) == std::string::npos);
+}
+
 TEST_CASE("contact, design and run share their common flags") {
     for (const std::string command : {"contact", "design", "run"}) {
         const std::string help = rugosa(command + " --help").out;
