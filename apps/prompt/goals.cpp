@@ -48,11 +48,15 @@ rough::Target goal_from(const Settings& settings, const std::string& file, const
 
 std::vector<std::string> carried_notes(const std::vector<rough::Target>& goals, const rough::Model& model) {
     std::vector<std::string> notes;
-    for (const rough::Target& goal : goals)
-        if (const auto carried = carried_over(goal, model); !carried.empty())
-            notes.push_back("note: " + goal.name + ": recorded with " + in_words(carried) +
-                            ": an interface's stiffness does not depend on the datum, and is taken over to "
-                            "another length as the layer's own");
+    for (const rough::Target& goal : goals) {
+        const auto carried = carried_over(goal, model);
+        if (carried.empty())
+            continue;
+        const bool by_length = carried.front().key == "length_mm";
+        notes.push_back("note: " + goal.name + ": recorded with " + in_words(carried) +
+                        ": an interface's stiffness does not depend on the datum" +
+                        (by_length ? ", and is taken over to another length as that of the same layer" : ""));
+    }
     return notes;
 }
 

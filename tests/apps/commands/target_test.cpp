@@ -51,7 +51,7 @@ TEST_CASE("a target made of a formula, a genome or a scan is read back with its 
 
     folder.write("g.json", R"({"series":[{"A":1e-3,"H":1,"gamma":1.6,"lambda":0.84942,"chromosomes":[)"
                            R"({"n":1,"phases":[0.3]},{"n":2,"phases":[1]},{"n":3,"phases":[4]}]}]})");
-    for (const char* quantity : {"stiffness", "area", "area-displacement", "load"}) {
+    for (const char* quantity : {"stiffness", "area", "area-displacement", "load", "interface_stiffness"}) {
         const Ended ended = rugosa(std::string("target --genome g.json --kernel periodic --quantity ") +
                                        quantity + " --out " + quantity + ".csv",
                                    folder.path());
@@ -67,6 +67,26 @@ TEST_CASE("a target made of a formula, a genome or a scan is read back with its 
     folder.write("scan.txt", scan);
     CHECK(rugosa("target --like scan.txt --out s.csv", folder.path()).code == 0);
     CHECK(rough::read_target(folder / "s.csv").points() == 20);
+}
+
+TEST_CASE("a target of interface stiffness serves other datums and lengths, and says so") {
+    const Folder folder;
+    folder.write("g.json", R"({"series":[{"A":1e-3,"H":1,"gamma":1.6,"lambda":0.84942,"chromosomes":[)"
+                           R"({"n":1,"phases":[0.3]},{"n":2,"phases":[1]},{"n":3,"phases":[4]}]}]})");
+    REQUIRE(rugosa("target --genome g.json --quantity interface_stiffness --out i.csv", folder.path()).code ==
+            0);
+    const Ended same = rugosa("target --check i.csv", folder.path());
+    CHECK(same.code == 0);
+    CHECK(same.out.find("recorded with") == std::string::npos);
+    const Ended other = rugosa("target --check i.csv --datum 3", folder.path());
+    CHECK(other.code == 0);
+    CHECK_THAT(other.out, Catch::Contains("i.csv: recorded with datum_mm") && Catch::Contains("(here 3)"));
+    CHECK(rugosa("target --check i.csv --length 2", folder.path()).code == 0);
+    CHECK(rugosa("target --check i.csv --kernel strip", folder.path()).code == 2);
+    folder.write("c.csv", "# datum_mm: 9\npressure_MPa,conductance\n1e-5,1\n1e-4,2\n");
+    const Ended conductance = rugosa("target --check c.csv --resistivity 2", folder.path());
+    CHECK(conductance.code == 0);
+    CHECK_THAT(conductance.out, Catch::Contains("2 points of interface_stiffness_MPa_per_mm from 1"));
 }
 
 TEST_CASE("a target is checked against its own model, and called out of reach where it is") {

@@ -235,8 +235,8 @@ TEST_CASE("screening with free amplitude finds a stored genome at the amplitude 
     GenomeStore store = GenomeStore::create(folder / "genomes.db", setup);
     build(store, {.genomes = 200});
     const StoredCurves curves = store.curves(true);
-    for (const auto quantity :
-         {Quantity::stiffness, Quantity::area_at_displacement, Quantity::load_at_displacement})
+    for (const auto quantity : {Quantity::stiffness, Quantity::area_at_displacement,
+                                Quantity::load_at_displacement, Quantity::interface_stiffness})
         for (const double reach : {0.95, 0.4, 0.3}) {
             if (quantity == Quantity::area_at_displacement && reach < 0.9)
                 continue; // a handful of touching nodes is many genomes' answer

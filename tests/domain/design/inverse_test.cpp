@@ -105,18 +105,19 @@ TEST_CASE("one asperity answers a rising stiffness curve as asked, for every ker
     }
 }
 
-TEST_CASE("load and contact fraction against load or displacement are met by the inverse as well") {
+TEST_CASE("interface stiffness, load and contact fraction are met by the inverse as well") {
     const Index nodes = 256;
     const Body body;
     const double spacing = L / static_cast<double>(nodes - 1);
-    for (const Quantity quantity :
-         {Quantity::area_at_pressure, Quantity::area_at_displacement, Quantity::load_at_displacement}) {
+    for (const Quantity quantity : {Quantity::area_at_pressure, Quantity::area_at_displacement,
+                                    Quantity::load_at_displacement, Quantity::interface_stiffness}) {
         Target target;
         target.quantity = quantity;
         target.x = Eigen::VectorXd::LinSpaced(20, 1e-5, 2e-4);
         const Eigen::ArrayXd t = target.x.array() / 2e-4;
-        target.y = quantity == Quantity::load_at_displacement ? Eigen::VectorXd(8e-5 * t + 4e-5 * t.square())
-                                                              : Eigen::VectorXd(0.05 + 0.5 * t);
+        target.y = quantity == Quantity::load_at_displacement  ? Eigen::VectorXd(8e-5 * t + 4e-5 * t.square())
+                   : quantity == Quantity::interface_stiffness ? Eigen::VectorXd(0.5 + 2.5 * t)
+                                                               : Eigen::VectorXd(0.05 + 0.5 * t);
         const InverseProfile inverse = inverse_profile(
             nodes, spacing, body, outwards(nodes, 120), advance_for(target, nodes),
             target.against_pressure() ? 2e-4 : infinity, target.against_pressure() ? infinity : 2e-4);

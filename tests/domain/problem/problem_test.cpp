@@ -116,6 +116,21 @@ TEST_CASE("they do so for loads against displacement, bands, weights and two tar
     check_jacobian(setup, genome, "similarity");
 }
 
+TEST_CASE("they do so for interface stiffness, with and without Eq. 11") {
+    std::mt19937_64 random(36);
+    for (const bool free_amplitude : {false, true}) {
+        DesignSetup setup = drawn_setup();
+        setup.targets[0].quantity = Quantity::interface_stiffness;
+        setup.targets[0].y *= 1.5;
+        if (!free_amplitude)
+            setup.max_pressure = 1.6e-4;
+        const Genome genome = with_fitting_amplitude(
+            setup, testing::random_genome(random, 2, 1, 0.84942, setup.limits.shortest_wave));
+        for (const char* objective : {"similarity", "judged"})
+            check_jacobian(setup, genome, objective);
+    }
+}
+
 TEST_CASE("they do so for contact fractions against pressure and displacement, which move smoothly there") {
     std::mt19937_64 random(35);
     for (const Quantity quantity : {Quantity::area_at_pressure, Quantity::area_at_displacement}) {

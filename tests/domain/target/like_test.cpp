@@ -39,6 +39,34 @@ TEST_CASE("a target like a profile is that profile's own curve at even points") 
     CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 2 * own.to).last() == own.to);
 }
 
+TEST_CASE("a target of interface stiffness carries over between datums and lengths, and over nothing else") {
+    const Profile profile = waves();
+    Model model = model_of(profile);
+    const Target target = target_like(profile, model, "waves.csv", Quantity::interface_stiffness);
+    CHECK(carried_over(target, model).empty());
+    model.body.datum = 5;
+    model.grid.length = 2;
+    CHECK_NOTHROW(expect_recorded(target, model));
+    CHECK(in_words(carried_over(target, model)) == "length_mm 1.27 (here 2), datum_mm 1.27 (here 5)");
+    model.body.effective_modulus = 2;
+    CHECK(in_words(recorded_differences(target, model)) == "effective_modulus_MPa 1 (here 2)");
+    const Target whole = target_like(profile, model_of(profile), "waves.csv", Quantity::stiffness);
+    CHECK(carried_over(whole, model).empty());
+    CHECK(recorded_differences(whole, model).size() == 3);
+}
+
+TEST_CASE("a target of interface stiffness ends before full contact, where it is infinite") {
+    Profile bowl{1e-6 * Eigen::VectorXd::LinSpaced(64, -1, 1).cwiseAbs2(), 1.0 / 63};
+    Model model = model_of(bowl);
+    model.grid.length = 1;
+    model.loading.to_displacement = 1e-3;
+    CHECK_THROWS_WITH(target_like(bowl, model, "bowl", Quantity::interface_stiffness),
+                      Catch::Contains("bowl") && Catch::Contains("full contact"));
+    CHECK_NOTHROW(target_like(bowl, model, "bowl", Quantity::stiffness));
+    model.loading.to_displacement = 1e-7;
+    CHECK_NOTHROW(target_like(bowl, model, "bowl", Quantity::interface_stiffness));
+}
+
 TEST_CASE("a target says what it was recorded with and is refused elsewhere") {
     const Profile profile = waves();
     Model model = model_of(profile);

@@ -112,8 +112,9 @@ TEST_CASE("no profile's own response is out of reach, and no profile passes the 
         const Model model = model_on(static_cast<Kernel>(trial % 3), 60 + trial % 7, steps);
         const Response response =
             respond(scene(model, trial / 15, random), model.body, model.loading, model.contact);
-        for (const Quantity quantity : {Quantity::stiffness, Quantity::area_at_pressure,
-                                        Quantity::area_at_displacement, Quantity::load_at_displacement}) {
+        for (const Quantity quantity :
+             {Quantity::stiffness, Quantity::area_at_pressure, Quantity::area_at_displacement,
+              Quantity::load_at_displacement, Quantity::interface_stiffness}) {
             INFO("trial " << trial << ", steps " << steps << ", quantity " << static_cast<int>(quantity));
             const Curve curve = curve_of(quantity, response);
             const Target own = read_off(curve, quantity, 5 + trial % 30);
@@ -134,6 +135,32 @@ TEST_CASE("no profile's own response is out of reach, and no profile passes the 
     }
     CHECK(verdicts > 100);
     CHECK(nearest < 0.05); // bounds that tell nothing would pass the rest
+}
+
+TEST_CASE("an interface stiffness may exceed full contact's, but neither fall nor be less than one node's") {
+    const Model model = model_on(Kernel::free, 128, 20);
+    const StiffnessLimits limits = stiffness_limits(model);
+    const auto target_of = [](double first, double second) {
+        Target target;
+        target.quantity = Quantity::interface_stiffness;
+        target.x = Eigen::Vector2d(1e-5, 1e-4);
+        target.y = Eigen::Vector2d(first, second);
+        return target;
+    };
+    CHECK(out_of_reach({target_of(1, 1000 * limits.most)}, model).empty());
+    const auto falls = out_of_reach({target_of(2, 1)}, model);
+    REQUIRE(falls.size() == 1);
+    CHECK_THAT(falls[0].reason, Catch::StartsWith("interface stiffness falls"));
+    CHECK(falls[0].bound == Approx(2.0 / 3));
+    // One node's K is its K_i in series with the half-plane's, so K_i is the larger.
+    const double one_node = 1 / (1 / limits.least - 1 / limits.most);
+    CHECK(out_of_reach({target_of(1.001 * one_node, 1)}, model).empty());
+    const auto soft = out_of_reach({target_of(0.5 * (limits.least + one_node), 1)}, model);
+    REQUIRE(soft.size() == 1);
+    CHECK_THAT(soft[0].verdict(), Catch::Contains("on this grid") && Catch::Contains("single node"));
+    Target light = target_of(0.5 * limits.least, 1);
+    light.x[0] = 1e-4 / 41; // before any first secant, which the next may continue to nothing
+    CHECK(out_of_reach({light}, model).empty());
 }
 
 TEST_CASE("scored stiffness stays within its limits whatever rising secants, which some attain") {

@@ -20,14 +20,20 @@ TEST_CASE("a target file says by its columns what it is of") {
     CHECK(read_text("pressure_MPa,contact_fraction\n1,0.2\n").quantity == Quantity::area_at_pressure);
     CHECK(read_text("displacement_mm,contact_fraction\n1,0.2\n").quantity == Quantity::area_at_displacement);
     CHECK(read_text("displacement_mm,pressure_MPa\n1,0.2\n").quantity == Quantity::load_at_displacement);
+    CHECK(read_text("pressure_MPa,interface_stiffness_MPa_per_mm\n1,2\n").quantity ==
+          Quantity::interface_stiffness);
     const Target swapped = read_text("stiffness_MPa_per_mm , pressure_MPa\n2,1\n4,3\n");
     CHECK(swapped.x == Eigen::Vector2d(1, 3));
     CHECK(swapped.y == Eigen::Vector2d(2, 4));
 }
 
-TEST_CASE("a conductance is read as the stiffness that has it") {
-    // C = 2 K/(E* rho): K = C E* rho/2
-    CHECK(read_text("pressure_MPa,conductance\n1,10\n", 0.25).y[0] == 2.5);
+TEST_CASE("a conductance is read as the interface stiffness that has it") {
+    // C = 2 K_i/(E* rho): K_i = C E* rho/2
+    const Target target = read_text("pressure_MPa,conductance,lower,upper\n1,10,8,12\n", 0.25);
+    CHECK(target.quantity == Quantity::interface_stiffness);
+    CHECK(target.y[0] == 2.5);
+    CHECK(target.lower[0] == 2);
+    CHECK(target.upper[0] == 3);
     CHECK_THROWS_WITH(read_text("pressure_MPa,conductance\n1,10\n"),
                       Catch::Contains("expected a resistivity"));
 }
