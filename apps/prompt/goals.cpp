@@ -55,7 +55,7 @@ std::vector<std::string> carried_notes(const std::vector<rough::Target>& goals, 
         const bool by_length = carried.front().key == "length_mm";
         notes.push_back("note: " + goal.name + ": recorded with " + in_words(carried) +
                         ": an interface's stiffness does not depend on the datum" +
-                        (by_length ? ", and is taken over to another length as that of the same layer" : ""));
+                        (by_length ? ", and on the length only weakly, at light loads" : ""));
     }
     return notes;
 }
