@@ -46,7 +46,8 @@ struct Trust {
 };
 
 /// Re-verifies a genome in final amplitude. The datum's change is exact on the target side: 1/K(4 d) = 1/K(d)
-/// + (2 L/(pi E*)) ln 4 at the same load, displacements grow by (2 P L/(pi E*)) ln 4, areas stay.
+/// + (2 L/(pi E*)) ln 4 at the same load, displacements grow by (2 P L/(pi E*)) ln 4, areas and interface
+/// stiffness stay.
 Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options);
 
 /// The targets as they read with the datum `factor` times farther; free kernel only. A target against

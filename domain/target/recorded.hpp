@@ -19,9 +19,9 @@ struct RecordedDifference {
 /// relative. Throws InputError where a recorded number is none.
 std::vector<RecordedDifference> recorded_differences(const Target& target, const Model& model);
 
-/// Those over which a target carries. The half-plane, whose stiffness depends on datum and length, is taken out
-/// of an interface's: that does not depend on the datum, and weakly, at light loads, on the length. No other
-/// quantity carries over anything.
+/// Those over which a target carries. The half-plane, whose stiffness depends on datum and length, is taken
+/// out of an interface's: that does not depend on the datum, and weakly, at light loads, on the length. No
+/// other quantity carries over anything.
 std::vector<RecordedDifference> carried_over(const Target& target, const Model& model);
 
 /// In words: "kernel strip (here free), length_mm 0.004 (here 0.84942)".

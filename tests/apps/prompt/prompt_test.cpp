@@ -303,7 +303,6 @@ TEST_CASE("contact says what strains its model: a jump at periodic ends, short w
         CHECK(ended.code == 0);
         return ended.out;
     };
-    // G_2/G_1 = 1/1.7; cos(1.5) - cos(3.4 pi + 1.5) over the range of both
     const std::string jump = "of its height range: a step where a periodic body repeats it";
     CHECK_THAT(said("--genome jump.json --kernel periodic"), Catch::Contains(jump));
     CHECK(said("--genome jump.json").find(jump) == std::string::npos);

@@ -30,6 +30,18 @@ double height_as_printed(const Genome& genome, double x) {
 
 } // namespace
 
+TEST_CASE("a genome jumps at the ends of a length by what its waves lack of a whole number of turns") {
+    Genome wave;
+    wave.series = {Series{.A = 1e-3, .H = 1, .gamma = 1.5, .lambda = 2, .chromosomes = {{1, {0.4}}}}};
+    const Profile whole = sample(wave, {2001, 2});
+    const double range = whole.heights.maxCoeff() - whole.heights.minCoeff();
+    // After half a turn cos(0.4) is at its opposite: the jump is twice the amplitude's part, of a range of
+    // two.
+    CHECK(jump_at_ends(wave, 1) == Approx(range * std::cos(0.4)).epsilon(1e-5));
+    CHECK(std::abs(jump_at_ends(wave, 2)) < 1e-12 * range);
+    CHECK(std::abs(jump_at_ends(wave, 6)) < 1e-12 * range);
+}
+
 TEST_CASE("a profile is the sum of every ridge's cosine, though each chromosome costs one") {
     std::mt19937_64 random(1);
     for (std::size_t ridges : {1u, 2u, 8u})
