@@ -25,6 +25,7 @@ int run(const Words& words);
 int target(const Words& words);
 int stability(const Words& words);
 int operators(const Words& words);
+int optimise(const Words& words);
 
 /// All of them, in the order of the help page.
 const std::vector<Command>& commands();

@@ -13,6 +13,7 @@ template <class G>
 concept Positional = std::ranges::random_access_range<G> && requires(G& genome, std::size_t i) {
     genome.size();
     std::swap_ranges(genome.begin(), genome.end(), genome.begin());
+    *genome.begin() = *genome.begin(); // a swap's own signature does not ask for it
 };
 
 /// Lets edit(std::span<double>) change a genome's real genes, in place where the genome is a vector of them.

@@ -209,7 +209,7 @@ std::string lines_of(const std::string& text, const std::string& beginning) {
 
 const std::vector<std::string> commands{"contact",   "profile",       "target",         "design",
                                         "run",       "database info", "database query", "chart",
-                                        "stability", "operators",     "database build"};
+                                        "stability", "operators",     "database build", "optimise"};
 
 } // namespace
 

@@ -1,0 +1,195 @@
+#include "apps/commands/commands.hpp"
+#include "apps/commands/optimise/search.hpp"
+#include "apps/prompt/interrupt.hpp"
+#include "apps/prompt/progress.hpp"
+#include "apps/prompt/settings.hpp"
+#include "apps/prompt/voice.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/result.hpp"
+#include "apps/report/units.hpp"
+#include "domain/errors.hpp"
+#include "domain/text/words.hpp"
+#include "ga/parallel.hpp"
+
+#include <limits>
+
+namespace app {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr const char* usual_evaluations = "10000";
+
+std::vector<Setting> optimise_settings() {
+    return {
+        {"genes", "", "genome: real:COUNT:LOWER:UPPER, bits:COUNT or permutation:COUNT (of 0, 1, ...)"},
+        {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
+        {"variant", "", "ga or nsga2 [ga; of several objectives nsga2]"},
+        {"pipeline", "", "search by this text, its objectives called f1, f2, ... (rugosa operators)"},
+        {"minimise", "", "less is better: in all objectives, or X = 1,3 in those"},
+        {"evaluations", usual_evaluations, "most that may be asked for"},
+        {"seconds", "", "most wall time, of the program; alone, it takes the place of --evaluations"},
+        {"timeout", "60", "seconds that one evaluation may take"},
+        {"seed", "1", "of everything random"},
+        {"threads", "0", "evaluations beside each other, each by a child process of its own; 0: all"},
+        {"out", "", "folder for result.json [out/optimise]"},
+        {"resume", "", "go on with the run in --out", true},
+        {"force", "", "write over a result that is there", true}};
+}
+
+/// --minimise by itself is all of them.
+Words with_minimise_of_all(Words words) {
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (words[i] == "--minimise" && (i + 1 == words.size() || words[i + 1].starts_with("--")))
+            words[i] += "=all";
+    return words;
+}
+
+json solution_json(const Solution& solution) {
+    json result = {{"genes", json::parse(solution.genes)}, {"objectives", solution.answer.objectives}};
+    if (solution.answer.violation != 0)
+        result["violation"] = solution.answer.violation;
+    return result;
+}
+
+json outside_json(const OutsideSearch& searched, const BestKnown& record, const Settings& settings) {
+    json result;
+    for (const char* name : {"genes", "evaluate"})
+        result[name] = settings.text(name);
+    result["variant"] = searched.variant;
+    result["pipeline"] = searched.searched;
+    result["minimise"] = json::array();
+    for (std::size_t k = 0; k < record.minimise.size(); ++k)
+        if (record.minimise[k])
+            result["minimise"].push_back(k + 1);
+    result["best"] = record.best() ? solution_json(*record.best()) : json();
+    if (record.minimise.size() > 1) {
+        result["front"] = json::array();
+        for (const Solution& solution : record.front())
+            result["front"].push_back(solution_json(solution));
+    }
+    result["evaluations"] = searched.spent;
+    result["stopped"] = searched.stopped;
+    result["notes"] = searched.notes;
+    return result;
+}
+
+/// What the settings ask for; their mistakes are found before anything is made.
+OutsideSearch search_from(const Settings& settings) {
+    for (const char* needed : {"genes", "evaluate"})
+        if (!settings.has(needed))
+            throw rough::InputError(
+                std::string("--") + needed + ": missing, expected it" +
+                (needed[0] == 'g' ? ", e.g. real:5:-5:5" : ", e.g. 'python3 fitness.py'"));
+    if (settings.given("variant") && settings.given("pipeline"))
+        throw rough::InputError("optimise: expected either --variant or --pipeline");
+    OutsideSearch search;
+    search.genes = genes_from(settings.text("genes"));
+    split_command(settings.text("evaluate"));
+    search.variant = settings.text("variant");
+    search.pipeline = settings.text("pipeline");
+    search.minimise = settings.text("minimise");
+    if (search.minimise != "all") // their largest is not known yet
+        minimised(search.minimise, 1000);
+    search.seed = settings.seed("seed");
+    search.seconds =
+        settings.has("seconds") ? settings.positive("seconds") : std::numeric_limits<double>::infinity();
+    search.evaluations = settings.has("seconds") && !settings.given("evaluations")
+                             ? std::numeric_limits<long>::max()
+                             : settings.whole("evaluations", 1, 1L << 53);
+    search.description = json({settings.text("genes"), settings.text("evaluate"), search.minimise}).dump();
+    search.resume = settings.is_on("resume");
+    if (search.resume && !settings.has("out"))
+        throw rough::InputError(
+            "--resume: given without --out, expected the folder of the run to go on with");
+    return search;
+}
+
+} // namespace
+
+void search(OutsideSearch& search, Children& children) {
+    switch (search.genes.kind) {
+    case Genes::Kind::real:
+        return search_real(search, children);
+    case Genes::Kind::bits:
+        return search_bits(search, children);
+    case Genes::Kind::permutation:
+        return search_permutation(search, children);
+    }
+}
+
+int optimise(const Words& words) {
+    const ga::Stopwatch clock;
+    if (shows_help(
+            words, "optimise --genes KIND --evaluate 'COMMAND' [flags]",
+            "Optimises what a program in any language evaluates. COMMAND is started once a thread, without a "
+            "shell; it reads a line {\"id\":1,\"genes\":[0.5,1]} a genome from its standard input and writes "
+            "a line {\"id\":1,\"objectives\":[3.2]} to its standard output, flushed. Greater is better "
+            "unless "
+            "--minimise says otherwise. \"violation\":V, above 0 where constraints are broken, puts a genome "
+            "behind those that hold them. The same genome must have the same answer; then the same seed "
+            "gives "
+            "the same bits on any number of threads. Writes result.json. Exit codes: 0 done; 2 wrong use, or "
+            "a child that ended, was silent too long or answered nonsense; 130 interrupted. The best so far "
+            "is written, and --resume goes on.",
+            optimise_settings(),
+            {"optimise --genes real:5:-5:5 --evaluate 'python3 fitness.py' --minimise --out out/sphere",
+             "optimise --genes bits:40 --evaluate ./count --evaluations 2000 --seed 7",
+             "optimise --genes permutation:20 --evaluate 'python3 tour.py' --pipeline \"sample 50 | score | "
+             "repeat 200 { tournament 3 | cross order | mutate 0.05 reverse | score | elite 2 } | best 1\"",
+             "optimise --genes real:10:0:1 --evaluate 'python3 two.py' --minimise 1,2 --variant nsga2"}))
+        return 0;
+    const Settings settings = read_command_line(with_minimise_of_all(words), optimise_settings());
+    OutsideSearch asked = search_from(settings);
+    const int threads = ga::thread_count(settings.threads("threads"));
+    const double timeout = settings.positive("timeout");
+    const OutputFolder output(settings.text("out"), "optimise",
+                              {{"result.json", "checkpoint.cbor", "checkpoint.cbor.before", "evaluate.log"},
+                               settings.files(),
+                               settings.is_on("force"),
+                               asked.resume});
+    const auto& folder = output.path();
+    asked.checkpoint = folder / "checkpoint.cbor";
+    if (asked.resume && says_finished(folder, "checkpoint.cbor"))
+        return 0;
+
+    const Interrupt interrupt;
+    Progress progress;
+    Children children(settings.text("evaluate"), threads, timeout, folder / "evaluate.log");
+    asked.stop = &interrupt.flag();
+    asked.show = [&](const std::string& line) { progress.show(line); };
+    asked.seconds -= clock.seconds();
+    search(asked, children);
+    if (!children.trouble().empty())
+        asked.stopped = children.trouble();
+    const BestKnown& record = children.record;
+    if (record.best() || interrupt.asked()) {
+        json result = origin_json({RUGOSA_VERSION, command_line("optimise", words), asked.seed, threads});
+        result.update(outside_json(asked, record, settings));
+        result["seconds"] = clock.seconds();
+        write_json(folder / "result.json", result);
+    }
+    if (asked.stopped.empty())
+        for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
+            std::filesystem::remove(folder / kept);
+    if (!children.trouble().empty())
+        throw rough::InputError(children.trouble() +
+                                (record.best() ? "; the best so far is in " + folder.string() : ""));
+    for (const std::string& note : asked.notes)
+        tell("note: " + note);
+    std::string best = "nothing was evaluated";
+    if (record.best()) {
+        best = "best";
+        for (const double value : record.best()->answer.objectives)
+            best += " " + readable(value, 6);
+    }
+    say(folder.string() + ": " + best + " after " + std::to_string(asked.spent) + " evaluations (" +
+        readable(clock.seconds()) + " s)" + (asked.stopped.empty() ? "" : "; " + asked.stopped) +
+        (std::filesystem::exists(asked.checkpoint)
+             ? ", and --resume with more --evaluations or --seconds goes on"
+             : ""));
+    return interrupt.asked() ? exit_interrupted : 0;
+}
+
+} // namespace app

@@ -1,0 +1,84 @@
+#include "apps/commands/optimise/solution.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace app {
+
+using nlohmann::json;
+
+void to_json(json& j, const Answer& answer) { j = {answer.objectives, answer.violation}; }
+void from_json(const json& j, Answer& answer) {
+    j.at(0).get_to(answer.objectives);
+    j.at(1).get_to(answer.violation);
+}
+void to_json(json& j, const Solution& solution) { j = {solution.genes, solution.answer}; }
+void from_json(const json& j, Solution& solution) {
+    j.at(0).get_to(solution.genes);
+    j.at(1).get_to(solution.answer);
+}
+void to_json(json& j, const BestKnown& record) {
+    j = {record.minimise, record.best_ ? json(*record.best_) : json(), record.front_};
+}
+void from_json(const json& j, BestKnown& record) {
+    j.at(0).get_to(record.minimise);
+    record.best_.reset();
+    if (!j.at(1).is_null())
+        record.best_ = j.at(1).get<Solution>();
+    j.at(2).get_to(record.front_);
+}
+
+namespace {
+double violated(const Answer& answer) { return std::max(0.0, answer.violation); }
+} // namespace
+
+bool BestKnown::is_better(const Solution& a, const Solution& b) const {
+    if (violated(a.answer) != violated(b.answer))
+        return violated(a.answer) < violated(b.answer);
+    for (std::size_t k = 0; k < minimise.size(); ++k)
+        if (const double x = a.answer.objectives[k], y = b.answer.objectives[k]; x != y)
+            return minimise[k] ? x < y : x > y;
+    return a.genes < b.genes;
+}
+
+bool BestKnown::dominates(const Answer& a, const Answer& b) const {
+    if (violated(a) != violated(b))
+        return violated(a) < violated(b);
+    bool better = false;
+    for (std::size_t k = 0; k < minimise.size(); ++k) {
+        const double x = a.objectives[k], y = b.objectives[k];
+        if (minimise[k] ? x > y : x < y)
+            return false;
+        better |= x != y;
+    }
+    return better;
+}
+
+void BestKnown::take(const Solution& solution) {
+    if (!best_ || is_better(solution, *best_))
+        best_ = solution;
+    if (minimise.size() < 2)
+        return;
+    for (Solution& other : front_) {
+        if (dominates(other.answer, solution.answer))
+            return;
+        if (other.answer.objectives == solution.answer.objectives &&
+            violated(other.answer) == violated(solution.answer)) {
+            if (is_better(solution, other))
+                other = solution;
+            return;
+        }
+    }
+    std::erase_if(front_, [&](const Solution& other) { return dominates(solution.answer, other.answer); });
+    front_.push_back(solution);
+}
+
+std::vector<Solution> BestKnown::front() const {
+    std::vector<Solution> sorted = front_;
+    std::sort(sorted.begin(), sorted.end(),
+              [this](const Solution& a, const Solution& b) { return is_better(a, b); });
+    return sorted;
+}
+
+} // namespace app

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// What is said of a genome from outside.
+struct Answer {
+    std::vector<double> objectives; ///< as they were given
+    double violation = 0;           ///< of all constraints together; 0 or less where they hold
+};
+
+/// A genome that was evaluated.
+struct Solution {
+    std::string genes; ///< as JSON, as it was sent
+    Answer answer;
+};
+
+void to_json(nlohmann::json& j, const Answer& answer);
+void from_json(const nlohmann::json& j, Answer& answer);
+void to_json(nlohmann::json& j, const Solution& solution);
+void from_json(const nlohmann::json& j, Solution& solution);
+
+/// The best of all that was evaluated. It depends on what that was and not on the order in which it came: of
+/// equals the one whose genes come first in the alphabet stays.
+class BestKnown {
+  public:
+    /// Whether less is better, one an objective.
+    std::vector<bool> minimise;
+
+    void take(const Solution& solution);
+    /// By the first objective and Deb's rules: without violation first, then less of it.
+    const std::optional<Solution>& best() const { return best_; }
+    /// Those that none dominates, best first by the first objective; empty for one objective.
+    std::vector<Solution> front() const;
+
+    friend void to_json(nlohmann::json& j, const BestKnown& record);
+    friend void from_json(const nlohmann::json& j, BestKnown& record);
+
+  private:
+    bool is_better(const Solution& a, const Solution& b) const;
+    bool dominates(const Answer& a, const Answer& b) const;
+
+    std::optional<Solution> best_;
+    std::vector<Solution> front_;
+};
+
+} // namespace app

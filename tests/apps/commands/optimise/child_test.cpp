@@ -1,0 +1,83 @@
+#include "apps/commands/optimise/child.hpp"
+#include "apps/commands/optimise/solution.hpp"
+#include "domain/errors.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <csignal>
+#include <ctime>
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+using namespace app;
+
+namespace {
+
+std::optional<std::string> awaited(Child& child) {
+    while (!child.is_silent()) {
+        if (auto line = child.line())
+            return line;
+        pollfd place[] = {{child.from(), POLLIN, 0}, {child.is_sending() ? child.to() : -1, POLLOUT, 0}};
+        poll(place, 2, 10000);
+        child.push();
+    }
+    return std::nullopt;
+}
+
+class Nowhere {
+  public:
+    Nowhere() : file(open("/dev/null", O_WRONLY | O_CLOEXEC)) { std::signal(SIGPIPE, SIG_IGN); }
+    ~Nowhere() { close(file); }
+    const int file;
+};
+
+} // namespace
+
+TEST_CASE("a command is split at its blanks, but not inside quotes") {
+    CHECK(split_command("  a  b\tc ") == Words{"a", "b", "c"});
+    CHECK(split_command("awk '{ print \"x\\n\" }'") == Words{"awk", "{ print \"x\\n\" }"});
+    CHECK(split_command("a \"b \\\"c\\\\ $d\" '' e\\ f g'h'\"i\"") ==
+          Words{"a", "b \"c\\ $d", "", "e f", "ghi"});
+    CHECK_THROWS_AS(split_command("a 'b"), rough::InputError);
+    CHECK_THROWS_AS(split_command(" "), rough::InputError);
+}
+
+TEST_CASE("a child gets lines of any length and gives them back") {
+    const Nowhere nowhere;
+    Child child({"cat"}, nowhere.file);
+    const std::string longer(1'000'000, 'x'); // more than a pipe holds either way
+    child.send("one\n" + longer + "\n");
+    CHECK(awaited(child) == "one");
+    CHECK(awaited(child) == longer);
+}
+
+TEST_CASE("how a child ended is told, with the line it left unfinished") {
+    const Nowhere nowhere;
+    Child child({"sh", "-c", "printf half; exit 3"}, nowhere.file);
+    CHECK(awaited(child) == std::nullopt);
+    CHECK(child.unfinished() == "half");
+    CHECK(child.end() == "ended with exit code 3");
+    Child killed({"sh", "-c", "kill -SEGV $$"}, nowhere.file);
+    awaited(killed);
+    CHECK(killed.end() == "was ended by signal 11");
+    CHECK_THROWS_AS(Child({"no-program-of-this-name"}, nowhere.file), rough::InputError);
+}
+
+TEST_CASE("the best and the front depend on what was evaluated, not on its order") {
+    std::vector<Solution> all{{"a", {{1, 5}, 0}}, {"b", {{1, 5}, 0}},  {"c", {{2, 4}, 0}}, {"d", {{2, 3}, 0}},
+                              {"e", {{9, 9}, 1}}, {"f", {{0, 6}, -1}}, {"g", {{2, 4}, 0}}};
+    std::sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.genes < y.genes; });
+    do {
+        BestKnown known;
+        known.minimise = {false, false};
+        for (const Solution& solution : all)
+            known.take(solution);
+        REQUIRE(known.best()->genes == "c");
+        std::string front;
+        for (const Solution& solution : known.front())
+            front += solution.genes;
+        REQUIRE(front == "caf");
+    } while (std::next_permutation(all.begin(), all.end(),
+                                   [](const auto& x, const auto& y) { return x.genes < y.genes; }));
+}

@@ -1,0 +1,222 @@
+#include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
+
+#include <catch2/catch.hpp>
+
+using app::testing::Ended;
+using app::testing::Folder;
+using app::testing::result_in;
+using app::testing::rugosa;
+using nlohmann::json;
+
+namespace {
+
+/// A folder with a child that evaluates by the function its word names: `./child sphere`.
+class Desk : public Folder {
+  public:
+    Desk() {
+        std::filesystem::create_symlink(
+            std::filesystem::path(RUGOSA_PROGRAM).parent_path() / "tests/evaluate", path() / "child");
+    }
+    Ended optimise(const std::string& words) const { return rugosa("optimise " + words, path()); }
+    json result(const std::string& folder) const { return result_in(path() / folder); }
+};
+
+/// Without what a clock or the command line decides.
+json lasting(json result) {
+    for (const char* name : {"threads", "command", "seconds"})
+        result.erase(name);
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("a program in another language is minimised over real vectors") {
+    const Desk desk;
+    const Ended ended = desk.optimise("--genes real:5:-5:5 --evaluate './child sphere' --minimise "
+                                      "--evaluations 4000 --out out");
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    const json result = desk.result("out");
+    CHECK(result["best"]["objectives"][0] < 0.01);
+    CHECK(result["minimise"] == json::array({1}));
+    CHECK(result["evaluations"] <= 4000);
+    CHECK_FALSE(result.contains("front"));
+    double sum = 0;
+    for (const double gene : result["best"]["genes"])
+        sum += gene * gene;
+    CHECK(result["best"]["objectives"][0].get<double>() == Approx(sum));
+}
+
+TEST_CASE("bits are maximised, and a permutation is found by a pipeline") {
+    const Desk desk;
+    REQUIRE(desk.optimise("--genes bits:40 --evaluate './child ones' --evaluations 4000 --out bits").code ==
+            0);
+    CHECK(desk.result("bits")["best"]["objectives"][0] == 40);
+    CHECK(desk.result("bits")["best"]["genes"] == json(std::vector<int>(40, 1)));
+    REQUIRE(
+        desk.optimise("--genes permutation:8 --evaluate './child order' --out order --pipeline 'sample "
+                      "60 | score | until fitness 7 generations 100 { tournament 3 | cross order | mutate "
+                      "0.1 reverse | score | elite 2 } | best 1'")
+            .code == 0);
+    CHECK(desk.result("order")["best"]["genes"] == json({0, 1, 2, 3, 4, 5, 6, 7}));
+}
+
+TEST_CASE("several objectives give a front beside the best by the first") {
+    const Desk desk;
+    REQUIRE(desk.optimise("--genes real:1:-10:10 --evaluate './child schaffer' --minimise 1,2 "
+                          "--evaluations 3000 --out out")
+                .code == 0);
+    const json result = desk.result("out");
+    CHECK(result["variant"] == "nsga2");
+    CHECK(result["best"] == result["front"][0]);
+    CHECK(result["front"].size() > 50);
+    for (std::size_t i = 0; i < result["front"].size(); ++i) {
+        const double x = result["front"][i]["genes"][0];
+        CHECK((x > -0.01 && x < 2.01));
+        if (i > 0) // what is worse by the first is better by the second
+            CHECK(result["front"][i]["objectives"][1] < result["front"][i - 1]["objectives"][1]);
+    }
+}
+
+TEST_CASE("what breaks constraints stands behind what holds them") {
+    const Desk desk;
+    REQUIRE(desk.optimise("--genes real:1:0:1 --evaluate './child held' --evaluations 1000 --out out").code ==
+            0);
+    const json best = desk.result("out")["best"];
+    CHECK(best["objectives"][0] <= 0.25);
+    CHECK(best["objectives"][0] > 0.249);
+    CHECK(best["violation"] <= 0);
+}
+
+TEST_CASE("the same seed gives the same bits on 1, 2 and 3 children, and another seed others") {
+    const Desk desk;
+    const std::string words = "--genes real:3:-5:5 --evaluate './child sphere' --minimise --evaluations 600 ";
+    for (const char* more : {"--threads 1 --out 1", "--threads 2 --out 2", "--threads 3 --out 3",
+                             "--threads 1 --seed 2 --out other"})
+        REQUIRE(desk.optimise(words + more).code == 0);
+    CHECK(lasting(desk.result("1")) == lasting(desk.result("2")));
+    CHECK(lasting(desk.result("1")) == lasting(desk.result("3")));
+    CHECK(desk.result("1")["best"] != desk.result("other")["best"]);
+}
+
+TEST_CASE("every evaluation that is counted reached a child once") {
+    const Desk desk;
+    desk.write("counted.sh", "tee sent | ./child sphere\n");
+    REQUIRE(desk.optimise(
+                    "--genes real:2:-5:5 --evaluate 'sh counted.sh' --threads 1 --evaluations 200 --out out")
+                .code == 0);
+    const std::string sent = rough::read_whole(desk / "sent");
+    CHECK(std::count(sent.begin(), sent.end(), '\n') == desk.result("out")["evaluations"]);
+}
+
+TEST_CASE("a run that spent its evaluations goes on with --resume to the result of an unbroken one") {
+    const Desk desk;
+    const std::string words = "--genes bits:60 --evaluate './child ones' ";
+    REQUIRE(desk.optimise(words + "--evaluations 900 --out whole").code == 0);
+    REQUIRE(desk.optimise(words + "--evaluations 350 --out cut").code == 0);
+    CHECK(desk.optimise(words + "--evaluations 900 --out cut").code == 2);
+    REQUIRE(desk.optimise(words + "--evaluations 900 --out cut --resume").code == 0);
+    CHECK(lasting(desk.result("cut")) == lasting(desk.result("whole")));
+}
+
+TEST_CASE("a child that ends on its way ends the run with one line, and the best so far is written") {
+    const Desk desk;
+    const Ended ended = desk.optimise("--genes bits:20 --evaluate './child dies' --threads 2 --out out");
+    CHECK(ended.code == 2);
+    CHECK(ended.error_lines() == 1);
+    CHECK_THAT(ended.err, Catch::Contains("./child dies") && Catch::Contains("was sent {\"id\":") &&
+                              Catch::Contains("ended with exit code 7") && Catch::Contains("out of ink"));
+    const json result = desk.result("out");
+    CHECK(result["best"]["objectives"][0] >= 10);
+    CHECK_THAT(result["stopped"].get<std::string>(), Catch::Contains("exit code 7"));
+}
+
+TEST_CASE("a child that is silent for longer than --timeout ends the run, and is ended itself") {
+    const Desk desk;
+    desk.write("hangs.sh", "read line; echo '{\"id\":1,\"objectives\":[1]}'; read line; sleep 600\n");
+    const Ended ended =
+        desk.optimise("--genes bits:5 --evaluate 'sh hangs.sh' --timeout 0.5 --threads 1 --out out");
+    CHECK(ended.code == 2);
+    CHECK(ended.error_lines() == 1);
+    CHECK_THAT(ended.err, Catch::Contains("was silent for 0.5 s"));
+    CHECK(desk.result("out")["evaluations"] == 1);
+}
+
+TEST_CASE("nonsense of a child is quoted beside what was sent") {
+    struct Nonsense {
+        const char* answer;
+        const char* fault;
+    };
+    for (const auto& [answer, fault] : {Nonsense{"hello", "not JSON"},
+                                        {"{\"id\":2,\"objectives\":[1]}", "another id"},
+                                        {"{\"id\":1,\"objectives\":[]}", "0 objectives"},
+                                        {"{\"id\":1,\"objectives\":[NaN]}", "not JSON"},
+                                        {"{\"id\":1,\"objectives\":[1e999]}", "not JSON"},
+                                        {"{\"id\":1,\"objectives\":[null]}", "not numbers"},
+                                        {"{\"id\":1,\"objectives\":2}", "not numbers"},
+                                        {"{\"id\":1}", "no object with id and objectives"},
+                                        {"[1]", "no object with id and objectives"}}) {
+        const Desk desk;
+        desk.write("says.sh", std::string("read line; echo '") + answer + "'; read line\n");
+        const Ended ended = desk.optimise("--genes bits:2 --evaluate 'sh says.sh' --out out");
+        INFO(ended.err);
+        CHECK(ended.code == 2);
+        CHECK(ended.error_lines() == 1);
+        CHECK_THAT(ended.err, Catch::Contains("{\"id\":1,\"genes\":[") && Catch::Contains(answer) &&
+                                  Catch::Contains(std::string("(") + fault + ")"));
+        CHECK_FALSE(std::filesystem::exists(desk / "out"));
+    }
+    const Desk desk;
+    desk.write("less.sh",
+               "read a; echo '{\"id\":1,\"objectives\":[1,2]}'; read a; echo '{\"id\":2,\"objectives\":"
+               "[1]}'; read a\n");
+    CHECK_THAT(desk.optimise("--genes bits:2 --evaluate 'sh less.sh' --threads 1 --out out").err,
+               Catch::Contains("(1 objectives)") && Catch::Contains("[2 finite numbers]"));
+}
+
+TEST_CASE("quotes in a command keep words together, and no shell reads it") {
+    const Desk desk;
+    desk.write("a b.sh", "echo \"$1|$2\" >words; exec ./child ones\n");
+    REQUIRE(desk.optimise("--genes bits:3 --evaluations 5 --threads 1 --out out --evaluate "
+                          "\"sh 'a b.sh' '\\$HOME;*' \\\"it's\\\"\"")
+                .code == 0);
+    CHECK(rough::read_whole(desk / "words") == "$HOME;*|it's\n");
+}
+
+TEST_CASE("a run that is interrupted ends its children and writes the best so far") {
+    const Desk desk;
+    desk.write("slow.sh",
+               "n=0; while read line; do n=$((n+1)); [ $n -gt 3 ] && { echo >begun; sleep 600; }; echo "
+               "\"{\\\"id\\\":$n,\\\"objectives\\\":[$n]}\"; done\n");
+    CHECK(app::testing::rugosa_stopped(
+              0, "begun", "optimise --genes bits:9 --evaluate \"sh slow.sh\" --threads 1 --out out",
+              desk.path()) == 130);
+    CHECK(desk.result("out")["best"]["objectives"][0] == 3);
+}
+
+TEST_CASE("wrong use of optimise names the flag, what was given and what was expected") {
+    const Desk desk;
+    const std::string by = " --evaluate './child ones' ";
+    const auto refuses = [&](const std::string& words, const std::string& part) {
+        const Ended ended = desk.optimise(words);
+        INFO(words << "\n" << ended.err);
+        CHECK(ended.code == 2);
+        CHECK(ended.error_lines() == 1);
+        CHECK_THAT(ended.err, Catch::Contains(part));
+        CHECK_FALSE(std::filesystem::exists(desk / "out"));
+    };
+    refuses("--genes real:5" + by, "expected real:COUNT:LOWER:UPPER");
+    refuses("--genes real:5:2:1" + by, "lower bound below");
+    refuses("--genes bits:0" + by, "whole number from 1");
+    refuses("--genes bits:4", "--evaluate: missing");
+    refuses(by, "--genes: missing");
+    refuses("--genes bits:4 --evaluate \"cat 'a\"", "left open");
+    refuses("--genes bits:4 --evaluate nothing-like-this", "cannot be started");
+    refuses("--genes bits:4 --pipeline 'sample 4 | scor'" + by, "did you mean 'score'");
+    refuses("--genes bits:4 --pipeline 'sample 4 | pareto f1 f2'" + by, "f2");
+    refuses("--genes permutation:4 --pipeline 'sample 4 | cross uniform | score'" + by,
+            "needs genes at positions");
+    refuses("--genes bits:4 --variant nsga3" + by, "did you mean 'nsga2'");
+    refuses("--genes bits:4 --minimise 2" + by, "--minimise: 2 given");
+}
