@@ -47,11 +47,12 @@ struct VariantRun {
     Answered answer;
     double similarity = 0;         ///< of the answer, on the run's grid
     double similarity_refined = 0; ///< of the same genome at 4(N-1)+1 nodes, Eq. 11 anew
+    double similarity_worst = 0;   ///< least of these and of four times the load steps on either grid
     double seconds = 0;            ///< wall time
     long curves = 0, gradients = 0;
 
-    /// What an answer is judged by: it must survive refinement of the grid.
-    double judged() const { return std::min(similarity, similarity_refined); }
+    /// What an answer is judged by: it must survive finer grids and load steps.
+    double judged() const { return similarity_worst; }
 };
 
 /// What one or several variants found for one target.

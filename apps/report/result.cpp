@@ -22,6 +22,7 @@ json variant_json(const VariantRun& variant, const std::vector<rough::Model>& lo
     }
     json result = {{"similarity", variant.similarity},
                    {"similarity_refined", variant.similarity_refined},
+                   {"similarity_worst", variant.similarity_worst},
                    {"genome", genome_to_json(variant.answer.genome)},
                    {"stages", std::move(stages)},
                    {"notes", variant.notes},
@@ -51,6 +52,7 @@ VariantRun variant_run(const std::string& name, const rough::SearchResult& found
     run.answer.genome = found.best.genome;
     run.similarity = found.best.similarity;
     run.similarity_refined = found.best.similarity_refined;
+    run.similarity_worst = found.best.similarity_worst;
     run.seconds = seconds;
     run.curves = found.counters.evaluations;
     run.gradients = found.counters.gradients;

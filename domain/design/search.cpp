@@ -5,11 +5,14 @@
 #include "domain/design/within_limits.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/sobol.hpp"
+#include "domain/problem/harmonics.hpp"
 #include "domain/problem/stored.hpp"
 #include "domain/text/json.hpp"
 #include "ga/checkpoint.hpp"
+#include "ga/stopwatch.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace rough {
@@ -24,31 +27,37 @@ constexpr int attempts = 8;
 constexpr double share_for_limits = 0.1;
 constexpr std::size_t shown_compromises = 24;
 
-Answer answer_of(const DesignSetup& searched, const Genome& genome) {
-    const DesignSetup setup = as_reported(searched);
-    Answer answer{folded(genome)};
-    const DesignResponse coarse = respond(setup, genome, setup.model);
-    if (setup.max_pressure) {
-        answer.genome = genome;
-        answer.genome.scale = coarse.scale;
-        answer.genome = folded(answer.genome);
-    }
-    answer.similarity = similarity(setup, coarse);
-    answer.similarity_refined = similarity(setup, genome, 4);
+/// A likeness that falls by more than this in finer load steps is not settled.
+constexpr double settled = 0.005;
+/// So often the steps may be refined, and the way to go on from what was found in coarser ones.
+constexpr int most_refinements = 2;
+const char* const settling = "score | refine lm 40 sharpen=8 | best 2 | refine lm 40 sharpen=5 | "
+                             "score judged | refine lm 6 sharpen=2";
+/// Share of the time for the first search, where another may follow; the least that one is begun for.
+constexpr double first_share = 0.65, least_share = 0.05;
+
+Answer answer_of(const Judge& judge, const DesignSetup& setup, const Genome& genome) {
+    Answer answer{folded(in_final_form(setup, genome))};
+    const Judgement judged = judge.of(genome);
+    answer.similarity = judged.similarity;
+    answer.similarity_refined = judged.refined;
+    answer.similarity_stepped = judged.stepped;
+    answer.similarity_worst = judged.worst();
     answer.within_limits = holds_limits(setup, answer.genome);
     return answer;
 }
 
-std::vector<Answer> answers_of(const DesignSetup& setup, const std::vector<Genome>& genomes, int threads) {
+std::vector<Answer> answers_of(const Judge& judge, const DesignSetup& setup,
+                               const std::vector<Genome>& genomes, int threads) {
     std::vector<Answer> answers(genomes.size());
     ga::parallel_for(answers.size(), ga::thread_count(threads),
-                     [&](std::size_t i) { answers[i] = answer_of(setup, genomes[i]); });
+                     [&](std::size_t i) { answers[i] = answer_of(judge, setup, genomes[i]); });
     return answers;
 }
 
 /// The best answer, then the best of the way that differ from it and from each other.
-std::vector<Answer> alternatives(const DesignSetup& setup, const Answer& best, const Archive& archive,
-                                 const SearchOptions& options) {
+std::vector<Answer> alternatives(const Judge& judge, const DesignSetup& setup, const Answer& best,
+                                 const Archive& archive, const SearchOptions& options) {
     std::vector<Profile> profiles{sample(best.genome, setup.model.grid)};
     std::vector<Genome> others;
     std::vector<double> differences;
@@ -65,26 +74,30 @@ std::vector<Answer> alternatives(const DesignSetup& setup, const Answer& best, c
         differences.push_back(least);
         profiles.push_back(profile);
     }
-    std::vector<Answer> all = answers_of(setup, others, options.threads);
+    std::vector<Answer> all = answers_of(judge, setup, others, options.threads);
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i].difference = differences[i];
     all.insert(all.begin(), best);
     return all;
 }
 
-/// What the pipeline gave, and the best of its way, each once; at most `most` of either.
+/// What the pipeline gave, and the best of its way, each once; at most `compared` of either; the first start
+/// that was given.
 std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Population<Genome>& population,
-                                  const Archive& archive, std::size_t most) {
+                                  const Archive& archive, const SearchOptions& options) {
     std::vector<Genome> candidates;
     std::set<std::string> keys;
     const auto consider = [&](const Genome& genome) {
         if (keys.insert(problem.key(genome)).second)
             candidates.push_back(genome);
     };
+    const std::size_t most = options.compared;
     for (std::size_t i = 0; i < std::min(population.size(), most); ++i)
         consider(population[i].genome);
     for (std::size_t i = 0; i < std::min(archive.best.size(), most); ++i)
         consider(archive.best[i].genome);
+    if (!options.starts.empty()) // the nearest of those given: what is found is no worse
+        consider(options.starts.front());
     return candidates;
 }
 
@@ -97,8 +110,11 @@ std::vector<Genome> database_for(const DesignSetup& setup, int threads) {
     layout.gamma_to = std::clamp(layout.gamma_to, setup.bounds.gamma_from, setup.bounds.gamma_to);
     layout.shortest = setup.limits.shortest_wave;
     std::vector<Genome> genomes = sobol_database(layout);
-    ga::parallel_for(genomes.size(), ga::thread_count(threads),
-                     [&](std::size_t i) { genomes[i] = with_fitting_amplitude(setup, genomes[i]); });
+    ga::parallel_for(genomes.size(), ga::thread_count(threads), [&](std::size_t i) {
+        if (setup.model.grid.wraps && !setup.phases)
+            genomes[i] = in_harmonics(genomes[i], setup.model.grid.length);
+        genomes[i] = with_fitting_amplitude(setup, genomes[i]);
+    });
     return genomes;
 }
 
@@ -124,10 +140,23 @@ double difference(const Profile& left, const Profile& right) {
     return both > 0 ? 1 - std::max(a.dot(b), a.dot(b.reverse())) / both : 0;
 }
 
-SearchResult search(const DesignSetup& given, const SearchOptions& options,
-                    std::vector<ga::Observer<Genome>> observers) {
+namespace {
+
+bool better(const Answer& a, const Answer& b) {
+    return std::pair(a.within_limits, a.judged()) > std::pair(b.within_limits, b.judged());
+}
+
+/// One run of a pipeline whose paths begin with `name`.
+SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked, const std::string& name,
+                           std::vector<ga::Observer<Genome>> observers) {
     const DesignProblem problem(given);
     const DesignSetup& setup = problem.setup();
+    const DesignSetup reported = as_reported(setup);
+    const Judge judge(reported);
+    SearchOptions options = asked;
+    if (setup.model.grid.wraps && !setup.phases)
+        for (Genome& genome : options.starts)
+            genome = in_harmonics(genome, setup.model.grid.length);
     auto stage = options.pipeline.empty() ? design_variant(setup, options.variant)
                                           : design_pipeline(setup, options.pipeline);
     if (options.reach && makes_its_own_starts(stage.text()))
@@ -143,14 +172,17 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
             front = std::move(ranked);
         if (!options.reach || archive.best.empty() || archive.best.front().value < judged_from)
             return;
-        const Answer best = answer_of(setup, archive.best.front().genome);
-        if (holds_limits(setup, best.genome) && best.judged() >= *options.reach)
+        const Answer best = answer_of(judge, reported, archive.best.front().genome);
+        // Where steps may be refined, that is done from what is met in these.
+        const double reached =
+            options.settles_steps ? std::min(best.similarity, best.similarity_refined) : best.judged();
+        if (best.within_limits && reached >= *options.reach)
             throw ga::Stopped{"the similarity asked for was reached"};
         judged_from = std::nextafter(archive.best.front().value, 2.0); // the same one would tell nothing new
     });
 
     ga::RunOptions run;
-    run.variant = options.pipeline.empty() ? options.variant : "pipeline";
+    run.variant = name;
     run.seed = options.seed;
     run.threads = options.threads;
     run.budget = {options.evaluations, options.seconds, options.stop};
@@ -209,20 +241,94 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
             problem,
             {shaped_start(setup, ga::Stream(options.seed)), 0, {}, ga::Fitness(by_similarity, 0), nullptr});
 
-    const std::vector<Genome> candidates = candidates_of(problem, population, archive, options.compared);
-    std::vector<Answer> answers = answers_of(setup, candidates, options.threads);
+    const std::vector<Genome> candidates = candidates_of(problem, population, archive, options);
+    std::vector<Answer> answers = answers_of(judge, reported, candidates, options.threads);
     if (std::none_of(answers.begin(), answers.end(), [](const Answer& a) { return a.within_limits; })) {
         run.budget = {std::numeric_limits<long>::max(), share_for_limits * options.seconds, options.stop};
         if (const auto genome = brought_within(problem, candidates, run, result.counters)) {
-            answers.push_back(answer_of(setup, *genome));
+            answers.push_back(answer_of(judge, reported, *genome));
             result.notes.push_back("no answer of the pipeline held every limit; one was brought within them, "
                                    "without its shortest waves where these were at fault");
         }
     }
-    result.best = *std::max_element(answers.begin(), answers.end(), [](const Answer& a, const Answer& b) {
-        return std::pair(a.within_limits, a.judged()) < std::pair(b.within_limits, b.judged());
-    });
-    result.alternatives = alternatives(setup, result.best, archive, options);
+    result.best = *std::max_element(answers.begin(), answers.end(),
+                                    [](const Answer& a, const Answer& b) { return better(b, a); });
+    result.alternatives = alternatives(judge, reported, result.best, archive, options);
+    result.setup = setup;
+    return result;
+}
+
+/// The earlier result with what a later search found and took.
+SearchResult joined(SearchResult earlier, SearchResult later) {
+    later.counters.asked += earlier.counters.asked;
+    later.counters.evaluations += earlier.counters.evaluations;
+    later.counters.remembered += earlier.counters.remembered;
+    later.counters.gradients += earlier.counters.gradients;
+    later.counters.failures += earlier.counters.failures;
+    later.counters.given_up += earlier.counters.given_up;
+    later.notes.insert(later.notes.begin(), earlier.notes.begin(), earlier.notes.end());
+    later.pipeline = earlier.pipeline + "\n" + later.pipeline;
+    if (!better(later.best, earlier.best)) {
+        later.best = earlier.best;
+        later.alternatives = earlier.alternatives;
+        later.setup = earlier.setup;
+    }
+    return later;
+}
+
+/// What another search may take of the budget.
+void take_what_is_left(SearchOptions& next, const SearchOptions& whole, const SearchResult& result,
+                       double spent) {
+    next.keeping.reset();
+    next.seconds = whole.seconds - spent;
+    next.evaluations = whole.evaluations - result.counters.asked;
+}
+
+} // namespace
+
+SearchResult search(const DesignSetup& given, const SearchOptions& options,
+                    std::vector<ga::Observer<Genome>> observers) {
+    const ga::Stopwatch clock;
+    const std::string name = options.pipeline.empty() ? options.variant : "pipeline";
+    const bool timed = std::isfinite(options.seconds);
+    const bool makes_starts = name == "default" || name == "multistart";
+    const bool again = options.begins_anew && makes_starts && timed;
+    SearchOptions first = options;
+    first.settles_steps = options.settles_steps && (makes_starts || name == "in-line") && !given.phases;
+    if (timed && (again || first.settles_steps))
+        first.seconds *= first_share;
+    SearchResult result = searched_once(given, first, name, observers);
+    int refinements = first.settles_steps ? most_refinements : 0;
+    for (int round = 2; refinements > 0 || again; ++round) {
+        const Answer& best = result.best;
+        SearchOptions next = first;
+        take_what_is_left(next, options, result, clock.seconds());
+        const bool spent = next.evaluations < 1 || (timed && next.seconds < least_share * options.seconds) ||
+                           (options.stop && options.stop->load());
+        const bool enough = best.within_limits && best.judged() >= options.reach.value_or(worth_the_name);
+        const bool unsettled =
+            refinements > 0 && std::min(best.similarity, best.similarity_refined) - best.judged() > settled;
+        if (spent || (options.reach && enough) || !(unsettled || (again && !enough)))
+            break;
+        DesignSetup setup = result.setup;
+        if (unsettled) {
+            --refinements;
+            setup = in_finer_steps(std::move(setup));
+            next.pipeline = settling;
+            next.starts.clear();
+            for (const Answer& answer : result.alternatives)
+                next.starts.push_back(answer.genome);
+        }
+        next.settles_steps = refinements > 0;
+        next.seed = ga::fold(options.seed, static_cast<std::uint64_t>(round));
+        try {
+            result = joined(std::move(result),
+                            searched_once(setup, next, name + "-" + std::to_string(round), observers));
+        } catch (const NotConverged& nothing) {
+            result.notes.push_back(nothing.what());
+            break;
+        }
+    }
     return result;
 }
 

@@ -35,9 +35,15 @@ struct SearchOptions {
     double seconds = std::numeric_limits<double>::infinity(); ///< of wall time, from the call
     long evaluations = std::numeric_limits<long>::max();      ///< curves and gradients
     const std::atomic<bool>* stop = nullptr;                  ///< somebody asks the search to end
-    /// Ends when an answer has this similarity on both grids; a pipeline that makes its own starts is begun
-    /// up to eight times for it.
+    /// Ends when an answer's worst similarity (Judgement) is this; a pipeline that makes its own starts is
+    /// begun up to eight times for it.
     std::optional<double> reach = {};
+    /// Where four times the load steps lower the answer's similarity by more than 0.005, the search goes on
+    /// in so many (in_finer_steps, twice at most). `default`, `in-line` and `multistart` only.
+    bool settles_steps = false;
+    /// Begins anew from other starts while there are seconds left and nothing is worth the name. `default`
+    /// and `multistart` only.
+    bool begins_anew = false;
     std::size_t alternatives = 3; ///< different answers to return, the best among them
     /// Answers of the pipeline, and best ones of its way, compared on the finer grid at the end.
     std::size_t compared = 3;
@@ -49,12 +55,17 @@ struct Answer {
     Genome genome;                 ///< amplitude final
     double similarity = 0;         ///< on the set-up's grid
     double similarity_refined = 0; ///< on a grid four times finer, Eq. 11 anew where it applies
+    double similarity_stepped = 0; ///< in four times the load steps, a measured target's too
+    double similarity_worst = 0;   ///< the least of these and of both together
     bool within_limits = true;     ///< it holds every limit of the set-up
     double difference = 1;         ///< from the answers before it, the least
 
-    /// What an answer is judged by: it must survive refinement of the grid.
-    double judged() const { return std::min(similarity, similarity_refined); }
+    /// What an answer is judged by: it must survive finer grids and load steps.
+    double judged() const { return similarity_worst; }
 };
+
+/// The similarity from which on an answer is called found, where none is asked for.
+constexpr double worth_the_name = 0.99;
 
 /// What a search found, and what it took.
 struct SearchResult {
@@ -64,7 +75,8 @@ struct SearchResult {
     ga::Counters counters;            ///< what was spent
     std::vector<std::string> notes;   ///< remarks of stages
     std::string stopped;              ///< why the search ended before its pipeline; empty when it did not
-    std::string pipeline;             ///< as it was run
+    std::string pipeline;             ///< as it was run, each on a line where the search went on
+    DesignSetup setup;                ///< what the answers are of: the one given, or in finer load steps
 };
 
 /// The ways to search that have a name, as text: `default`, `in-line`, `multistart`, `plain`, `sog`, `gco`,
@@ -81,7 +93,7 @@ double difference(const Profile& left, const Profile& right);
 constexpr double different = 0.05; ///< see above
 
 /// Runs a pipeline on a design and picks what to believe: of the best individuals of all stages those that
-/// are best on both grids. There is always an answer: the best so far, or a first start. Throws
+/// are best at their worst (Judgement). There is always an answer: the best so far, or a first start. Throws
 /// ga::UsageError on a pipeline that cannot work or a kept run of another search, NotConverged when no curve
 /// of the whole run could be computed.
 SearchResult search(const DesignSetup& setup, const SearchOptions& options = {},

@@ -2,6 +2,7 @@
 
 #include "domain/design/advance.hpp"
 #include "domain/design/shape_to_waves.hpp"
+#include "domain/problem/harmonics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,17 +55,27 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     const Target& target = setup.targets.front();
     Grid grid = setup.model.grid;
     grid.nodes = std::min(grid.nodes, shaping_nodes);
+    // A coarser grid asks for a farther datum; a start need only be near.
+    Body body = setup.model.body;
+    if (body.kernel == Kernel::free)
+        body.datum = std::max(body.datum, 1.02 * grid.spacing() * static_cast<double>(grid.nodes) / 4);
     const double L = grid.length, infinity = std::numeric_limits<double>::infinity();
     const double last_pressure = setup.max_pressure          ? *setup.max_pressure
                                  : target.against_pressure() ? target.last()
                                                              : infinity;
     InverseProfile inverse = inverse_profile(
-        grid.nodes, grid.spacing(), setup.model.body, drawn_order(grid.nodes, grid.wraps, random),
+        grid.nodes, grid.spacing(), body, drawn_order(grid.nodes, grid.wraps, random),
         advance_for(target, grid.nodes), last_pressure, target.against_pressure() ? infinity : target.last());
     if (setup.max_pressure)
         inverse = with_range_at_last(std::move(inverse));
+    const Eigen::VectorXd& heights = inverse.profile.heights;
+    if (!(heights.maxCoeff() - heights.minCoeff() > 1e-9 * inverse.last_displacement))
+        return drawn_start(setup, random); // all of the target is above full contact: flat answers best
     const double gamma = random.uniform(1.3, 1.6);
     const double H = random.uniform(0.8, 1.6);
+    if (grid.wraps)
+        return shaped_as(inverse.profile, harmonic_series(L, setup.limits.shortest_wave, H),
+                         setup.limits.shortest_wave);
     const double lambda = L * random.uniform(1.2, 2.0);
     const std::vector<Series> series{drawn_series(setup, H, gamma, lambda),
                                      drawn_series(setup, H * random.uniform(0.8, 1.2),

@@ -17,7 +17,8 @@ namespace rough {
 
 namespace {
 
-const std::string in_finer_steps = "4 times the load steps, for the target too";
+const std::string in_finer_steps_too = "4 times the load steps, for the target too";
+const std::string as_designed = "as designed";
 /// A likeness that falls by more than this with the load steps is said to hang on them.
 constexpr double unsettled = 0.01;
 
@@ -99,23 +100,17 @@ Job under(const DesignSetup& setup, const Genome& genome, const std::string& nam
 }
 
 std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const TrustOptions& options) {
-    std::vector<Job> jobs{under(setup, genome, "as designed", setup.model)};
+    std::vector<Job> jobs{under(setup, genome, as_designed, setup.model)};
     for (const Index finer : {2, 4})
         jobs.push_back(
             under(setup, genome, std::to_string(finer) + " times the nodes", refined(setup.model, finer)));
     Model steps = setup.model;
     steps.loading.steps *= 4;
     jobs.push_back(under(setup, genome, "4 times the load steps", steps));
-    if (options.like)
-        jobs.push_back({in_finer_steps, [&setup, &genome, &like = *options.like, steps] {
-                            DesignSetup finer = setup;
-                            const Response own = respond(like, steps.body, steps.loading, steps.contact);
-                            for (Target& target : finer.targets) {
-                                const Curve curve = curve_of(target.quantity, own);
-                                for (Index k = 0; k < target.points(); ++k)
-                                    target.y[k] = curve.at(std::min(target.x[k], curve.to));
-                            }
-                            return similarity(finer, respond(finer, genome, steps));
+    if (setup.like)
+        jobs.push_back({in_finer_steps_too, [&setup, &genome] {
+                            const DesignSetup finer = in_finer_steps(setup);
+                            return similarity(finer, respond(finer, genome, finer.model));
                         }});
     if (setup.model.body.kernel == Kernel::free) {
         DesignSetup far = in_final_amplitude(setup);
@@ -205,6 +200,8 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
     std::vector<double> values(jobs.size(), unknown);
     std::vector<char> done(jobs.size(), 0);
     ga::parallel_for(jobs.size(), ga::thread_count(options.threads), [&](std::size_t i) {
+        if (late())
+            return;
         values[i] = jobs[i].answer();
         done[i] = std::isfinite(values[i]) || !late();
     });
@@ -220,16 +217,21 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
         if (done[i])
             redrawn.push_back(values[i]);
     for (const Check& check : trust.checks)
-        if (check.name == in_finer_steps && check.similarity < trust.checks[0].similarity - unsettled)
-            flag(trust, "with ", in_finer_steps, ", the similarity is ", check.similarity,
+        if (check.name == in_finer_steps_too && trust.checks[0].name == as_designed &&
+            check.similarity < trust.checks[0].similarity - unsettled)
+            flag(trust, "with ", in_finer_steps_too, ", the similarity is ", check.similarity,
                  ": the two curves agree less between the ", setup.model.loading.steps,
                  " steps than at them");
-    trust.median = quantile(checked, 0.5);
-    trust.tenth = quantile(checked, 0.1);
+    if (!checked.empty()) {
+        trust.median = quantile(checked, 0.5);
+        trust.tenth = quantile(checked, 0.1);
+    }
     trust.redrawn = static_cast<int>(redrawn.size());
-    trust.redrawn_best = quantile(redrawn, 1);
-    trust.redrawn_median = quantile(redrawn, 0.5);
-    trust.redrawn_tenth = quantile(redrawn, 0.1);
+    if (!redrawn.empty()) {
+        trust.redrawn_best = quantile(redrawn, 1);
+        trust.redrawn_median = quantile(redrawn, 0.5);
+        trust.redrawn_tenth = quantile(redrawn, 0.1);
+    }
     if (trust.redrawn < options.phase_draws)
         trust.left_out.push_back(std::to_string(options.phase_draws - trust.redrawn) +
                                  " of the phases drawn anew");

@@ -9,13 +9,12 @@ namespace rough {
 
 /// How an answer is put to the test.
 struct TrustOptions {
-    double noise = 0;                 ///< deviation of random height errors at the nodes, mm; 0: none
-    int noise_draws = 20;             ///< how many noisy profiles
-    int phase_draws = 30;             ///< how many genomes with phases drawn anew
-    std::optional<Profile> like = {}; ///< whose own response the targets are
-    double hardness = 0;              ///< MPa, against the highest node pressure; 0: not given
-    std::uint64_t seed = 1;           ///< of noise and redrawn phases
-    int threads = 0;                  ///< 0: all
+    double noise = 0;       ///< deviation of random height errors at the nodes, mm; 0: none
+    int noise_draws = 20;   ///< how many noisy profiles
+    int phase_draws = 30;   ///< how many genomes with phases drawn anew
+    double hardness = 0;    ///< MPa, against the highest node pressure; 0: not given
+    std::uint64_t seed = 1; ///< of noise and redrawn phases
+    int threads = 0;        ///< 0: all
     double seconds = std::numeric_limits<double>::infinity(); ///< what is not done by then is left out
 };
 

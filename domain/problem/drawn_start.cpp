@@ -1,5 +1,6 @@
 #include "domain/problem/drawn_start.hpp"
 
+#include "domain/problem/harmonics.hpp"
 #include "domain/problem/response.hpp"
 #include "domain/target/similarity.hpp"
 
@@ -29,13 +30,24 @@ Series drawn_series(const DesignSetup& setup, double H, double gamma, double lam
 Genome drawn_start(const DesignSetup& given, ga::Stream random) {
     const DesignSetup setup = completed(given);
     Genome genome{1, {}};
+    const double shortest = setup.limits.shortest_wave;
+    const auto with_chromosomes = [&](Series series) {
+        for (int n = 1; n <= last_chromosome(series.lambda, series.gamma, shortest); ++n)
+            series.chromosomes.push_back({n, {random.uniform(0, 2 * std::numbers::pi)}});
+        genome.series.push_back(std::move(series));
+    };
+    if (setup.model.grid.wraps) {
+        for (Series& series :
+             harmonic_series(setup.model.grid.length, shortest,
+                             within(random.uniform(0.5, 1.5), setup.bounds.H_from, setup.bounds.H_to)))
+            with_chromosomes(std::move(series));
+        return genome;
+    }
     for (int s = 0; s < 2; ++s) {
         Series series = drawn_series(setup, random.uniform(0.5, 1.5), random.uniform(1.4, 2.0),
                                      setup.model.grid.length * (s == 0 ? 1 : random.uniform(0.6, 1.6)));
         series.A = s == 0 ? 1 : std::exp(random.uniform(-1.5, 1.5));
-        for (int n = 1; n <= last_chromosome(series.lambda, series.gamma, setup.limits.shortest_wave); ++n)
-            series.chromosomes.push_back({n, {random.uniform(0, 2 * std::numbers::pi)}});
-        genome.series.push_back(series);
+        with_chromosomes(std::move(series));
     }
     return genome;
 }

@@ -16,7 +16,6 @@ namespace rough {
 
 namespace {
 
-constexpr Index judged_refinement = 4;
 /// Refinement aims this far inside the limits on shape, so that it need not end on their edge.
 constexpr double limit_guard = 2e-3;
 /// A limit's excess in units of misfit.
@@ -45,6 +44,7 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> 
     : setup_(std::make_shared<DesignSetup>(completed(std::move(setup)))), memory_(std::move(memory)),
       stiffest_(stiffest_of(setup_->model)) {
     validate(*setup_);
+    judge_ = std::make_shared<Judge>(*setup_);
     // Below every genome within the limits, by how far it is over them.
     const auto limited = [](double similarity, const Outcome& outcome) {
         return outcome.excess > 0 ? std::min(similarity, 0.0) - 1 - outcome.excess : similarity;
@@ -58,10 +58,8 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> 
     objectives_ = {
         {"similarity", [=](const Outcome& outcome) { return limited(outcome.similarity(), outcome); }},
         {"judged",
-         [=, setup = setup_](const Outcome& outcome) {
-             return limited(
-                 std::min(outcome.similarity(), rough::similarity(*setup, outcome.genome, judged_refinement)),
-                 outcome);
+         [=, judge = judge_](const Outcome& outcome) {
+             return limited(std::min(outcome.similarity(), judge->of(outcome.genome).worst()), outcome);
          }},
         {"low", part(false)},
         {"high", part(true)}};
@@ -155,7 +153,10 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
             to = values[g] + std::numbers::pi;
             break;
         }
-        if (from <= values[g] && values[g] <= to)
+        // On a periodic body every wave stays a harmonic of its length.
+        const bool fixed = setup_->model.grid.wraps && (places[g].kind == GenePlace::Kind::gamma ||
+                                                        places[g].kind == GenePlace::Kind::lambda);
+        if (!fixed && from <= values[g] && values[g] <= to)
             variables.push_back({g, from, to});
     }
     return variables;
@@ -182,8 +183,12 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
             chosen.push_back(first + k);
     ga::Sensitivity rows{Eigen::VectorXd(coarse.misfits.residuals(chosen)),
                          Eigen::MatrixXd(coarse.misfits.jacobian(chosen, Eigen::all))};
-    if (objective == "judged")
+    if (objective == "judged") { // as Judgement has it
+        const DesignSetup& finer = judge_->finer();
         rows = stacked(rows, misfit_rows(*setup_, shape, refined(setup_->model, judged_refinement)).misfits);
+        for (const Index refine : {1, judged_refinement})
+            rows = stacked(rows, misfit_rows(finer, shape, refined(finer.model, refine)).misfits);
+    }
     if (setup_->limits.any_shape()) {
         if (setup_->max_pressure)
             shape.scale = coarse.factor;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "domain/problem/response.hpp"
+#include "domain/problem/judgement.hpp"
 #include "domain/problem/response_memory.hpp"
-#include "ga/refinement/sensitivity.hpp"
 #include "ga/random.hpp"
+#include "ga/refinement/sensitivity.hpp"
 
 #include <memory>
 
@@ -19,10 +19,10 @@ struct DesignOutcome {
     double similarity() const; ///< 1 - the largest |misfit| of all targets
 };
 
-/// Find the genome that answers as asked, within limits. Objectives: `similarity`; `judged`, the smaller of
-/// it and the same on a grid four times finer; `low` and `high`, on the first target's points up to and from
-/// the threshold; `goal1`, `goal2` and on, on each target alone. A genome over the limits is ranked below
-/// every one within them.
+/// Find the genome that answers as asked, within limits. Objectives: `similarity`; `judged`, the least of
+/// it and the same on a finer grid and in finer load steps (Judgement::worst); `low` and `high`, on the first
+/// target's points up to and from the threshold; `goal1`, `goal2` and on, on each target alone. A genome over
+/// the limits is ranked below every one within them.
 class DesignProblem {
   public:
     using Genome = rough::Genome;  ///< what is designed
@@ -62,7 +62,7 @@ class DesignProblem {
 
     /// Every gene that may move: phases alone where the set-up says so, else phases by half a turn; A by a
     /// factor of 10; H, gamma and lambda within the set-up's bounds, the latter two so that no wave becomes
-    /// shorter than allowed, both sharing the slack.
+    /// shorter than allowed, both sharing the slack; these two stay where the grid wraps.
     std::vector<ga::Variable> bounds(const Genome& genome) const;
     /// Misfits at the objective's points, then one row a limit on shape, with exact derivatives. Contact
     /// fractions are the smooth ones (response/smooth_area.hpp) here, as a count of nodes has no derivative.
@@ -75,6 +75,7 @@ class DesignProblem {
 
   private:
     std::shared_ptr<const DesignSetup> setup_;
+    std::shared_ptr<const Judge> judge_;
     std::shared_ptr<ResponseMemory> memory_;
     double stiffest_;
     std::vector<ga::Objective<Outcome>> objectives_;

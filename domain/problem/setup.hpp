@@ -28,6 +28,8 @@ struct DesignSetup {
     std::optional<PhaseReach> phases = {}; ///< phases alone may move, and so far
     MakingLimits limits = {};              ///< of what can be made; shortest_wave 0: 8 node distances
     Outlook outlook = Outlook::proven;     ///< of evaluations under way
+    /// The measured profile whose own response the targets are: in other load steps they are others.
+    std::optional<Profile> like = {};
 };
 
 /// The bounds with lambda's, where they were left at 0, filled in: a quarter of the length (mm) to four times

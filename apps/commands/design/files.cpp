@@ -21,6 +21,7 @@ json weighted_json(const rough::Target& goal) {
 json answer_json(const rough::Answer& answer) {
     return {{"similarity", answer.similarity},
             {"similarity_refined", answer.similarity_refined},
+            {"similarity_worst", answer.similarity_worst},
             {"difference", answer.difference},
             {"genome", rough::genome_to_json(answer.genome)}};
 }

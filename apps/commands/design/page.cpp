@@ -69,7 +69,8 @@ Plot misfit_plot(const DesignRun& run, std::size_t g) {
     for (const int refine : {1, 4}) {
         const auto response = respond(run.setup, run.found.best.genome, refined(run.setup.model, refine));
         plot.series.push_back({refine == 1 ? "answer" : "on a grid four times finer",
-                               shown.unit.factor * goal.x, 100 * misfit(goal, response.curves[g]),
+                               shown.unit.factor * goal.x,
+                               100 / goal.weight * misfit(goal, response.curves[g]),
                                refine == 1 ? Colour::blue : Colour::orange, Style::line_points, 1.5});
     }
     return plot;
@@ -121,8 +122,8 @@ void add_answer(Page& page, const DesignRun& run) {
         page.figure(
             {"goal-" + std::to_string(g + 1),
              "Figure " + std::to_string(g + 1) + ". Asked and found.",
-             "Points are the target; the answer is judged by the worse of its similarities on the two "
-             "grids.",
+             "Points are the target; the answer is judged by its worst similarity: on its own grid, on one "
+             "four times finer, in four times the load steps, and both.",
              {goal_plot(run, g), misfit_plot(run, g)}});
     Table limits{
         "What can be made", {"Quantity", "Limit", "Of the answer", "Margin"}, {}, {false, true, true, true}};
@@ -179,19 +180,19 @@ void add_alternatives(Page& page, const DesignRun& run) {
                     "Figure " + std::to_string(run.setup.targets.size() + 1) + ". The surfaces.",
                     "Heights under the highest point of each.",
                     {profile_plot(run)}};
-    if (run.trust_options.like) {
+    if (run.setup.like) {
         surfaces.caption = "The surface that was measured, and those that answer a load as it does.";
-        surfaces.panels.insert(surfaces.panels.begin(), scan_plot(*run.trust_options.like));
+        surfaces.panels.insert(surfaces.panels.begin(), scan_plot(*run.setup.like));
     }
     page.figure(surfaces);
     Table table{"",
-                {"Answer", "Similarity", "On the finer grid", "Difference from those before"},
+                {"Answer", "At worst", "Similarity", "On the finer grid", "Difference from those before"},
                 {},
-                {false, true, true, true}};
+                {false, true, true, true, true}};
     for (std::size_t i = 0; i < run.found.alternatives.size(); ++i) {
         const auto& answer = run.found.alternatives[i];
-        table.rows.push_back({std::to_string(i + 1), readable(answer.similarity, 5),
-                              readable(answer.similarity_refined, 5),
+        table.rows.push_back({std::to_string(i + 1), readable(answer.judged(), 5),
+                              readable(answer.similarity, 5), readable(answer.similarity_refined, 5),
                               i == 0 ? "–" : readable(answer.difference)});
     }
     page.table(table);
@@ -199,16 +200,19 @@ void add_alternatives(Page& page, const DesignRun& run) {
 
 void add_trust(Page& page, const rough::Trust& trust) {
     page.section("How far to trust it");
-    Table checks{"The same asked again", {"Under", "Similarity"}, {}, {false, true}};
-    for (const auto& check : trust.checks)
-        checks.rows.push_back({check.name, readable(check.similarity, 5)});
-    checks.rows.push_back({"median", readable(trust.median, 5)});
-    checks.rows.push_back({"tenth percentile", readable(trust.tenth, 5)});
-    page.table(checks);
+    if (!trust.checks.empty()) {
+        Table checks{"The same asked again", {"Under", "Similarity"}, {}, {false, true}};
+        for (const auto& check : trust.checks)
+            checks.rows.push_back({check.name, readable(check.similarity, 5)});
+        checks.rows.push_back({"median", readable(trust.median, 5)});
+        checks.rows.push_back({"tenth percentile", readable(trust.tenth, 5)});
+        page.table(checks);
+    }
     Table kernels{"On other bodies, for comparison", {"Kernel", "Similarity"}, {}, {false, true}};
     for (const auto& check : trust.kernels)
         kernels.rows.push_back({check.name, readable(check.similarity, 4)});
-    page.table(kernels);
+    if (!trust.kernels.empty())
+        page.table(kernels);
     if (trust.redrawn > 0)
         page.prose("With its phases drawn anew, " + std::to_string(trust.redrawn) +
                    " times, the same spectrum gives similarity " + readable(trust.redrawn_median) +
@@ -232,8 +236,8 @@ void add_trust(Page& page, const rough::Trust& trust) {
 
 std::string design_page(const DesignRun& run, double seconds) {
     Page page("A surface by design", run.verdict);
-    page.tiles({{"similarity", readable(run.found.best.similarity, 5)},
-                {"on a finer grid", readable(run.found.best.similarity_refined, 5)},
+    page.tiles({{"similarity at worst", readable(run.found.best.judged(), 5)},
+                {"on its own grid, in its own load steps", readable(run.found.best.similarity, 5)},
                 {"curves and gradients",
                  std::to_string(run.found.counters.evaluations + run.found.counters.gradients)},
                 {"seconds", readable(run.seconds)}});

@@ -42,8 +42,8 @@ Schedule::Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& 
     const double look = 0.05 * limit;
     const double coarse = seconds_of(look, [&] { similarity(setup, genome); });
     // Where there is no time to look: a direct solver's cost grows with the square.
-    both_ = 16 * coarse > 0.2 * limit ? 17 * coarse
-                                      : coarse + seconds_of(look, [&] { similarity(setup, genome, 4); });
+    both_ = 16 * coarse > 0.2 * limit ? 34 * coarse
+                                      : coarse + seconds_of(look, [&] { rough::Judge(setup).of(genome); });
     // Finer grids, more load steps and kernels take about six such answers, phases drawn anew thirty curves.
     trust_ = longer * (6 * both_ + 60 * coarse) / threads_;
     if (pictures && limit >= 5) {

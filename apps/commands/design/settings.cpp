@@ -17,8 +17,6 @@ namespace app {
 
 namespace {
 
-/// What an answer should have to be called found, where --reach-similarity is not given.
-constexpr double worth_the_name = 0.99;
 /// A target whose exact bound is below this is called out of reach, where --reach-similarity is not given.
 constexpr double exact_enough = 0.999;
 
@@ -95,7 +93,7 @@ std::vector<Setting> design_settings() {
         {"pipeline", "", "how to search: a pipeline as text, in place of a variant"},
         {"seconds", "", "wall time of the whole program [until the pipeline ends]"},
         {"reach-similarity", "",
-         "end as soon as an answer has this similarity on both grids, begin anew up to 8 times for it; exit "
+         "end as soon as an answer has this similarity at its worst, begin anew up to 8 times for it; exit "
          "3 if none has"},
         {"alternatives", std::to_string(rough::SearchOptions().alternatives), "different answers to return"},
         {"out", "", "folder for the results [out/design, or out/design-2 and on]"},
@@ -134,10 +132,10 @@ DesignRun design_from(const Settings& settings) {
         run.accounts.push_back(scan.account);
         rough::Model own = model_from(settings, scan);
         own.grid.nodes = scan.measured.nodes();
-        run.trust_options.like = scan.on(own.grid);
+        setup.like = scan.on(own.grid);
         setup.model = own;
         setup.model.grid.nodes = nodes_from(settings, rough::Grid().nodes);
-        setup.targets = {target_like(*run.trust_options.like, own, scan.name, rough::Quantity::stiffness,
+        setup.targets = {target_like(*setup.like, own, scan.name, rough::Quantity::stiffness,
                                      settings.whole("points", 2, 100000), setup.max_pressure.value_or(0))};
     } else {
         expect_none(settings, joined({scan_settings(), {{"points", "", ""}}}),
@@ -174,7 +172,9 @@ DesignRun design_from(const Settings& settings) {
         options.seconds = settings.positive("seconds");
     if (settings.has("reach-similarity"))
         options.reach = settings.number("reach-similarity", -1, 1);
-    run.wanted = options.reach.value_or(worth_the_name);
+    options.settles_steps = !settings.given("steps"); // else the number is the user's choice
+    options.begins_anew = true;
+    run.wanted = options.reach.value_or(rough::worth_the_name);
 
     if (settings.has("noise"))
         run.trust_options.noise = settings.positive("noise");

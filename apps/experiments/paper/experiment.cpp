@@ -99,7 +99,9 @@ class Paper {
             conditions_.progress.show(target.title + ": " + variant.name);
             if (auto run = read_at(settings_, "variants." + variant.name,
                                    [&] { return run_kept(variant, problem, target.title); })) {
-                run->similarity_refined = similarity(as_reported(setup), run->answer.genome, 4);
+                const auto judged = rough::Judge(as_reported(setup)).of(run->answer.genome);
+                run->similarity_refined = judged.refined;
+                run->similarity_worst = judged.worst();
                 target.variants.push_back(std::move(*run));
             }
         }

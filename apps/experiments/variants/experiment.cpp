@@ -132,6 +132,7 @@ json race_json(const Race& race, const RaceTarget& target) {
             one["runs"].push_back({{"seed", race_run.seed},
                                    {"similarity", run.similarity},
                                    {"similarity_refined", run.similarity_refined},
+                                   {"similarity_worst", run.similarity_worst},
                                    {"seconds", run.seconds},
                                    {"curves", run.curves},
                                    {"gradients", run.gradients},
