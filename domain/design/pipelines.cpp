@@ -49,7 +49,7 @@ Pipeline design_variant(const DesignSetup& setup, const std::string& name) {
 }
 
 const ga::Variants& design_variants() {
-    static const std::string polish = " | best 2 | score judged | refine lm 6 sharpen=2";
+    static const std::string polish = " | best 2 | score judged | refine lm 16 sharpen=4";
     static const ga::Variants variants{
         // Starts near the target; the best are brought down the squares, then towards the maximum norm. While
         // that is not enough, fresh ones join and length scales of good ones cross. Both grids at the end.

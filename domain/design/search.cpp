@@ -32,7 +32,7 @@ constexpr double settled = 0.005;
 /// So often the steps may be refined, and the way to go on from what was found in coarser ones.
 constexpr int most_refinements = 2;
 const char* const settling = "score | refine lm 40 sharpen=8 | best 2 | refine lm 40 sharpen=5 | "
-                             "score judged | refine lm 6 sharpen=2";
+                             "score judged | refine lm 16 sharpen=4";
 /// Share of the time for the first search, where another may follow; the least that one is begun for.
 constexpr double first_share = 0.65, least_share = 0.05;
 

@@ -29,7 +29,7 @@ TEST_CASE(
     CHECK(met >= 16);
 }
 
-TEST_CASE("the drawn target is met to 0.999 on both grids from any seed", "[long]") {
+TEST_CASE("the drawn target is met to 0.99 at its worst from any seed", "[long]") {
     DesignSetup setup;
     setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
     setup.max_pressure = 1.6e-4;
@@ -37,6 +37,6 @@ TEST_CASE("the drawn target is met to 0.999 on both grids from any seed", "[long
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         SearchOptions options;
         options.seed = seed;
-        CHECK(search(setup, options).best.judged() >= 0.999);
+        CHECK(search(setup, options).best.judged() >= 0.99);
     }
 }

@@ -1,0 +1,61 @@
+#include "domain/design/starts.hpp"
+#include "domain/mwm/waves.hpp"
+#include "domain/problem/harmonics.hpp"
+#include "domain/problem/problem.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+constexpr double length = 0.84942;
+
+DesignSetup periodic_setup() {
+    DesignSetup setup;
+    setup.model.grid.nodes = 128;
+    setup.model.body.kernel = Kernel::periodic;
+    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    return completed(setup);
+}
+
+/// Height at L less that at 0, in units of the range.
+double jump(const Genome& genome) {
+    const Profile profile = sample(genome, {1025, length});
+    return std::abs(profile.heights[1024] - profile.heights[0]) /
+           (profile.heights.maxCoeff() - profile.heights.minCoeff());
+}
+
+} // namespace
+
+TEST_CASE("starts of a design on a periodic body repeat without a jump, and mutation keeps that") {
+    const DesignProblem problem(periodic_setup());
+    ga::Stream random(3);
+    for (int draw = 0; draw < 4; ++draw)
+        for (const Genome& genome :
+             {problem.sample(random), shaped_start(problem.setup(), ga::Stream(random()))}) {
+            CHECK(jump(genome) < 1e-12);
+            CHECK(shortest_wave(genome) >= problem.setup().limits.shortest_wave * (1 - 1e-12));
+            std::vector<double> values = genes(genome);
+            for (const ga::Variable& variable : problem.bounds(genome))
+                values[variable.gene] = random.uniform(variable.lower, variable.upper);
+            CHECK(jump(with_genes(genome, values)) < 1e-12);
+        }
+}
+
+TEST_CASE("a genome moved to harmonics keeps its waves' amplitudes and phases and loses its jump") {
+    std::mt19937_64 random(5);
+    for (int i = 0; i < 10; ++i) {
+        const Genome genome = rough::testing::random_genome(random, 2, 2, length, 0.02);
+        const Genome moved = in_harmonics(genome, length);
+        CHECK(jump(moved) < 1e-12);
+        const auto before = waves(genome), after = waves(moved);
+        REQUIRE(before.size() == after.size());
+        for (std::size_t w = 0; w < before.size(); ++w) {
+            CHECK(after[w].amplitude == Approx(before[w].amplitude).epsilon(1e-12));
+            CHECK(after[w].phase == before[w].phase);
+        }
+        CHECK(genes(in_harmonics(moved, length)) == genes(moved));
+    }
+}

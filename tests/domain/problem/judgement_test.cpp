@@ -1,0 +1,71 @@
+#include "domain/design/search.hpp"
+#include "domain/target/like.hpp"
+#include "domain/target/similarity.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+Genome three_waves() { return {1e-3, {{1, 0.9, 1.5, 0.84942, {{1, {0.3}}, {2, {1.0}}, {4, {2.5}}}}}}; }
+
+DesignSetup drawn_setup() {
+    DesignSetup setup;
+    setup.model.grid.nodes = 64;
+    setup.model.contact.solver = Solver::nested;
+    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    return completed(setup);
+}
+
+} // namespace
+
+TEST_CASE("the four similarities of a judgement are those of four separate solutions") {
+    for (const bool rescaled : {false, true}) {
+        DesignSetup setup = drawn_setup();
+        if (rescaled)
+            setup.max_pressure = 1.6e-4;
+        const auto alone = [&](Index refine, int times) {
+            Model model = refined(setup.model, refine);
+            model.loading.steps *= times;
+            return similarity(setup, respond(setup, three_waves(), model));
+        };
+        const Judgement judged = Judge(setup).of(three_waves());
+        CHECK(judged.similarity == Approx(alone(1, 1)).epsilon(1e-9));
+        CHECK(judged.refined == Approx(alone(4, 1)).epsilon(1e-9));
+        CHECK(judged.stepped == Approx(alone(1, 4)).epsilon(1e-9));
+        CHECK(judged.both == Approx(alone(4, 4)).epsilon(1e-9));
+        CHECK(judged.worst() == std::min({judged.similarity, judged.refined, judged.stepped, judged.both}));
+        CHECK(judged.stepped != Approx(judged.similarity).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("a measured profile answers as it does itself in any load steps") {
+    DesignSetup setup = drawn_setup();
+    setup.like = sample(three_waves(), setup.model.grid);
+    setup.targets = {target_like(*setup.like, setup.model, "itself")};
+    const Judgement judged = Judge(setup).of(three_waves());
+    CHECK(judged.similarity == Approx(1));
+    CHECK(judged.stepped == Approx(1));
+    setup.like.reset(); // then its response in few steps is all that is known
+    CHECK(Judge(setup).of(three_waves()).stepped < 0.999);
+}
+
+TEST_CASE("the worst misfit of what refinement sees as judged is what the answer is judged by") {
+    const DesignProblem problem(drawn_setup());
+    const DesignOutcome outcome = problem.evaluate(three_waves());
+    for (const auto& objective : problem.objectives())
+        if (objective.name == "judged")
+            CHECK(1 - problem.sensitivity(three_waves(), "judged").residuals.cwiseAbs().maxCoeff() ==
+                  Approx(objective.fitness(outcome)).epsilon(1e-9));
+}
+
+TEST_CASE("a search that is given starts returns nothing worse than the first of them") {
+    const DesignSetup setup = drawn_setup();
+    SearchOptions options;
+    options.pipeline = "shape 8 | score | refine lm 20 | best 1";
+    const Answer good = search(setup, options).best;
+    options.starts = {good.genome};
+    options.pipeline = "mutate 1 | score";
+    CHECK(search(setup, options).best.judged() >= good.judged() - 1e-9);
+}
