@@ -57,14 +57,24 @@ std::vector<double> corners(const DesignSetup& setup, const Genome& genome, Inde
     return marks;
 }
 
+/// Those of every curve that an objective reads.
+std::vector<double> corners(const DesignSetup& setup, const Genome& genome, const std::string& objective) {
+    std::vector<double> marks = corners(setup, genome, 1);
+    if (objective == "judged")
+        for (const auto& [steps, refine] :
+             {std::pair(setup, 4), std::pair(in_finer_steps(setup), 1), std::pair(in_finer_steps(setup), 4)})
+            for (const double mark : corners(steps, genome, refine))
+                marks.push_back(mark);
+    return marks;
+}
+
 void check_jacobian(const DesignSetup& setup, const Genome& start, const std::string& objective) {
     const DesignProblem problem(setup);
     const Genome genome = problem.settled(start, problem.evaluate(start));
-    const Index refine = objective == "judged" ? 4 : 1;
     const ga::Sensitivity all = problem.sensitivity(genome, objective);
     const double largest = all.jacobian.cwiseAbs().maxCoeff();
     const auto values = problem.genes(genome);
-    const auto base = corners(setup, genome, refine);
+    const auto base = corners(setup, genome, objective);
     int kept = 0;
     for (std::size_t g = 0; g < values.size(); ++g) {
         const double h = 1e-7 * std::max(1.0, std::abs(values[g]));
@@ -72,7 +82,7 @@ void check_jacobian(const DesignSetup& setup, const Genome& start, const std::st
         up[g] += h;
         down[g] -= h;
         const Genome above = problem.with_genes(genome, up), below = problem.with_genes(genome, down);
-        if (corners(setup, above, refine) != base || corners(setup, below, refine) != base)
+        if (corners(setup, above, objective) != base || corners(setup, below, objective) != base)
             continue;
         ++kept;
         const Eigen::VectorXd difference = (problem.sensitivity(above, objective).residuals -
