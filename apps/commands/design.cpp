@@ -10,11 +10,14 @@
 #include "apps/report/recorder.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
+#include "domain/target/like.hpp"
+#include "domain/target/similarity.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/checkpoint.hpp"
 #include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -47,10 +50,25 @@ std::string verdict_of(const DesignRun& run) {
             "found: similarity " + readable(judged, 5) + " at worst, on finer grids and in finer load steps";
     else
         line = "not found within the budget: the nearest curve has similarity " + below(judged, run.wanted) +
-               " at worst, on finer grids and in finer load steps; wanted is " + brief(run.wanted, 15);
+               " at worst, on finer grids and in finer load steps, wanted is " + brief(run.wanted, 15);
     if (!run.found.best.within_limits)
         line += "; no answer holds every limit";
     return line;
+}
+
+/// What a scan answers beside the stiffness that was asked, in words: how far its contact area is missed.
+std::string not_asked(const DesignRun& run) {
+    rough::DesignSetup setup = run.setup;
+    const auto is_area = [](const rough::Target& target) { return rough::is_area(target.quantity); };
+    if (!setup.like || std::any_of(setup.targets.begin(), setup.targets.end(), is_area))
+        return "";
+    const rough::Target& asked = setup.targets.front();
+    setup.targets = {target_like(*setup.like, setup.model, "contact area", rough::Quantity::area_at_pressure,
+                                 asked.points(), asked.last())};
+    const double off = misfit(setup.targets[0], respond(setup, run.found.best.genome, setup.model).curves[0])
+                           .cwiseAbs()
+                           .maxCoeff();
+    return "; contact area was not asked for and is off by up to " + percent(off);
 }
 
 int exit_code(const DesignRun& run) {
@@ -135,7 +153,7 @@ int design(const Words& words) {
     run.interrupted = interrupt.asked();
     run.response = respond(run.setup, run.found.best.genome, run.setup.model).responses.front();
     run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
-    run.verdict = verdict_of(run);
+    run.verdict = verdict_of(run) + not_asked(run);
     run.seconds = schedule.spent();
     write_design_result(run, folder);
     write_design_tables(run, folder);

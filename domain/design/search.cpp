@@ -34,7 +34,7 @@ constexpr int most_refinements = 2;
 const char* const settling = "score | refine lm 40 sharpen=8 | best 2 | refine lm 40 sharpen=5 | "
                              "score judged | refine lm 16 sharpen=4";
 /// Share of the time for the first search, where another may follow; the least that one is begun for.
-constexpr double first_share = 0.65, least_share = 0.05;
+constexpr double first_share = 0.5, least_share = 0.05;
 
 Answer answer_of(const Judge& judge, const DesignSetup& setup, const Genome& genome) {
     Answer answer{folded(in_final_form(setup, genome))};

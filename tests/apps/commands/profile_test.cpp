@@ -122,6 +122,7 @@ TEST_CASE("a genome designed for a scan's length is pressed, printed and describ
                                  folder.path());
     INFO(designed.err);
     REQUIRE((designed.code == 0 || designed.code == 3));
+    CHECK_THAT(designed.out, Catch::Contains("contact area was not asked for and is off by up to"));
     const auto file = rough::read_genome_file(folder / "d" / "genome.json");
     CHECK(file.length == Approx(0.2));
     const auto result = nlohmann::json::parse(rough::read_whole(folder / "d" / "result.json"));
