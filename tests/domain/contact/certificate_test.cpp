@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <limits>
+
 using namespace rough;
 
 namespace {
@@ -44,16 +46,134 @@ TEST_CASE("a correct solution changed by a millionth no longer passes its certif
     }
 }
 
-TEST_CASE("a certificate names penetration, tension and a number that is none", "[contact]") {
-    const Profile profile{Eigen::Vector3d(0, -0.1, -3), 0.5};
-    const ContactProblem problem = make_problem(profile, Body{}, {1});
-    const Eigen::Vector3d far(1, 1, 1), near(1, 0.2, 0);
-    const std::vector<int> first{0};
-    const Eigen::VectorXd push = Eigen::VectorXd::Ones(1);
-    CHECK(certify(problem, 1, first, push, far.data()).residual() == 0);
-    CHECK(certify(problem, 1, first, push, near.data()).penetration == Approx(0.7));
-    CHECK(certify(problem, 1, {0, 1}, Eigen::Vector2d(1, -0.1), Eigen::Vector3d(1, 0.9, 1).data()).tension ==
-          Approx(0.1 / (0.9 / 2)));
-    const Eigen::Vector3d none(1, std::nan(""), 1);
-    CHECK(std::isinf(certify(problem, 1, first, push, none.data()).residual()));
+namespace {
+
+/// Five nodes, the first three in contact at half of the largest displacement, in the problem's own units.
+struct Pressed {
+    ContactProblem problem =
+        make_problem({(Eigen::VectorXd(5) << 0, -0.1, -0.2, -0.3, -3).finished(), 0.25}, Body{}, {0.5, 1});
+    double approach = 0.5;
+    std::vector<int> contact{0, 1, 2};
+    Eigen::VectorXd pressure = Eigen::Vector3d(0.5, 1, 0.5);
+    Eigen::VectorXd displacement = (Eigen::VectorXd(5) << 0.5, 0.4, 0.3, 0.25, 0).finished();
+
+    Certificate certified() const {
+        return certify(problem, approach, contact, pressure, displacement.data());
+    }
+};
+
+void check(const Certificate& found, const Certificate& expected) {
+    CHECK(found.gap == Approx(expected.gap).margin(1e-14));
+    CHECK(found.penetration == Approx(expected.penetration).margin(1e-14));
+    CHECK(found.tension == Approx(expected.tension).margin(1e-14));
+    CHECK(found.excess == Approx(expected.excess).margin(1e-14));
+    CHECK(found.residual() ==
+          Approx(std::max({expected.gap, expected.penetration, expected.tension, expected.excess}))
+              .margin(1e-14));
+}
+
+} // namespace
+
+TEST_CASE("a certificate reports each corruption alone, and by its own size over the approach or the mean",
+          "[contact]") {
+    const Pressed exact;
+    const double mean = exact.pressure.sum() / exact.problem.elements;
+    check(exact.certified(), {});
+    SECTION("a contact node that hangs in the air") {
+        Pressed wrong;
+        wrong.displacement[1] += 0.05;
+        check(wrong.certified(), {.gap = 0.1});
+    }
+    SECTION("a contact node that sinks in") {
+        Pressed wrong;
+        wrong.displacement[1] -= 0.05;
+        check(wrong.certified(), {.gap = 0.1, .penetration = 0.1});
+    }
+    SECTION("a node off contact that sinks in") {
+        Pressed wrong;
+        wrong.displacement[3] = 0.2 - 0.05;
+        check(wrong.certified(), {.penetration = 0.1});
+    }
+    SECTION("a node that is left out of the contact set") {
+        Pressed wrong;
+        wrong.contact = {0, 2};
+        wrong.pressure = Eigen::Vector2d(1, 1);
+        wrong.displacement[1] = 0.4 - 0.02;
+        check(wrong.certified(), {.penetration = 0.04});
+    }
+    SECTION("a node that is pulled") {
+        Pressed wrong;
+        wrong.pressure = Eigen::Vector3d(1, -0.2, 1.2);
+        check(wrong.certified(), {.tension = 0.2 / mean});
+    }
+    SECTION("nothing but pull has no scale") {
+        Pressed wrong;
+        wrong.pressure = Eigen::Vector3d(0, -1, 0);
+        CHECK(std::isinf(wrong.certified().tension));
+    }
+    SECTION("a number that is none") {
+        for (const double none : {std::nan(""), std::numeric_limits<double>::infinity()})
+            for (const Index node : {0, 4}) {
+                Pressed wrong;
+                wrong.displacement[node] = none;
+                CHECK(std::isinf(wrong.certified().residual()));
+            }
+        Pressed wrong;
+        wrong.pressure[2] = std::nan("");
+        CHECK(std::isinf(wrong.certified().residual()));
+    }
+}
+
+TEST_CASE("under a hardness held nodes may sink in, but neither hang in the air nor bear more", "[contact]") {
+    const auto pressed = [] {
+        Pressed state;
+        state.problem.cap = 1;
+        return state;
+    };
+    const Pressed exact = pressed();
+    const double mean = exact.pressure.sum() / exact.problem.elements;
+    check(exact.certified(), {});
+    Pressed state = pressed();
+    state.displacement[1] -= 0.05;
+    check(state.certified(), {});
+    state = pressed();
+    state.displacement[1] += 0.05;
+    check(state.certified(), {.gap = 0.1});
+    state = pressed();
+    state.displacement[0] -= 0.05; // an elastic node
+    check(state.certified(), {.gap = 0.1, .penetration = 0.1});
+    state = pressed();
+    state.displacement[3] = 0.2 - 0.05;
+    check(state.certified(), {.penetration = 0.1});
+    state = pressed();
+    state.pressure = Eigen::Vector3d(0.4, 1.1, 0.5);
+    check(state.certified(), {.excess = 0.1 / mean});
+}
+
+TEST_CASE("a residual is trusted up to a third of the least pressure and two thirds of the least gap",
+          "[contact]") {
+    const Pressed exact;
+    Eigen::VectorXd pressure = Eigen::VectorXd::Zero(5), displacement = exact.displacement;
+    const auto trusted = [&] {
+        return trusted_residual(exact.problem, exact.approach, pressure, displacement);
+    };
+    pressure.head(3) = Eigen::Vector3d(6, 9, 6);
+    displacement[3] = 9;
+    CHECK(trusted() == 1); // at most
+    pressure[1] = 0.3;
+    CHECK(trusted() == Approx(0.1 / exact.approach));
+    displacement[3] = 0.2 + 0.03;
+    CHECK(trusted() == Approx(0.02 / exact.approach));
+    displacement[3] = 0.2 - 0.03;
+    CHECK(trusted() < 0);
+}
+
+TEST_CASE("what rounding alone can do is allowed to a factor's residual, and 1e-9 where that is more",
+          "[contact]") {
+    const Pressed exact;
+    CHECK(direct_tolerance(exact.problem, 1, exact.pressure, 1) == 1e-9);
+    const double h0 = exact.problem.column[0], rows = 10 * 0x1p-53;
+    CHECK(direct_tolerance(exact.problem, 1, exact.pressure, 1e20 / h0) == Approx(rows * 2e10));
+    CHECK(direct_tolerance(exact.problem, 1e-12 * h0, exact.pressure, 0) == Approx(rows * 2e12));
+    CHECK(direct_tolerance(exact.problem, 1e-12 * h0, -exact.pressure, 0) == Approx(rows * 2e12));
 }
