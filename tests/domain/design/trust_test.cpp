@@ -1,0 +1,281 @@
+#include "domain/contact/names.hpp"
+#include "domain/design/trust.hpp"
+#include "domain/numerics/statistics.hpp"
+#include "domain/problem/drawn_start.hpp"
+#include "domain/response/curve.hpp"
+#include "domain/target/like.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace rough;
+
+namespace {
+
+constexpr double L = 2;
+
+/// One wave of length `wave`, mm: a hill where its phase puts it.
+Genome hill(double phase, double wave = L, double scale = 0.01) {
+    return {scale, {{1, 0.8, 1.5, wave, {{1, {phase}}}}}};
+}
+Genome two_waves(double scale = 0.01) { return {scale, {{1, 0.8, 1.5, L, {{1, {0.3}}, {2, {1.0}}}}}}; }
+
+/// The genome's own K(p) as target, up to a part of what it carries.
+DesignSetup like_itself(const Genome& genome, double part = 1, Kernel kernel = Kernel::free) {
+    DesignSetup setup;
+    setup.model.grid = {65, L};
+    setup.model.body.kernel = kernel;
+    setup.model = completed(setup.model);
+    const Profile profile = sample(genome, setup.model.grid);
+    const double last = secant_stiffness(respond(profile, setup.model)).to;
+    setup.targets = {target_like(profile, setup.model, "itself", Quantity::stiffness, 10, part * last)};
+    return setup;
+}
+
+TrustOptions without_draws() { return {.phase_draws = 0, .threads = 1}; }
+
+bool flagged(const Trust& trust, const std::string& words) {
+    return std::any_of(trust.flags.begin(), trust.flags.end(),
+                       [&](const std::string& flag) { return flag.find(words) != std::string::npos; });
+}
+
+double answer(const std::vector<Check>& checks, const std::string& name) {
+    for (const Check& check : checks)
+        if (check.name == name)
+            return check.similarity;
+    FAIL("no check '" << name << "'");
+    return 0;
+}
+
+Target target_of(Quantity quantity, const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+    Target target;
+    target.quantity = quantity;
+    target.x = x;
+    target.y = y;
+    return target;
+}
+
+} // namespace
+
+TEST_CASE(
+    "targets moved with their datum are what a solve with that datum gives, nearer as well as farther") {
+    Model model;
+    model.grid = {129, L};
+    model.body.effective_modulus = 2.5;
+    model.body.datum = L;
+    const Profile profile = sample(two_waves(), model.grid);
+    const double most = respond(profile, model).pressure.tail(1)[0];
+    for (double share = 0.1; share < 0.85; share += 0.1)
+        model.loading.pressures.push_back(share * most);
+    Model far = model;
+    far.body.datum = 4 * L;
+    const Response near_by = respond(profile, model), far_off = respond(profile, far);
+    const auto check = [](const Response& from, const Response& to, const Model& of, double factor) {
+        const Curve own = secant_stiffness(from), other = secant_stiffness(to);
+        Target stiffness = target_of(Quantity::stiffness, own.x, own.y);
+        stiffness.lower = own.y;
+        stiffness.upper = own.y;
+        const Target load = target_of(Quantity::load_at_displacement, from.displacement, from.pressure);
+        const Target area = target_of(Quantity::area_at_pressure, from.pressure, from.contact_fraction);
+        const auto moved = with_datum({stiffness, load, area}, of, factor);
+        REQUIRE(moved.size() == 3);
+        CHECK(moved[0].x.isApprox(other.x, 1e-9));
+        CHECK(moved[0].y.isApprox(other.y, 1e-6));
+        CHECK(moved[0].lower.isApprox(other.y, 1e-6));
+        CHECK(moved[0].upper.isApprox(other.y, 1e-6));
+        CHECK(moved[1].x.isApprox(to.displacement, 1e-6));
+        CHECK(moved[1].y == from.pressure);
+        CHECK(moved[2].x == from.pressure);
+        CHECK(moved[2].y == from.contact_fraction);
+        CHECK((from.contact_fraction - to.contact_fraction).isZero());
+    };
+    check(near_by, far_off, model, 4);
+    check(far_off, near_by, far, 0.25);
+    CHECK(secant_stiffness(far_off).y[0] < 0.9 * secant_stiffness(near_by).y[0]);
+}
+
+TEST_CASE("what has no reading with another datum is left out of the targets") {
+    Model model;
+    model.grid = {65, L};
+    model.body.datum = L;
+    const Eigen::VectorXd points = Eigen::Vector3d(0.1, 0.2, 0.3);
+    Target load = target_of(Quantity::load_at_displacement, points, points);
+    load.lower = load.upper = points;
+    CHECK(with_datum({target_of(Quantity::area_at_displacement, points, points), load}, model, 4).empty());
+}
+
+TEST_CASE("each check of trust is the similarity under the one change that it names") {
+    const Genome genome = two_waves();
+    const DesignSetup setup = like_itself(genome);
+    const Model& model = setup.model;
+    const Trust trust = trust_in(setup, genome, without_draws());
+    const auto under = [&](const Model& changed) {
+        return similarity(setup, respond(setup, genome, changed));
+    };
+    REQUIRE(trust.checks.size() == 5);
+    CHECK(trust.checks[0].name == "as designed");
+    CHECK(trust.checks[0].similarity == under(model));
+    CHECK(trust.checks[0].similarity > 0.98);
+    CHECK(answer(trust.checks, "2 times the nodes") == under(refined(model, 2)));
+    CHECK(answer(trust.checks, "4 times the nodes") == under(refined(model, 4)));
+    Model steps = model;
+    steps.loading.steps *= 4;
+    CHECK(answer(trust.checks, "4 times the load steps") == under(steps));
+    // Moved with its datum the target is met as before; the datum alone moves K by more than a tenth.
+    Model far = model;
+    far.body.datum *= 4;
+    CHECK(under(far) < 0.9);
+    CHECK(answer(trust.checks, "4 times the datum, the target moved with it") > 0.98);
+    REQUIRE(trust.kernels.size() == 2);
+    Model strip = model;
+    strip.body.kernel = Kernel::strip;
+    CHECK(answer(trust.kernels, name_of(Kernel::strip)) == under(completed(strip)));
+    const auto values = column(trust.checks, &Check::similarity);
+    CHECK(trust.median == quantile(values, 0.5));
+    CHECK(trust.tenth == quantile(values, 0.1));
+    CHECK(trust.tenth < trust.median);
+    CHECK(trust.left_out.empty());
+}
+
+TEST_CASE("noise far below the heights changes nothing, and noise like them does") {
+    const Genome genome = two_waves();
+    const DesignSetup setup = like_itself(genome);
+    const Profile profile = sample(genome, setup.model.grid);
+    const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
+    TrustOptions options = without_draws();
+    options.noise_draws = 3;
+    options.noise = 1e-9 * range;
+    const Trust quiet = trust_in(setup, genome, options);
+    REQUIRE(quiet.checks.size() == 8);
+    options.noise = 0.1 * range;
+    const Trust loud = trust_in(setup, genome, options);
+    for (const int draw : {1, 2, 3}) {
+        const std::string name = "height noise, draw " + std::to_string(draw);
+        CHECK(answer(quiet.checks, name) == Approx(quiet.checks[0].similarity).margin(1e-4));
+        CHECK(answer(loud.checks, name) < 0.9);
+    }
+    CHECK(answer(loud.checks, "height noise, draw 1") != answer(loud.checks, "height noise, draw 2"));
+}
+
+TEST_CASE("a rms slope above 0.1 is flagged and one below is not") {
+    const DesignSetup setup = like_itself(two_waves(), 0.1);
+    const Profile profile = sample(two_waves(1), setup.model.grid);
+    double squares = 0;
+    for (Index i = 0; i + 1 < profile.nodes(); ++i)
+        squares += std::pow((profile.heights[i + 1] - profile.heights[i]) / profile.spacing, 2);
+    const double slope = std::sqrt(squares / static_cast<double>(profile.nodes() - 1));
+    for (const double wanted : {0.0999, 0.1001}) {
+        const Trust trust = trust_in(setup, two_waves(wanted / slope), without_draws());
+        CHECK(trust.rms_slope == Approx(wanted));
+        CHECK(flagged(trust, "rms slope") == (wanted > 0.1));
+    }
+}
+
+TEST_CASE("a hardness is flagged where the highest node pressure at the last load step is above it") {
+    const Genome genome = two_waves();
+    const DesignSetup setup = like_itself(genome);
+    const Trust without = trust_in(setup, genome, without_draws());
+    ContactOptions states;
+    states.states = true;
+    const Profile profile = sample(genome, setup.model.grid);
+    const double to = displacement_at_pressure(profile, setup.model.body, setup.targets[0].last());
+    const ContactCurve curve = solve_contact(profile, setup.model.body, {to}, states);
+    CHECK(without.peak_pressure == Approx(curve.states[0].pressure.maxCoeff()).epsilon(1e-6));
+    CHECK(!flagged(without, "hardness"));
+    for (const double factor : {0.999, 1.001}) {
+        TrustOptions options = without_draws();
+        options.hardness = factor * without.peak_pressure;
+        CHECK(flagged(trust_in(setup, genome, options), "hardness") == (factor < 1));
+    }
+}
+
+TEST_CASE("a wave under 8 nodes is flagged and one of 8 is not") {
+    for (const double nodes : {7.9, 8.0, 8.1}) {
+        Genome genome = hill(0);
+        genome.series.push_back({0.01, 0.8, 1.5, nodes * L / 64, {{1, {0.2}}}});
+        const Trust trust = trust_in(like_itself(genome, 0.2), genome, without_draws());
+        CHECK(trust.shortest_wave_nodes == Approx(nodes));
+        CHECK(flagged(trust, "shortest wave") == (nodes < 8));
+    }
+}
+
+TEST_CASE("contact at one end is flagged, at either, but in the middle or on a periodic body it is not") {
+    const double pi = std::numbers::pi;
+    const auto trusted = [](const Genome& genome, Kernel kernel) {
+        return trust_in(like_itself(genome, 0.05, kernel), genome, without_draws());
+    };
+    for (const Kernel kernel : {Kernel::free, Kernel::strip}) {
+        CHECK(trusted(hill(pi, 2 * L), kernel).contact_at_ends); // highest at x = 0
+        CHECK(trusted(hill(0, 2 * L), kernel).contact_at_ends);  // at x = L
+        CHECK(flagged(trusted(hill(0, 2 * L), kernel), "ends"));
+        CHECK(!trusted(hill(0), kernel).contact_at_ends); // at L/2
+        CHECK(!flagged(trusted(hill(0), kernel), "ends"));
+    }
+    CHECK(!trusted(hill(pi), Kernel::periodic).contact_at_ends);
+}
+
+TEST_CASE("phases drawn anew turn chromosome by chromosome and are summed up by best, median and tenth") {
+    Genome genome = two_waves();
+    genome.series[0].chromosomes[0].phases = {0.3, 1.1};
+    const DesignSetup setup = like_itself(genome);
+    TrustOptions options = without_draws();
+    options.phase_draws = 5;
+    options.seed = 3;
+    const Trust trust = trust_in(setup, genome, options);
+    std::vector<double> values;
+    for (std::uint64_t draw = 0; draw < 5; ++draw) {
+        ga::Stream random(ga::fold(ga::fold(3, "phases"), draw));
+        Genome redrawn = genome;
+        for (Chromosome& chromosome : redrawn.series[0].chromosomes) {
+            const double turn = random.uniform(0, 2 * std::numbers::pi);
+            for (double& phase : chromosome.phases)
+                phase += turn;
+        }
+        const DesignSetup filled = completed(setup);
+        values.push_back(similarity(filled, with_fitting_amplitude(filled, redrawn)));
+    }
+    std::sort(values.begin(), values.end());
+    CHECK(trust.redrawn == 5);
+    CHECK(trust.redrawn_best == values[4]);
+    CHECK(trust.redrawn_median == values[2]);
+    CHECK(trust.redrawn_tenth == Approx(0.6 * values[0] + 0.4 * values[1]));
+    CHECK(trust.redrawn_best < trust.checks[0].similarity);
+    options.threads = 2;
+    CHECK(trust_in(setup, genome, options).redrawn_median == trust.redrawn_median);
+    CHECK(trust.left_out.empty());
+}
+
+TEST_CASE("a likeness that hangs on the load steps is flagged, a profile's likeness with itself is not") {
+    const Genome genome = two_waves();
+    const DesignSetup setup = like_itself(genome);
+    TrustOptions options = without_draws();
+    options.like = sample(genome, setup.model.grid);
+    const Trust itself = trust_in(setup, genome, options);
+    const std::string name = "4 times the load steps, for the target too";
+    CHECK(answer(itself.checks, name) > 0.99);
+    CHECK(!flagged(itself, "load steps"));
+    options.like->heights = options.like->heights.cwiseAbs2() / 0.01; // that its targets are not of
+    const Trust another = trust_in(setup, genome, options);
+    CHECK(answer(another.checks, name) < another.checks[0].similarity - 0.01);
+    CHECK(flagged(another, "load steps"));
+}
+
+TEST_CASE("what there was no time for is left out by name and counts nowhere") {
+    const Genome genome = two_waves();
+    TrustOptions options = without_draws();
+    options.phase_draws = 5;
+    options.seconds = -1; // over before it began
+    const Trust trust = trust_in(like_itself(genome), genome, options);
+    CHECK(trust.checks.size() + trust.kernels.size() + trust.left_out.size() ==
+          5 + 2 + (trust.redrawn < 5 ? 1u : 0u));
+    CHECK(trust.redrawn == 0);
+    CHECK(trust.checks.empty());
+    REQUIRE(!trust.left_out.empty());
+    CHECK(trust.left_out.front() == "as designed");
+    CHECK(trust.left_out.back() == "5 of the phases drawn anew");
+    CHECK(std::isnan(trust.median));
+    CHECK(std::isnan(trust.redrawn_best));
+}
