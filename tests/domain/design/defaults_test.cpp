@@ -1,6 +1,5 @@
-#include "domain/design/error_budget.hpp"
 #include "domain/errors.hpp"
-#include "domain/problem/setup.hpp"
+#include "domain/problem/problem.hpp"
 #include "domain/target/like.hpp"
 
 #include <catch2/catch.hpp>
@@ -48,28 +47,4 @@ TEST_CASE("a design that its grid cannot show is refused by the name of the valu
     CHECK(about([](DesignSetup& s) { s.limits.shortest_wave = 0.9 * 2.0 / 64; }) == "shortest wave");
     CHECK(about([](DesignSetup& s) { s.limits.shortest_wave = 8.1; }) == "shortest wave");
     CHECK(about([](DesignSetup& s) { s.model.body.datum = 0.1; }) == "datum");
-}
-
-TEST_CASE("an error budget says by how much the curve moves when one thing is changed") {
-    const DesignSetup setup = set_up();
-    Answer answer{one_wave()};
-    answer.similarity = 0.9;
-    answer.similarity_refined = 0.8;
-    const auto budget = error_budget(setup, answer);
-    REQUIRE(budget.size() == 6);
-    const Target& goal = setup.targets.front();
-    const auto at_points = [&](const Model& model) {
-        const Curve curve = secant_stiffness(respond(setup, one_wave(), model).responses.front());
-        return Eigen::VectorXd(goal.x.unaryExpr([&](double p) { return curve.at(p); }));
-    };
-    Model far = setup.model;
-    far.body.datum = 8;
-    const Eigen::VectorXd moved = at_points(far).cwiseQuotient(at_points(setup.model));
-    CHECK(budget[0].size == Approx((moved.array() - 1).abs().maxCoeff()));
-    CHECK(budget[0].size > 0.1);
-    CHECK(budget[2].source == "the grid: 4 times the elements");
-    CHECK(budget[2].size > 0);
-    CHECK(budget[2].size < 0.5);
-    CHECK(budget[4].size == Approx(0.1));
-    CHECK(budget[5].size == Approx(0.2));
 }
