@@ -1,0 +1,90 @@
+#include "domain/mwm/waves.hpp"
+#include "domain/problem/limits.hpp"
+#include "domain/problem/phases.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+constexpr double L = 2;
+const Grid grid{513, L, false};
+
+Genome one_wave(double lambda = L / 4) { return {0.02, {{1, 0.8, 1.5, lambda, {{1, {0.4}}}}}}; }
+
+/// Slope, height and radius of one cosine are a k, 2 a and 1/(a k^2).
+struct Exact {
+    double slope, height, radius;
+};
+Exact exact() {
+    const Wave wave = waves(one_wave())[0];
+    const double a = std::abs(wave.amplitude), k = wave.wave_number;
+    return {a * k, 2 * a, 1 / (a * k * k)};
+}
+
+} // namespace
+
+TEST_CASE("one wave's slope, height and radius are those of a cosine, on the safe side") {
+    const auto found = margins(one_wave(), grid, {});
+    const Exact wave = exact();
+    CHECK(found[0].value == Approx(L / 4).epsilon(1e-9));
+    CHECK(found[1].value == Approx(wave.slope).epsilon(1e-4));
+    CHECK(found[2].value == Approx(wave.height).epsilon(1e-4));
+    CHECK(found[3].value == Approx(wave.radius).epsilon(1e-4));
+    CHECK(found[0].value >= L / 4);
+    CHECK(found[1].value >= wave.slope);
+    CHECK(found[2].value >= wave.height);
+    CHECK(found[3].value <= wave.radius);
+}
+
+TEST_CASE("a margin is positive inside its limit, negative outside, and a limit met just holds") {
+    const auto most = [](double limit, double value) { return Margin{"", limit, value, false}; };
+    const auto least = [](double limit, double value) { return Margin{"", limit, value, true}; };
+    CHECK(most(2, 1).margin() == 0.5);
+    CHECK(most(2, 3).margin() == -0.5);
+    CHECK(least(2, 4).margin() == 0.5);
+    CHECK(least(2, 1).margin() == -1);
+    CHECK(most(0, 3).margin() == 1);
+    CHECK(least(0, 3).margin() == 1);
+    for (const auto& limit : {most(2, 2), most(2, 1), least(2, 2), least(2, 3), most(0, 9), least(0, 0)})
+        CHECK(limit.holds());
+    CHECK(!most(2, 2.001).holds());
+    CHECK(!least(2, 1.999).holds());
+}
+
+TEST_CASE("each limit on shape is exceeded by as much as it was set too tight, alone and together") {
+    const Exact wave = exact();
+    const auto within_bound = [](double expected) { return Approx(expected).margin(3e-4); };
+    const MakingLimits slope{.largest_slope = wave.slope / 1.25}, height{.largest_height = wave.height / 1.5},
+        radius{.smallest_radius = 1.1 * wave.radius},
+        all{0, slope.largest_slope, height.largest_height, radius.smallest_radius},
+        kept{0, 1.01 * wave.slope, 1.01 * wave.height, 0.99 * wave.radius};
+    CHECK(excess(one_wave(), grid, slope) == within_bound(0.25));
+    CHECK(excess(one_wave(), grid, height) == within_bound(0.5));
+    CHECK(excess(one_wave(), grid, radius) == within_bound(0.1));
+    CHECK(excess(one_wave(), grid, all) == within_bound(0.85));
+    CHECK(excess(one_wave(), grid, kept) == 0);
+    CHECK(excess(one_wave(), grid, {}) == 0);
+    CHECK(excess(one_wave(), grid, slope, 0.05) == within_bound(0.3));
+    CHECK(excess(one_wave(), grid, kept, 0.05) == within_bound(3 * 0.04 + 0.0003));
+    CHECK(limit_rows(one_wave(), grid, all, 0).residuals.isApprox(Eigen::Vector3d(0.25, 0.5, 0.1), 1e-3));
+    CHECK(limit_rows(one_wave(), grid, kept, 0).residuals.isZero());
+}
+
+TEST_CASE("phases move by their reach about where they are, those of waves from an eighth of the length on "
+          "apart from the shorter ones") {
+    Genome genome{1, {{1, 0.8, 2, L, {{1, {-2}}, {4, {1, 3}}, {5, {0.5}}}}}}; // L, L/8, L/16
+    const PhaseReach reach{0.1, 0.01};
+    const auto all = phase_variables(genome, reach), macro = macro_phases(genome, L, reach),
+               micro = micro_phases(genome, L, reach);
+    REQUIRE(all.size() == 4);
+    CHECK(all[0].gene == 4); // behind A, H, gamma, lambda
+    CHECK(all[0].lower == Approx(-2.21));
+    CHECK(all[0].upper == Approx(-1.79));
+    CHECK(macro.size() == 3);
+    REQUIRE(micro.size() == 1);
+    CHECK(micro[0].gene == 7);
+    CHECK(micro[0].lower == Approx(0.44));
+    CHECK(micro[0].upper == Approx(0.56));
+}
