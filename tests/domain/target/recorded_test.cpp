@@ -1,0 +1,67 @@
+#include "domain/errors.hpp"
+#include "domain/response/record.hpp"
+#include "domain/target/recorded.hpp"
+#include "domain/text/words.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+Model model_with(Kernel kernel) {
+    Model model;
+    model.grid = {65, 2};
+    model.body.kernel = kernel;
+    model.body.effective_modulus = 3;
+    return completed(model);
+}
+
+Target recorded_with(const Model& model) {
+    Target target;
+    target.name = "t.csv";
+    target.recorded = recorded_model(model);
+    return target;
+}
+
+} // namespace
+
+TEST_CASE("each recorded number may differ by a billionth and not by more, and is named alone") {
+    for (const Kernel kernel : {Kernel::free, Kernel::strip}) {
+        const Model model = model_with(kernel);
+        CHECK(recorded_differences(recorded_with(model), model).empty());
+        for (const char* key :
+             {"length_mm", "effective_modulus_MPa", kernel == Kernel::free ? "datum_mm" : "strip_width_mm"})
+            for (const double relative : {-1.1e-9, -0.9e-9, 0.9e-9, 1.1e-9}) {
+                Target target = recorded_with(model);
+                const double value = number_from(target.recorded.at(key), key);
+                target.recorded[key] = field_text(value * (1 + relative));
+                const auto found = recorded_differences(target, model);
+                INFO(key << " " << relative);
+                REQUIRE(found.size() == (std::abs(relative) > 1e-9 ? 1 : 0));
+                if (!found.empty()) {
+                    CHECK(found[0].key == key);
+                    CHECK(found[0].recorded == target.recorded[key]);
+                    CHECK(number_from(found[0].own, key) == Approx(value).epsilon(1e-13));
+                }
+            }
+    }
+}
+
+TEST_CASE("another kernel is a difference, a thing that the model has not as well, and what was not recorded "
+          "is none") {
+    Target target = recorded_with(model_with(Kernel::free));
+    const Model strip = model_with(Kernel::strip);
+    const auto found = recorded_differences(target, strip);
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].key == "kernel");
+    CHECK(found[0].own == "strip");
+    CHECK(found[1].key == "datum_mm");
+    CHECK(found[1].own.empty());
+    CHECK_THROWS_AS(expect_recorded(target, strip), InputError);
+    target.recorded = {{"kernel", ""}, {"nodes", "7"}};
+    CHECK(recorded_differences(target, strip).empty());
+    CHECK_NOTHROW(expect_recorded(target, strip));
+    target.recorded = {{"length_mm", "long"}};
+    CHECK_THROWS_AS(recorded_differences(target, strip), InputError);
+}

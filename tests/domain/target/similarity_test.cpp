@@ -1,0 +1,38 @@
+#include "domain/target/similarity.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+/// y = 2 + x^2 at five points, to be read over [0, 5].
+Curve bent() {
+    Curve curve{Eigen::VectorXd::LinSpaced(5, 1, 5), Eigen::VectorXd(5), 0, 5};
+    curve.y = 2 + curve.x.array().square();
+    return curve;
+}
+
+} // namespace
+
+TEST_CASE("a curve is compared with a reference at equal shares of their highest pressures") {
+    const Curve reference = bent();
+    CHECK(similarity(reference, reference) == 1);
+    CHECK(similarity(reference, stretched(reference, 3)) == Approx(1));
+    CHECK(similarity(stretched(reference, 0.1), reference) == Approx(1));
+    Curve one_off = reference;
+    one_off.y[3] *= 1.07;
+    CHECK(similarity(reference, one_off) == Approx(1 - 0.07));
+    CHECK(similarity(one_off, reference) == Approx(1 - 0.07 / 1.07));
+    one_off.y[1] *= 0.8;
+    CHECK(similarity(reference, stretched(one_off, 2)) == Approx(0.8));
+}
+
+TEST_CASE("a target's points are within a span up to both of its ends") {
+    Target target;
+    target.x = Eigen::VectorXd::LinSpaced(5, 1, 5);
+    CHECK(points_within(target, 2, 4) == std::vector<Index>{1, 2, 3});
+    CHECK(points_within(target, 2.1, 3.9) == std::vector<Index>{2});
+    CHECK(points_within(target, 0, 9).size() == 5);
+    CHECK(points_within(target, 6, 9).empty());
+}
