@@ -254,6 +254,41 @@ TEST_CASE("screening with free amplitude finds a stored genome at the amplitude 
         }
 }
 
+TEST_CASE("a genome without a response, or one whose curve ends before the target, matches nothing") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    GenomeStore store = GenomeStore::create(folder / "genomes.db", setup);
+    build(store, {.genomes = 20});
+    const double max_pressure = store.response(7).pressure[7];
+    for (const Quantity quantity :
+         {Quantity::stiffness, Quantity::area_at_pressure, Quantity::area_at_displacement}) {
+        const Target target = goal_of(store.response(7), 1, 0.9, quantity);
+        for (const ScreenOptions& options : {ScreenOptions{}, ScreenOptions{.max_pressure = max_pressure}}) {
+            StoredCurves curves = store.curves(true);
+            CHECK(screen(curves, setup.model, {target}, options)[0].index == 7);
+            for (const std::size_t lost : {7u, 12u}) {
+                curves.range[lost] = std::nan("");
+                for (std::size_t j = 8 * lost; j < 8 * lost + 8; ++j)
+                    curves.pressure[j] = curves.fraction[j] = std::nan("");
+            }
+            ScreenOptions every = options;
+            every.best = 20;
+            const auto matches = screen(curves, setup.model, {target}, every);
+            CHECK(!matches.empty());
+            CHECK(matches.size() <= 18);
+            for (const Match& match : matches) {
+                CHECK(match.index != 7);
+                CHECK(match.index != 12);
+                CHECK(match.similarity < 1);
+            }
+        }
+    }
+    // Eq. 11 fixes the amplitude: a displacement that no genome reaches then leaves none.
+    Target far = goal_of(store.response(7), 1, 0.9, Quantity::load_at_displacement);
+    far.x *= 1e6;
+    CHECK(screen(store.curves(), setup.model, {far}, {.max_pressure = max_pressure}).empty());
+}
+
 TEST_CASE("stored starts meet a design's targets at their amplitude, and another model's are refused") {
     const Folder folder;
     const DatabaseSetup setup = small_setup();
