@@ -1,3 +1,4 @@
+#include "apps/experiments/accuracy/run.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
@@ -46,6 +47,28 @@ TEST_CASE("the accuracy experiment charts every kind of scene, searches both way
           Approx(1 - design["similarity_refined"].get<double>()));
     for (const char* table : {"savings.csv", "searches.csv", "budget.csv"})
         CHECK(std::filesystem::exists(folder / "e" / table));
+}
+
+TEST_CASE("an error is covered by an estimate that is no smaller, and the page counts how many are") {
+    app::AccuracyRun run;
+    for (const double true_error : {0.0, 0.004, 0.008, 0.0081, 0.02}) {
+        app::SavingRow row;
+        row.surface = "smooth";
+        row.kernel = "free";
+        row.load = "full";
+        row.accuracy = 0.01;
+        row.seconds = 1;
+        row.resolved_seconds = 3;
+        row.estimated_error = 0.008;
+        row.true_error = true_error;
+        CHECK(row.covered() == (true_error <= 0.008));
+        run.savings.push_back(row);
+    }
+    const std::string page = accuracy_page(run);
+    const auto covered = page.find("60.0 %"), within = page.find("80.0 %"); // three of five, four of five
+    CHECK(covered != std::string::npos);
+    CHECK(within != std::string::npos);
+    CHECK(covered < within);
 }
 
 TEST_CASE("the paper's answers are the same with fidelity, and fewer genomes stand in the stages") {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <set>
 
 using app::testing::Folder;
@@ -28,6 +29,79 @@ TEST_CASE("no solver claims a wrong curve, and the automatic and nested ones sol
                 CHECK((trial.outcome == app::Outcome::solved) == scene.has_solution);
         }
     }
+}
+
+namespace {
+
+app::StabilityScene parabola(rough::Index nodes) {
+    app::StabilityScene scene;
+    scene.profile = {Eigen::VectorXd(nodes), 1.0 / static_cast<double>(nodes - 1)};
+    for (rough::Index i = 0; i < nodes; ++i)
+        scene.profile.heights[i] = -std::pow(static_cast<double>(i) * scene.profile.spacing - 0.47, 2);
+    scene.body = completed(rough::Body{}, 1);
+    scene.displacements = {0.02, 0.05, 0.1};
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE("stability's judge passes what is wrong by half a tolerance and names what is wrong by twice it") {
+    constexpr double tolerance = 1e-4;
+    for (const rough::Index nodes : {40, 300}) { // the oracle judges, or another solver
+        const app::StabilityScene scene = parabola(nodes);
+        rough::ContactOptions options;
+        options.solver = rough::Solver::nested;
+        const app::ContactTrial right = try_contact(scene, options);
+        app::StabilityReference reference(scene);
+        const auto judged = [&](auto corrupt) {
+            app::ContactTrial trial = right;
+            corrupt(trial.curve.steps[1]);
+            reference.judge(trial, tolerance);
+            return trial;
+        };
+        for (const double sign : {-1.0, 1.0}) {
+            const auto pressure = [&](double by) {
+                return judged([&](rough::LoadStep& step) { step.pressure *= 1 + sign * by * tolerance; });
+            };
+            const auto stiffness = [&](double by) {
+                return judged(
+                    [&](rough::LoadStep& step) { step.tangent_stiffness *= 1 + sign * by * tolerance; });
+            };
+            INFO(nodes << " nodes, " << sign);
+            CHECK(pressure(0.5).outcome == app::Outcome::solved);
+            CHECK(stiffness(0.5).outcome == app::Outcome::solved);
+            CHECK(stiffness(2).outcome == app::Outcome::wrong);
+            // The oracle is asked a tolerance to either side, which moves the pressure by K Delta/P of it.
+            const rough::LoadStep& step = right.curve.steps[1];
+            const double steepness = step.tangent_stiffness * step.displacement / step.pressure;
+            const app::ContactTrial wrong = pressure(2 + steepness);
+            CHECK(wrong.outcome == app::Outcome::wrong);
+            CHECK_THAT(wrong.message, Catch::Contains("pressure of step 2"));
+            const app::ContactTrial miscounted =
+                judged([&](rough::LoadStep& one) { one.contact_nodes += sign > 0 ? 1 : -1; });
+            CHECK(miscounted.outcome == app::Outcome::wrong);
+            CHECK_THAT(miscounted.message, Catch::Contains("contact nodes of step 2"));
+        }
+        app::ContactTrial refused = right;
+        refused.outcome = app::Outcome::refused;
+        refused.curve.steps[0].pressure *= 2;
+        reference.judge(refused, tolerance);
+        CHECK(refused.outcome == app::Outcome::refused);
+    }
+}
+
+TEST_CASE("direct solvers are held to 1e-9 whatever was asked for, iterative ones to ten times that") {
+    rough::ContactCurve curve;
+    rough::ContactOptions options;
+    options.tolerance = 1e-5;
+    const auto promised = [&](rough::Solver solver) {
+        curve.solver = solver;
+        return app::promised_tolerance(curve, options);
+    };
+    CHECK(promised(rough::Solver::nested) == 1e-9);
+    CHECK(promised(rough::Solver::nnls) == 1e-9);
+    CHECK(promised(rough::Solver::active_set) == Approx(1e-4));
+    CHECK(promised(rough::Solver::polonsky_keer) == Approx(1e-4));
 }
 
 TEST_CASE("the stability table names all its scenes") {
