@@ -95,12 +95,13 @@ def sites(text, choose):
     choose.shuffle(spans)
     for start, end in spans:
         expression = text[start:end]
-        if "\x01" in mask[start:end] and '"' in expression or not free(start, end) or "co_" in expression:
+        if "\x01" in mask[start:end] and '"' in expression or not free(start, end) or "co_" in expression or "//" in expression:
             continue
         other = changed(expression, mask[start:end], choose)
         if other is None:
             continue
         taken.append((start, end))
+        other = other.replace("\n", " ")  # lines keep their numbers
         found.append((start, end, "(rugosa_mutant({id}) ? (" + other + ") : (" + expression + "))",
                       " ".join(expression.split()) + "  ->  " + " ".join(other.split())))
     for match in re.finditer(r"^([ \t]+)((?!return\b|throw\b|delete\b|using\b|const\b|auto\b|else\b|if\b)[\w:.\->\[\]]+\([^;{}]*\));$", mask, re.M):
