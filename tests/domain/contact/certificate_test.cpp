@@ -146,6 +146,11 @@ TEST_CASE("under a hardness held nodes may sink in, but neither hang in the air 
     state.displacement[3] = 0.2 - 0.05;
     check(state.certified(), {.penetration = 0.1});
     state = pressed();
+    state.pressure = Eigen::Vector3d(1, 0.5, 1); // the first and the last are held
+    state.displacement[0] -= 0.05;
+    state.displacement[2] -= 0.1;
+    check(state.certified(), {});
+    state = pressed();
     state.pressure = Eigen::Vector3d(0.4, 1.1, 0.5);
     check(state.certified(), {.excess = 0.1 / mean});
 }

@@ -1,5 +1,7 @@
 #include "domain/contact/solvers/choice.hpp"
+#include "domain/contact/solvers/growing_factor.hpp"
 #include "domain/contact/solvers/problem.hpp"
+#include "domain/errors.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -114,4 +116,28 @@ TEST_CASE("the factor's cost is a cube of the contact nodes, and is given up at 
     CHECK(most_nested_work(problem) * per_multiplication == Approx(4 * active_set_cost(4096, 20)));
     CHECK(std::isinf(most_nested_work(make_problem(parabola(768), Body{}, steps_to(few_touch)))));
     CHECK(!std::isinf(most_nested_work(make_problem(parabola(769), Body{}, steps_to(few_touch)))));
+}
+
+TEST_CASE("a spike that the choice's coarse grid would step over still holds the surface apart",
+          "[contact]") {
+    Profile profile = parabola(4096);
+    profile.heights[2051] += 0.5;
+    const SolverChoice choice = choose_solver(make_problem(profile, Body{}, {0.1, 0.2}), {});
+    INFO(choice.reason);
+    const double expected = std::stod(choice.reason.substr(choice.reason.find("about ") + 6));
+    CHECK(expected == 8); // one node of 512
+    CHECK(choice.solver == Solver::nested);
+}
+
+TEST_CASE("a factor is refused beforehand where the nodes that will touch do not fit, and only then",
+          "[contact]") {
+    ContactOptions options;
+    const auto expected_to_fit = [&](double displacement) {
+        expect_factor_to_fit(make_problem(parabola(4096), Body{}, steps_to(displacement)), options);
+    };
+    options.memory_limit = 1e-2 * GrowingFactor::bytes(4096);
+    CHECK_NOTHROW(expected_to_fit(few_touch));
+    CHECK_THROWS_AS(expected_to_fit(most_touch), InputError);
+    options.memory_limit = GrowingFactor::bytes(4096);
+    CHECK_NOTHROW(expected_to_fit(most_touch));
 }

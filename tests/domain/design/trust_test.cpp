@@ -140,6 +140,20 @@ TEST_CASE("each check of trust is the similarity under the one change that it na
     CHECK(trust.left_out.empty());
 }
 
+TEST_CASE("where Eq. 11 applies the datum moves at the genome's own amplitude, and reach stays the body's") {
+    const Genome genome = two_waves();
+    DesignSetup setup = like_itself(genome);
+    setup.max_pressure = setup.targets[0].last();
+    const Trust trust = trust_in(setup, genome, without_draws());
+    CHECK(trust.checks[0].similarity > 0.98);
+    CHECK(answer(trust.checks, "4 times the datum, the target moved with it") > 0.98);
+    Model periodic = setup.model;
+    periodic.body.kernel = Kernel::periodic;
+    periodic.loading.reach = 0.95;
+    CHECK(answer(trust.kernels, name_of(Kernel::periodic)) ==
+          similarity(setup, respond(setup, genome, completed(periodic))));
+}
+
 TEST_CASE("noise far below the heights changes nothing, and noise like them does") {
     const Genome genome = two_waves();
     const DesignSetup setup = like_itself(genome);
@@ -157,7 +171,12 @@ TEST_CASE("noise far below the heights changes nothing, and noise like them does
         CHECK(answer(quiet.checks, name) == Approx(quiet.checks[0].similarity).margin(1e-4));
         CHECK(answer(loud.checks, name) < 0.9);
     }
-    CHECK(answer(loud.checks, "height noise, draw 1") != answer(loud.checks, "height noise, draw 2"));
+    ga::Stream random(ga::fold(ga::fold(options.seed, "height noise"), std::uint64_t{1}));
+    Profile noisy = profile;
+    for (double& z : noisy.heights)
+        z += 0.1 * range * random.normal();
+    CHECK(answer(loud.checks, "height noise, draw 2") ==
+          similarity(setup, respond(setup, noisy, setup.model)));
 }
 
 TEST_CASE("a rms slope above 0.1 is flagged and one below is not") {
@@ -261,6 +280,11 @@ TEST_CASE("a likeness that hangs on the load steps is flagged, a profile's liken
     const Trust another = trust_in(setup, genome, options);
     CHECK(answer(another.checks, name) < another.checks[0].similarity - 0.01);
     CHECK(flagged(another, "load steps"));
+    // Every point of the target is the other profile's, the first one, too.
+    DesignSetup first = setup;
+    first.targets[0].x = setup.targets[0].x.head(1).eval();
+    first.targets[0].y = setup.targets[0].y.head(1).eval();
+    CHECK(flagged(trust_in(first, genome, options), "load steps"));
 }
 
 TEST_CASE("what there was no time for is left out by name and counts nowhere") {
