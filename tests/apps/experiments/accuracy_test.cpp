@@ -57,8 +57,8 @@ TEST_CASE("an error is covered by an estimate that is no smaller, and the page c
         row.kernel = "free";
         row.load = "full";
         row.accuracy = 0.01;
-        row.seconds = 1;
-        row.resolved_seconds = 3;
+        row.seconds = 2;
+        row.resolved_seconds = 6;
         row.estimated_error = 0.008;
         row.true_error = true_error;
         CHECK(row.covered() == (true_error <= 0.008));
@@ -69,6 +69,8 @@ TEST_CASE("an error is covered by an estimate that is no smaller, and the page c
     CHECK(covered != std::string::npos);
     CHECK(within != std::string::npos);
     CHECK(covered < within);
+    CHECK(page.find(">2.00<") != std::string::npos); // the worst error over the accuracy
+    CHECK(page.find(">3.00<") != std::string::npos); // the saving
 }
 
 TEST_CASE("the paper's answers are the same with fidelity, and fewer genomes stand in the stages") {

@@ -1,4 +1,5 @@
 #include "apps/experiments/paper/claims.hpp"
+#include "apps/report/units.hpp"
 #include "domain/response/curve.hpp"
 
 #include <catch2/catch.hpp>
@@ -146,6 +147,14 @@ TEST_CASE(
     CHECK(compared(1.9, low) == Verdict::contradicted);
     CHECK(compared(2.1, low) == Verdict::reproduced);
     CHECK(compared(1 / 2.1, low) == Verdict::reproduced);
+    for (const int n : {1, 5}) { // a wave among the longest, or among the shortest
+        rough::Genome another = of(1, 0.8);
+        another.series.push_back({30, 0.8, 2, L, {{n, {0.7}}}});
+        const auto claims =
+            claims_on(variant("sog", of(1, 0.8)), variant("gco", another), variant("cco", of(1, 0.8)));
+        CHECK(verdict(claims, high) == (n == 1 ? Verdict::reproduced : Verdict::contradicted));
+        CHECK(verdict(claims, low) == (n == 1 ? Verdict::reproduced : Verdict::contradicted));
+    }
     // Density k^-(2H + 1), in octaves.
     const auto flatness = [&](double H) {
         return verdict(
@@ -162,6 +171,11 @@ TEST_CASE("answers that a run has not are claimed nowhere") {
         CHECK(claim.verdict == Verdict::undecidable);
         CHECK(claim.measured == "Not in this run.");
     }
+    PaperRun run;
+    run.model.grid = {64, L, true};
+    run.targets.resize(1);
+    run.targets[0].variants = {variant("sog", waves_of({0})), variant("cco", waves_of({0}))};
+    CHECK(answer_claims(run)[0].measured == "Not in this run.");
 }
 
 TEST_CASE("verdicts on the searches turn when one answer, candidate or time does") {
@@ -264,4 +278,67 @@ TEST_CASE("a part of the target is met better than the whole where a genome abov
     CHECK(verdict(claims({0.95, 0.96, 0.9}), high) == Verdict::contradicted);
     CHECK(verdict(claims({0.95, 0.9, 0.96}), low) == Verdict::contradicted);
     CHECK(verdict(claims({0.95, 0.9, 0.96}), high) == Verdict::reproduced);
+}
+
+TEST_CASE("as many children stand for two algorithms where the products of their parents are equal") {
+    const auto equal = [](std::size_t first, std::size_t second) {
+        TargetRun target;
+        for (const double p_bar : {0.4, 0.5, 0.6})
+            for (const char* name : {"gco", "cco"}) {
+                ThresholdRow row;
+                row.p_bar = p_bar;
+                row.variant = name;
+                row.u1 = row.variant == "gco" ? 6 : 3;
+                row.u2 = row.variant == "gco" ? 2 : p_bar < 0.45 ? first : p_bar > 0.55 ? second : 4;
+                target.thresholds.push_back(row);
+            }
+        PaperRun run;
+        run.targets = {target, target};
+        return verdict(search_claims(run), "|U<sub>3</sub>| is equal");
+    };
+    CHECK(equal(4, 4) == Verdict::reproduced);
+    CHECK(equal(5, 4) == Verdict::contradicted);
+    CHECK(equal(4, 5) == Verdict::contradicted);
+}
+
+TEST_CASE("the target's points are counted that lie among the database's curves") {
+    PaperRun run = run_of(5);
+    run.database[1].response.displacement /= 2; // K is 1, 2 and 3, and twice that
+    const auto measured = [&](const Eigen::Vector3d& y) {
+        TargetRun target;
+        target.title = "drawn";
+        target.target.x = Eigen::Vector3d(0.5, 2, 4.5);
+        target.target.y = y;
+        run.targets = {target};
+        for (const Claim& claim : series_claims(run, as_paper()))
+            if (claim.says.starts_with("The target's trend"))
+                return claim.measured;
+        return std::string();
+    };
+    CHECK(measured({1.5, 3, 4}).starts_with("drawn: 3 of 3"));
+    CHECK(measured({0.9, 3, 4}).starts_with("drawn: 2 of 3"));
+    CHECK(measured({1.5, 4.1, 6.1}).starts_with("drawn: 1 of 3"));
+}
+
+TEST_CASE("the Sobol pairs' discrepancy is the integral that defines it") {
+    const PaperRun run = run_of(5);
+    auto pairs = sobol_pairs(run.layout);
+    const auto n = static_cast<double>(pairs.size());
+    constexpr int cells = 400;
+    double integral = 0;
+    for (int i = 0; i < cells; ++i)
+        for (int j = 0; j < cells; ++j) {
+            const double x = (i + 0.5) / cells, y = (j + 0.5) / cells;
+            int inside = 0;
+            for (const auto& [H, gamma] : pairs)
+                inside += H < run.layout.H_from + x * (run.layout.H_to - run.layout.H_from) &&
+                          gamma < run.layout.gamma_from + y * (run.layout.gamma_to - run.layout.gamma_from);
+            integral += std::pow(inside / n - x * y, 2) / (cells * cells);
+        }
+    for (const Claim& claim : series_claims(run, as_paper()))
+        if (claim.place == "Figure 5") {
+            CHECK(claim.verdict == Verdict::reproduced);
+            CHECK_THAT(claim.measured,
+                       Catch::Contains("discrepancy " + readable(std::sqrt(integral), 2) + ", lower"));
+        }
 }
