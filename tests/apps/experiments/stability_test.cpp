@@ -82,12 +82,48 @@ TEST_CASE("stability's judge passes what is wrong by half a tolerance and names 
             CHECK(miscounted.outcome == app::Outcome::wrong);
             CHECK_THAT(miscounted.message, Catch::Contains("contact nodes of step 2"));
         }
+        for (const std::size_t j : {0u, 2u}) {
+            app::ContactTrial trial = right;
+            trial.curve.steps[j].pressure *= 1.01;
+            reference.judge(trial, tolerance);
+            CHECK_THAT(trial.message, Catch::Contains("pressure of step " + std::to_string(j + 1)));
+        }
         app::ContactTrial refused = right;
         refused.outcome = app::Outcome::refused;
         refused.curve.steps[0].pressure *= 2;
         reference.judge(refused, tolerance);
         CHECK(refused.outcome == app::Outcome::refused);
     }
+}
+
+TEST_CASE("first touch has no pressure and the stiffness of the nodes that touch, by which it is judged") {
+    app::StabilityScene scene = parabola(40);
+    scene.displacements = {0, 0.05};
+    app::StabilityReference reference(scene);
+    const app::ContactTrial right = try_contact(scene, {});
+    app::ContactTrial trial = right;
+    reference.judge(trial, 1e-6);
+    CHECK(trial.outcome == app::Outcome::solved);
+    trial.curve.steps[0].tangent_stiffness *= 1 + 2e-6;
+    reference.judge(trial, 1e-6);
+    CHECK(trial.outcome == app::Outcome::wrong);
+    trial = right;
+    trial.curve.steps[0].pressure = 1e-15;
+    reference.judge(trial, 1e-6);
+    CHECK(trial.outcome == app::Outcome::wrong);
+}
+
+TEST_CASE("a trial's residual is the worst of its steps, and one out of time says so") {
+    app::ContactTrial trial;
+    CHECK(trial.kkt_residual() == 0);
+    trial.curve.steps.resize(3);
+    trial.curve.steps[0].kkt_residual = 1e-12;
+    trial.curve.steps[1].kkt_residual = 3e-10;
+    CHECK(trial.kkt_residual() == 3e-10);
+    const app::ContactTrial late = try_contact(parabola(300), {}, -1);
+    CHECK(late.outcome == app::Outcome::not_converged);
+    CHECK(late.message == "stopped after -1 s");
+    CHECK(try_contact(parabola(300), {}, 1000).message.empty());
 }
 
 TEST_CASE("direct solvers are held to 1e-9 whatever was asked for, iterative ones to ten times that") {

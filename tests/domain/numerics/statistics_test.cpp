@@ -29,6 +29,7 @@ TEST_CASE("series that vary together correlate fully, and none correlates with a
     CHECK(pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(3, 2, 1)) == Approx(-1));
     CHECK(std::isnan(pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(7, 7, 7))));
     CHECK(std::isnan(pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(7, 7 + 1e-15, 7))));
+    CHECK(std::isnan(pearson(1e6 * Eigen::Array3d(1, 2, 3), Eigen::Array3d(7e6, 7e6 + 1e-9, 7e6))));
     for (const double size : {1e-12, 1e12}) // whatever their units
         CHECK(pearson(size * Eigen::Array3d(1, 2, 3), Eigen::Array3d(2, 4, 6) / size) == Approx(1));
 }

@@ -70,6 +70,10 @@ TEST_CASE("each limit on shape is exceeded by as much as it was set too tight, a
     CHECK(excess(one_wave(), grid, kept, 0.05) == within_bound(3 * 0.04 + 0.0003));
     CHECK(limit_rows(one_wave(), grid, all, 0).residuals.isApprox(Eigen::Vector3d(0.25, 0.5, 0.1), 1e-3));
     CHECK(limit_rows(one_wave(), grid, kept, 0).residuals.isZero());
+    CHECK(limit_rows(one_wave(), grid, all, 0.05).residuals.isApprox(Eigen::Vector3d(0.3, 0.55, 0.15), 2e-3));
+    Genome steep = one_wave(); // its radius is a hundredth of the other's, under a millimetre
+    steep.scale *= 100;
+    CHECK(excess(steep, grid, {.smallest_radius = 1.1 * wave.radius / 100}) == within_bound(0.1));
 }
 
 TEST_CASE("phases move by their reach about where they are, those of waves from an eighth of the length on "
