@@ -266,6 +266,9 @@ TEST_CASE("a genome without a response, or one whose curve ends before the targe
         for (const ScreenOptions& options : {ScreenOptions{}, ScreenOptions{.max_pressure = max_pressure}}) {
             StoredCurves curves = store.curves(true);
             CHECK(screen(curves, setup.model, {target}, options)[0].index == 7);
+            ScreenOptions two = options;
+            two.best = 2;
+            CHECK(screen(curves, setup.model, {target}, two).size() == 2);
             for (const std::size_t lost : {7u, 12u}) {
                 curves.range[lost] = std::nan("");
                 for (std::size_t j = 8 * lost; j < 8 * lost + 8; ++j)
@@ -283,6 +286,9 @@ TEST_CASE("a genome without a response, or one whose curve ends before the targe
             }
         }
     }
+    Target none = goal_of(store.response(7), 1, 0.9);
+    none.y[2] = 0;
+    CHECK_THROWS_AS(screen(store.curves(), setup.model, {none}, {}), InputError);
     // Eq. 11 fixes the amplitude: a displacement that no genome reaches then leaves none.
     Target far = goal_of(store.response(7), 1, 0.9, Quantity::load_at_displacement);
     far.x *= 1e6;

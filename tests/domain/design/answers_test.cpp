@@ -83,6 +83,28 @@ TEST_CASE("an answer's twin, its mirror image and what hardly differs are no alt
     CHECK(search(setup, options).alternatives.size() == 1);
 }
 
+TEST_CASE(
+    "alternatives differ from each other, are as many as asked for, and are judged on a grid four times "
+    "finer") {
+    const DesignSetup setup = set_up();
+    SearchOptions options;
+    options.pipeline = "score | best 4";
+    options.starts = {waves_of(0.3, 1), waves_of(0.3, 2.2), waves_of(0.3, 2.201), waves_of(0.3, 0.2)};
+    options.threads = 1;
+    for (const auto& [asked, given] : {std::pair(5, 3), std::pair(3, 3), std::pair(2, 2)}) {
+        options.alternatives = static_cast<std::size_t>(asked);
+        const auto found = search(setup, options).alternatives;
+        REQUIRE(found.size() == static_cast<std::size_t>(given));
+        for (const Answer& answer : found) {
+            const DesignSetup reported = as_reported(completed(setup));
+            CHECK(answer.similarity == Approx(similarity(reported, answer.genome, 1)).epsilon(1e-9));
+            CHECK(answer.similarity_refined == Approx(similarity(reported, answer.genome, 4)).epsilon(1e-9));
+            CHECK(answer.similarity_refined != Approx(similarity(reported, answer.genome, 8)).epsilon(1e-6));
+            CHECK(answer.judged() == std::min(answer.similarity, answer.similarity_refined));
+        }
+    }
+}
+
 TEST_CASE("an archive keeps the best of what is scored as a whole, best first and each once") {
     const DesignProblem problem(set_up());
     const ga::Name similarity("similarity"), judged("judged"), low("low");
