@@ -138,3 +138,19 @@ TEST_CASE("an archive keeps the best of what is scored as a whole, best first an
     archive.offer(problem, scored(6, similarity, 0.99));
     CHECK(values() == std::vector{0.99, 0.9, 0.5});
 }
+
+TEST_CASE("a search ends as soon as an answer has the similarity asked for on both grids, and not before") {
+    const DesignSetup setup = set_up();
+    SearchOptions options;
+    options.pipeline = "score | best 1 | refine lm 2";
+    options.starts = {waves_of(0.3, 1), waves_of(0.3, 2.2)};
+    options.threads = 1;
+    options.reach = 0.9;
+    const SearchResult reached = search(setup, options);
+    CHECK(reached.stopped == "the similarity asked for was reached");
+    CHECK(reached.counters.gradients == 0);
+    options.reach = 1.1; // nothing has that
+    const SearchResult missed = search(setup, options);
+    CHECK(missed.stopped.empty());
+    CHECK(missed.counters.gradients > 0);
+}
