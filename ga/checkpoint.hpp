@@ -68,9 +68,12 @@ class StoredState : public AnyState {
   public:
     /// Holds what was read.
     explicit StoredState(json j) : json_(std::move(j)) {}
+    ///@{
+    /// As AnyState says.
     std::unique_ptr<AnyState> clone() const override { return std::make_unique<StoredState>(*this); }
     void write(json& j) const override { j = json_; }
     const json* stored() const override { return &json_; }
+    ///@}
 
   private:
     json json_;

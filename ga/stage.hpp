@@ -19,19 +19,24 @@ struct Step {
     bool begins = false;               ///< it makes a population of nothing
 };
 
+// clang-format off
 /// An operator is a small struct with
-///     words() and describe(), from which its text follows (parameters.hpp), or std::string text() const
-///     void check(Known&) const;                                  what it needs and makes known
-///     Population operator()(Population, Context<P>&) const;      a template over the problem P, constrained
-///                                                                by what it uses
+/// @code
+///     words() and describe()                              from which its text follows (parameters.hpp), or text()
+///     void check(Known&) const;                           what it needs and makes known
+///     Population operator()(Population, Context<P>&) const;   a template over the problem P, constrained by
+///                                                         what it uses
+/// @endcode
 /// deriving from this tag, which gives it `|`. Besides, it may have
-///     struct State;                           what it carries from one generation to the next, written and
-///     read
+/// @code
+///     struct State;                           what it carries from one generation to the next, written and read
 ///                                             by to_json and from_json; the call takes a State& at its end
-///     std::size_t reads_of_start() const;     how many of the best at its generation's start it reads;
-///     everyone static constexpr bool begins = true;    where it makes a population of nothing Demand
-///     demand() const;                  whom it keeps of a scored population, whatever the others' fitness
+///     std::size_t reads_of_start() const;     how many of the best at its generation's start it reads; everyone
+///     static constexpr bool begins = true;    where it makes a population of nothing
+///     Demand demand() const;                  whom it keeps of a scored population, whatever the others' fitness
 ///     template <Problem P> void check_problem() const;   what no concept can tell of a problem
+/// @endcode
+// clang-format on
 struct Operator {};
 
 /// An operator that holds pipelines gives, in place of the call, `template <Problem P> Step<P> step() const`.

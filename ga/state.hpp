@@ -35,7 +35,7 @@ class HeldState {
     explicit HeldState(std::unique_ptr<AnyState> state) : state_(std::move(state)) {}
     /// A copy of its own.
     HeldState(const HeldState& other) : state_(other.state_ ? other.state_->clone() : nullptr) {}
-    HeldState(HeldState&&) = default;
+    HeldState(HeldState&&) = default; ///< takes the other's
     /// A copy of its own.
     HeldState& operator=(HeldState other) {
         state_ = std::move(other.state_);

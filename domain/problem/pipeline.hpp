@@ -14,8 +14,10 @@ ga::Registry<DesignProblem> engine_words();
 
 } // namespace rough
 
+/// @cond
 // Compiled once, in pipeline.cpp: what runs pipelines is most of what the compiler has to do.
 extern template ga::Result<rough::Genome> ga::run(const rough::Pipeline&, const rough::DesignProblem&,
                                                   ga::Population<rough::Genome>, const ga::RunOptions&,
                                                   std::vector<ga::Observer<rough::Genome>>,
                                                   ga::Keeper<rough::DesignProblem>*);
+/// @endcond

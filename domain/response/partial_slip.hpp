@@ -30,7 +30,8 @@ PartialSlip partial_slip(const Response& response, double friction);
 
 /// Derivatives of a PartialSlip's coordinates with respect to genes, a row each.
 struct PartialSlipJacobian {
-    Eigen::MatrixXd displacement, traction; ///< rows x genes, mm and MPa a gene
+    Eigen::MatrixXd displacement; ///< rows x genes, mm a gene
+    Eigen::MatrixXd traction;     ///< rows x genes, MPa a gene
 };
 /// From the normal curve's, whose load steps are equal parts of the last displacement.
 PartialSlipJacobian partial_slip_jacobian(const ResponseJacobian& jacobian, double friction);

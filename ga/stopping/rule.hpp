@@ -23,10 +23,14 @@ using Numbers = std::vector<double>;
 
 /// A stopping rule is a small struct deriving from this tag, with words() and describe() as an operator has,
 /// and
+/// @code
 ///     template <class G> bool operator()(const Progress<G>&, Numbers& memory) const;
+/// @endcode
 /// Besides, it may have
+/// @code
 ///     void check(const Known&, const std::string& stage) const;   what it needs
 ///     static constexpr bool sure = true;                          it holds some day, whatever the stages do
+/// @endcode
 struct StoppingRule {};
 
 /// A stopping rule for one type of genome.

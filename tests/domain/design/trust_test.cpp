@@ -214,14 +214,14 @@ TEST_CASE("phases drawn anew turn chromosome by chromosome and are summed up by 
 
 TEST_CASE("a likeness that hangs on the load steps is flagged, a profile's likeness with itself is not") {
     const Genome genome = two_waves();
-    const DesignSetup setup = like_itself(genome);
-    TrustOptions options = without_draws();
-    options.like = sample(genome, setup.model.grid);
+    DesignSetup setup = like_itself(genome);
+    const TrustOptions options = without_draws();
+    setup.like = sample(genome, setup.model.grid);
     const Trust itself = trust_in(setup, genome, options);
     const std::string name = "4 times the load steps, for the target too";
     CHECK(answer(itself.checks, name) > 0.99);
     CHECK(!flagged(itself, "load steps"));
-    options.like->heights = options.like->heights.cwiseAbs2() / 0.01; // that its targets are not of
+    setup.like->heights = setup.like->heights.cwiseAbs2() / 0.01; // that its targets are not of
     const Trust another = trust_in(setup, genome, options);
     CHECK(answer(another.checks, name) < another.checks[0].similarity - 0.01);
     CHECK(flagged(another, "load steps"));

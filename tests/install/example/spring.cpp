@@ -1,19 +1,20 @@
 // A problem of one's own for the engine: the wire, coil and number of turns of a helical spring that is to
 // have a given stiffness and mass.
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <numbers>
 #include <rugosa/ga.hpp>
 
 struct Spring {
-    using Genome = std::vector<double>; // wire diameter, coil diameter (mm), turns
-    using Outcome = Eigen::VectorXd;    // stiffness (N/mm), mass (g)
+    using Genome = std::vector<double>;    // wire diameter, coil diameter (mm), turns
+    using Outcome = std::array<double, 2>; // stiffness (N/mm), mass (g)
 
     Outcome evaluate(const Genome& g) const {
         const double d = g[0], D = g[1], n = g[2];
         const double stiffness = 79300 * std::pow(d, 4) / (8 * std::pow(D, 3) * n);
         const double mass = 7.85e-3 * std::numbers::pi * std::numbers::pi * d * d * D * n / 4;
-        return Eigen::Vector2d(stiffness, mass);
+        return {stiffness, mass};
     }
     const std::vector<ga::Objective<Outcome>>& objectives() const {
         static const std::vector<ga::Objective<Outcome>> list{{"fit", [](const Outcome& made) {
