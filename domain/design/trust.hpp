@@ -26,15 +26,16 @@ struct Check {
 
 /// How far an answer is to be believed.
 struct Trust {
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); ///< of what was not tried
     std::vector<Check> checks;  ///< as designed, finer grids, more load steps, farther datum, each noisy draw
-    double median = 0;          ///< of the checks' similarities
-    double tenth = 0;           ///< tenth percentile of the checks' similarities
+    double median = unknown;    ///< of the checks' similarities
+    double tenth = unknown;     ///< tenth percentile of the checks' similarities
     std::vector<Check> kernels; ///< the same profile on other bodies, for comparison: no check of the answer
     /// Similarity of genomes of the same spectrum with phases drawn anew (amplitude by Eq. 11, or fitted):
     /// where the best of them is near the answer the spectrum does it, where it is not the phases do.
-    double redrawn_best = 0;
-    double redrawn_median = 0;         ///< as redrawn_best, the median
-    double redrawn_tenth = 0;          ///< as redrawn_best, the tenth percentile
+    double redrawn_best = unknown;
+    double redrawn_median = unknown;   ///< as redrawn_best, the median
+    double redrawn_tenth = unknown;    ///< as redrawn_best, the tenth percentile
     int redrawn = 0;                   ///< how many were drawn
     double rms_slope = 0;              ///< of the profile, dimensionless
     double peak_pressure = 0;          ///< highest node pressure at the last load step, MPa

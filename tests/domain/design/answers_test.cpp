@@ -100,7 +100,9 @@ TEST_CASE(
             CHECK(answer.similarity == Approx(similarity(reported, answer.genome, 1)).epsilon(1e-9));
             CHECK(answer.similarity_refined == Approx(similarity(reported, answer.genome, 4)).epsilon(1e-9));
             CHECK(answer.similarity_refined != Approx(similarity(reported, answer.genome, 8)).epsilon(1e-6));
-            CHECK(answer.judged() == std::min(answer.similarity, answer.similarity_refined));
+            CHECK(answer.judged() == answer.similarity_worst);
+            CHECK(answer.judged() <=
+                  std::min({answer.similarity, answer.similarity_refined, answer.similarity_stepped}));
         }
     }
 }
