@@ -9,9 +9,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <fcntl.h>
 #include <set>
 #include <sys/file.h>
+#include <thread>
 #include <unistd.h>
 
 namespace app {
@@ -107,7 +109,13 @@ void OutputFolder::make(const std::string& given, const std::string& name) {
 /// The kernel's lock on the folder itself: nothing is written, and it ends with the process whatever ends it.
 void OutputFolder::lock() {
     locked_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (locked_ >= 0 && flock(locked_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    const auto is_taken = [&] {
+        return locked_ >= 0 && flock(locked_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    };
+    // A run that was just killed may take a moment to end.
+    for (int tries = 0; tries < 40 && is_taken(); ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    if (is_taken())
         throw InputError("--out: " + path_.string() +
                          " is in use by another run, expected another folder, or to wait for its end");
 }

