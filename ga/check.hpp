@@ -22,12 +22,12 @@ struct Known {
     } ///< as by pareto
 
     /// Throws UsageError, naming the stage, where individuals may be unscored.
-    void need_score(const std::string& stage) const {
+    [[gnu::cold]] void need_score(const std::string& stage) const {
         if (!scored)
             throw UsageError("stage '" + stage + "' needs a scored population; expected score before it");
     }
     /// Throws UsageError, naming the stage, where fitness is no single number.
-    void need_one_objective(const std::string& stage) const {
+    [[gnu::cold]] void need_one_objective(const std::string& stage) const {
         need_score(stage);
         if (several_objectives())
             throw UsageError("stage '" + stage +
@@ -35,14 +35,14 @@ struct Known {
                              "'; expected score before it");
     }
     /// Throws UsageError, naming the stage, outside a generation.
-    void need_generation(const std::string& stage) const {
+    [[gnu::cold]] void need_generation(const std::string& stage) const {
         if (!in_generation)
             throw UsageError("stage '" + stage +
                              "' reads the start of a generation; expected it inside repeat or until");
     }
     /// Throws UsageError, naming the stage, outside a generation, or where its start was scored otherwise
     /// than the population, so that the two cannot be compared.
-    void need_comparable_start(const std::string& stage) const {
+    [[gnu::cold]] void need_comparable_start(const std::string& stage) const {
         need_generation(stage);
         need_score(stage);
         if (scored != start_scored)
@@ -52,7 +52,7 @@ struct Known {
                              "; expected the same for both");
     }
     /// The objective's own name; an empty one stands for the problem's first.
-    std::string objective(const std::string& stage, const std::string& name) const {
+    [[gnu::cold]] std::string objective(const std::string& stage, const std::string& name) const {
         if (name.empty())
             return objectives.front();
         if (std::find(objectives.begin(), objectives.end(), name) != objectives.end())

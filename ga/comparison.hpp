@@ -3,6 +3,7 @@
 #include "ga/individual.hpp"
 
 #include <span>
+#include <utility>
 
 namespace ga {
 
@@ -13,14 +14,12 @@ constexpr std::size_t everyone = static_cast<std::size_t>(-1);
 /// less violation before more, then the greater merit; failed ones last (Deb 2000). -1 for the first class,
 /// -2 for the next and so on; equals share a class.
 inline std::vector<double> classes_by_rules(std::span<const Fitness* const> all) {
-    std::vector<std::size_t> order(all.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
     const auto key = [&](std::size_t i) {
         const Fitness& f = *all[i];
         const double violation = f.has_failed() ? HUGE_VAL : f.feasible() ? 0 : f.violation();
         return std::pair(violation, violation == 0 ? -f.merit() : 0.0);
     };
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+    const auto order = in_order(all.size(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
     std::vector<double> merits(all.size());
     double place = -1;
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -52,11 +51,12 @@ inline std::vector<double> crowded_merits(std::span<const Fitness* const> all) {
         merits[feasible[i]] = -static_cast<double>(ranks[i]) + bonus;
         last = std::min(last, -static_cast<double>(ranks[i]));
     }
-    std::sort(others.begin(), others.end(),
-              [&](std::size_t a, std::size_t b) { return all[a]->violation() < all[b]->violation(); });
-    for (std::size_t i = 0; i < others.size(); ++i)
-        if (!all[others[i]]->has_failed()) {
-            if (i == 0 || all[others[i - 1]]->violation() < all[others[i]]->violation())
+    double before = -HUGE_VAL;
+    for (const std::size_t i : in_order(others.size(), [&](std::size_t a, std::size_t b) {
+             return all[others[a]]->violation() < all[others[b]]->violation();
+         }))
+        if (const Fitness& each = *all[others[i]]; !each.has_failed()) {
+            if (each.violation() > std::exchange(before, each.violation()))
                 --last;
             merits[others[i]] = last;
         }

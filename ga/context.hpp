@@ -31,7 +31,7 @@ class Context {
     };
 
     /// The root of a run.
-    Context(Ledger<P>& ledger, Where<Genome> place, Identity next_identity, Terms terms)
+    [[gnu::cold]] Context(Ledger<P>& ledger, Where<Genome> place, Identity next_identity, Terms terms)
         : where(std::move(place)), kept(next_identity), ledger_(ledger), door_(ledger), root_(*this),
           terms_(std::move(terms)) {
         for (const auto& objective : problem().objectives())
@@ -39,7 +39,7 @@ class Context {
     }
     /// An island: it asks through `door`, gives out identities of a lane of its own, and shows observers what
     /// it did when its round is over.
-    Context(Context& parent, Door<P>& door, std::size_t lane, std::size_t lanes)
+    [[gnu::cold]] Context(Context& parent, Door<P>& door, std::size_t lane, std::size_t lanes)
         : where(parent.where), kept(parent.kept.next_identity + lane * parent.kept.identity_step,
                                     parent.kept.identity_step * lanes),
           ledger_(parent.ledger_), door_(door), root_(parent.root_), names_(parent.names_) {
@@ -203,8 +203,8 @@ class Context {
             terms_.keeper->write(before, ledger_);
     }
     /// The run as it is now, between two stages, with or without the frames' populations.
-    Snapshot<Genome> snapshot(bool with_frames = true) const {
-        return {with_frames ? kept.frames : std::deque<Frame<Genome>>(),
+    [[gnu::cold]] Snapshot<Genome> snapshot(bool with_frames = true) const {
+        return {with_frames ? kept.frames : std::list<Frame<Genome>>(),
                 ledger_.counters,
                 kept.next_identity,
                 kept.best,
@@ -213,7 +213,7 @@ class Context {
                 ledger_.memory().young().size()};
     }
     /// Goes on from a snapshot: blocks that open find their frames in it.
-    void resume(Snapshot<Genome> snapshot) {
+    [[gnu::cold]] void resume(Snapshot<Genome> snapshot) {
         kept.saved = std::move(snapshot.frames);
         ledger_.counters = snapshot.counters;
         kept.next_identity = snapshot.next_identity;
@@ -224,7 +224,7 @@ class Context {
     }
     /// Hands the keeper a run that stopped inside a stage, as it was before that stage; the innermost block
     /// knows.
-    void keep_stopped(Snapshot<Genome> before) {
+    [[gnu::cold]] void keep_stopped(Snapshot<Genome> before) {
         if (std::exchange(stop_kept_, true))
             return;
         before.frames = kept.frames;

@@ -35,33 +35,26 @@ struct Islands : Operator {
     template <Problem P>
     Step<P> step() const {
         using G = typename P::Genome;
-        const Stage<P> stages(body);
+        const auto stages = std::make_shared<const Stage<P>>(body);
         const std::string name = "islands " + std::to_string(n) +
                                  " rounds=" + std::to_string(migration.rounds) +
                                  " migrants=" + std::to_string(migration.migrants);
-        return {name + " { " + stages.text() + " }",
-                [=, migration = migration](Known& known) {
-                    Known inside = known;
-                    inside.in_generation = true;
-                    inside.start_scored = known.scored;
-                    if (stages.reads_of_start() > 0 && stages.reads_of_start() != everyone)
-                        known.need_score(name);
-                    stages.check(inside);
-                    if (migration.migrants > 0)
-                        inside.need_score(name);
-                    inside.start_scored = inside.scored;
-                    stages.check(inside);
-                    known.scored = inside.scored;
+        return {name + " { " + stages->text() + " }",
+                [stages, name, migration = migration](Known& known) {
+                    check_generation(*stages, name, known, [&](const Known& inside) {
+                        if (migration.migrants > 0)
+                            inside.need_score(name);
+                    });
                 },
-                [=, n = n, migration = migration](Population<G> population, Context<P>& context) {
-                    return evolve(std::move(population), stages, n, migration, context);
+                [stages, n = n, migration = migration](Population<G> population, Context<P>& context) {
+                    return evolve(std::move(population), *stages, n, migration, context);
                 }};
     }
 
   private:
     template <Problem P, class G = typename P::Genome>
-    static Population<G> evolve(Population<G> population, const Stage<P>& body, std::size_t n,
-                                const Migration& migration, Context<P>& context) {
+    [[gnu::cold]] static Population<G> evolve(Population<G> population, const Stage<P>& body, std::size_t n,
+                                              const Migration& migration, Context<P>& context) {
         typename Context<P>::OpenFrame frame(context.kept, {});
         if (!frame.resumed()) {
             if (population.size() < n)
@@ -90,7 +83,7 @@ struct Islands : Operator {
 
     /// One generation of every island, each on a thread of its own.
     template <Problem P, class G = typename P::Genome>
-    static void run_round(Frame<G>& frame, const Stage<P>& body, Context<P>& context) {
+    [[gnu::cold]] static void run_round(Frame<G>& frame, const Stage<P>& body, Context<P>& context) {
         const std::size_t n = frame.kept.size(), depth = context.kept.frames.size() - 1;
         Snapshot<G> before;
         if (context.is_kept())
@@ -123,7 +116,7 @@ struct Islands : Operator {
         } catch (const Stopped&) {
             context.kept.in_hand = joined(frame.kept);
             if (context.is_kept()) {
-                frame = before.frames[depth];
+                frame = *std::next(before.frames.begin(), static_cast<long>(depth));
                 context.keep_stopped(before);
             }
             throw;

@@ -4,8 +4,8 @@
 #include "ga/individual.hpp"
 #include "ga/state.hpp"
 
-#include <deque>
 #include <functional>
+#include <list>
 #include <map>
 #include <optional>
 
@@ -47,7 +47,7 @@ struct Frame {
 /// A run between two stages: all it needs to go on.
 template <class G>
 struct Snapshot {
-    std::deque<Frame<G>> frames;       ///< of the open blocks, outermost first; empty when the run is done
+    std::list<Frame<G>> frames;        ///< of the open blocks, outermost first; empty when the run is done
     Counters counters;                 ///< paid for so far
     Identity next_identity = 0;        ///< the next child's
     std::optional<Individual<G>> best; ///< under the problem's first objective
@@ -67,8 +67,8 @@ class Kept {
 
     Identity next_identity;               ///< the next new individual's
     Identity identity_step;               ///< from one to the next
-    std::deque<Frame<G>> frames;          ///< of the open blocks, outermost first
-    std::deque<Frame<G>> saved;           ///< of blocks that will open again after a resume
+    std::list<Frame<G>> frames;           ///< of the open blocks, outermost first
+    std::list<Frame<G>> saved;            ///< of blocks that will open again after a resume
     std::vector<Frame<G>*> loops;         ///< of those whose stages run again and again
     std::optional<Individual<G>> best;    ///< under the problem's first objective
     std::optional<Population<G>> in_hand; ///< of a run that has to stop
@@ -99,7 +99,7 @@ class Kept {
             const std::size_t depth = kept.frames.size();
             resumed_ = depth < kept.saved.size();
             if (resumed_) {
-                kept.frames.push_back(std::move(kept.saved[depth]));
+                kept.frames.push_back(std::move(*std::next(kept.saved.begin(), static_cast<long>(depth))));
                 if (depth + 1 == kept.saved.size())
                     kept.saved.clear();
             } else {

@@ -27,13 +27,14 @@ struct Pair : Operator {
     /// The block as one step (Block).
     template <Problem P>
     Step<P> step() const {
-        const Stage<P> on_left(left), on_right(right);
+        const auto on_left = std::make_shared<const Stage<P>>(left),
+                   on_right = std::make_shared<const Stage<P>>(right);
         const Name left_name(std::string("left")), right_name(std::string("right"));
-        return {"pair(" + on_left.text() + ", " + on_right.text() + ", " + combine.name + ")",
+        return {"pair(" + on_left->text() + ", " + on_right->text() + ", " + combine.name + ")",
                 [=](Known& known) {
                     Known other = known;
-                    on_left.check(known);
-                    on_right.check(other);
+                    on_left->check(known);
+                    on_right->check(other);
                     known.scored.reset();
                 },
                 [=, combine = combine](Population<G> population, Context<P>& context) {
@@ -43,19 +44,19 @@ struct Pair : Operator {
                     frame->expect(frame->kept.size() == 2);
                     if (frame->next == 0) {
                         const typename Context<P>::Scope scope(context.where, left_name, 0);
-                        frame->kept[1] = on_left(frame->kept[0], context);
+                        frame->kept[1] = (*on_left)(frame->kept[0], context);
                         frame->next = 1;
                     }
                     Population<G> others;
                     {
                         const typename Context<P>::Scope scope(context.where, right_name, 0);
-                        others = on_right(frame->kept[0], context);
+                        others = (*on_right)(frame->kept[0], context);
                     }
                     return children(frame->kept[1], others, combine, context);
                 },
-                std::max(on_left.reads_of_start(), on_right.reads_of_start()),
+                std::max(on_left->reads_of_start(), on_right->reads_of_start()),
                 {},
-                on_left.begins() && on_right.begins()};
+                on_left->begins() && on_right->begins()};
     }
 
   private:

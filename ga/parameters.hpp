@@ -59,7 +59,7 @@ struct Parameter {
                (kind == Kind::number || value == std::floor(value));
     }
     /// What may be given, in words; `in_full` with the greatest whole number, which hardly anybody needs.
-    std::string expected(bool in_full = false) const {
+    [[gnu::cold]] std::string expected(bool in_full = false) const {
         if (is_text())
             return kind == Kind::word ? "a name" : "names";
         const std::string what = kind == Kind::whole ? "a whole number" : "a number";
@@ -125,7 +125,7 @@ struct Field {
     Place value;         ///< what is
 
     /// The value as text; empty where it is none.
-    std::string in_words() const {
+    [[gnu::cold]] std::string in_words() const {
         return std::visit(
             [](const auto* at) -> std::string {
                 using Value = std::remove_cvref_t<decltype(*at)>;
@@ -169,7 +169,7 @@ template <class T>
 
 ///@{
 /// What the functions below do, once the type is known no more.
-inline std::string values_in_words(const std::vector<Field>& fields) {
+[[gnu::cold]] inline std::string values_in_words(const std::vector<Field>& fields) {
     std::string text;
     for (const Field& field : fields) {
         const std::string words = field.in_words();
@@ -180,13 +180,13 @@ inline std::string values_in_words(const std::vector<Field>& fields) {
     }
     return text;
 }
-inline void check_values(const std::vector<Field>& fields, const std::string& name) {
+[[gnu::cold]] inline void check_values(const std::vector<Field>& fields, const std::string& name) {
     for (const Field& field : fields)
         if (const auto given = field.as_number(); given && !field.parameter.allows(*given))
             throw UsageError("stage '" + name + "': " + field.parameter.name + " is '" + field.in_words() +
                              "'; expected " + field.parameter.expected(*given > field.parameter.upper));
 }
-inline std::string words_and_values(const Words& words, const std::vector<Field>& fields) {
+[[gnu::cold]] inline std::string words_and_values(const Words& words, const std::vector<Field>& fields) {
     const std::string values = values_in_words(fields);
     return words.name + (values.empty() ? "" : " ") + values;
 }

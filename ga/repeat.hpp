@@ -5,6 +5,112 @@
 
 namespace ga {
 
+/// The step of a block of generations, whatever it was written as.
+template <Problem P, class G = typename P::Genome>
+class GenerationsStep {
+  public:
+    /// Throws UsageError on an end that never comes, or comes before the first generation.
+    [[gnu::cold]] static Step<P> of(Stage<P> body, std::vector<Rule<G>> rules, bool counted) {
+        std::string name = "until";
+        for (const Rule<G>& rule : rules)
+            name += " " + rule.text;
+        if (counted)
+            name = "repeat" + rules.front().text.substr(rules.front().text.find(' '));
+        if (rules.empty() || name == "repeat 0")
+            throw UsageError(
+                "a block of generations needs an end; expected repeat N with N >= 1, or until with "
+                "one of generations, evaluations, seconds, fitness, stagnation");
+        const auto block = std::make_shared<const GenerationsStep>(std::move(body), std::move(rules), name);
+        Step<P> step;
+        step.text = name + " { " + block->body_.text() + " }";
+        step.check = [block](Known& known) { block->check(known); };
+        step.apply = [block](Population<G> population, Context<P>& context) {
+            return block->run(std::move(population), context);
+        };
+        step.begins = block->body_.begins();
+        return step;
+    }
+
+    /// Use `of`.
+    GenerationsStep(Stage<P> body, std::vector<Rule<G>> rules, std::string name)
+        : body_(std::move(body)), rules_(std::move(rules)), name_(std::move(name)),
+          reads_(body_.reads_of_start()) {}
+
+  private:
+    [[gnu::cold]] void check(Known& known) const {
+        check_generation(body_, name_, known, [&](const Known& inside) {
+            for (const Rule<G>& rule : rules_)
+                rule.check(inside, name_);
+        });
+    }
+
+    Population<G> run(Population<G> population, Context<P>& context) const {
+        typename Context<P>::OpenFrame frame(context.kept, std::move(population), true);
+        enum { asked, seconds, asked_last, moved }; // the block's own numbers
+        auto& numbers = frame->numbers;             // its own, what it knows of improvement, and each rule's
+        if (!frame.resumed()) {
+            numbers.resize(2 + rules_.size());
+            const auto began = static_cast<double>(context.counters().asked);
+            numbers[0] = {began, context.seconds(), began, 0};
+        }
+        frame->expect(numbers.size() == 2 + rules_.size() && numbers[0].size() == 4 &&
+                      (!frame.resumed() || frame->kept.size() == 1));
+        bool sure = false, paying = false;
+        for (const Rule<G>& rule : rules_) {
+            sure |= rule.sure;
+            paying |= rule.text.starts_with(AfterEvaluations::words().name);
+        }
+        const auto ended = [&] {
+            const Progress<G> now{frame->next,
+                                  context.counters().asked - static_cast<long>(numbers[0][asked]),
+                                  context.seconds() - numbers[0][seconds], frame->population};
+            bool end = false;
+            for (std::size_t i = 0; i < rules_.size(); ++i)
+                if (rules_[i].holds(now, numbers[2 + i])) {
+                    end = true;
+                    if (rules_[i].text.starts_with(AfterSeconds::words().name))
+                        context.note("ended on seconds; another run may end elsewhere");
+                }
+            return end || (!sure && idle(now, numbers[0], numbers[1], paying, context));
+        };
+        try {
+            for (bool inside = frame.resumed(); inside || !ended(); inside = false, ++frame->next) {
+                if (!inside)
+                    frame->kept = {start_of_generation(frame->population, reads_)};
+                const typename Context<P>::Generation generation(context.where, frame->next, frame->kept[0]);
+                frame->population = body_(std::move(frame->population), context);
+            }
+        } catch (const Stopped&) {
+            auto& in_hand = context.kept.in_hand;
+            if (in_hand && !frame->kept.empty())
+                in_hand = joined_with(frame->kept[0], std::move(*in_hand));
+            throw;
+        }
+        return std::move(frame->population);
+    }
+
+    /// Whether nothing has moved for so long that nothing will; evaluations move what waits for them
+    /// (`paying`).
+    static bool idle(const Progress<G>& now, Numbers& own, Numbers& improvement, bool paying,
+                     Context<P>& context) {
+        constexpr double patience = 10000; // generations
+        enum { asked, seconds, asked_last, moved };
+        const auto asked_now = static_cast<double>(context.counters().asked);
+        if (improves(now, improvement) || (paying && asked_now > own[asked_last]))
+            own[moved] = static_cast<double>(now.generation);
+        own[asked_last] = asked_now;
+        if (static_cast<double>(now.generation) - own[moved] < patience)
+            return false;
+        context.note("ended after 10000 generations that brought it no nearer to its end");
+        return true;
+    }
+
+    Stage<P> body_;
+    std::vector<Rule<G>> rules_;
+    std::string name_;
+    std::size_t reads_;
+};
+
 /// Runs a pipeline again and again on its own answer. Each pass is a generation: its random numbers are its
 /// own, and the best at its start are kept where `elite` and `plus` read them. Where no rule is sure to hold
 /// some day, the block ends after 10,000 generations that bettered nothing (and asked for nothing, where it
@@ -23,105 +129,7 @@ struct Generations : Operator {
     /// generation.
     template <Problem P>
     Step<P> step() const {
-        using G = typename P::Genome;
-        const Stage<P> stages(body);
-        const std::vector<Rule<G>> rules = ends.template rules<G>();
-        std::string name = "until";
-        for (const Rule<G>& rule : rules)
-            name += " " + rule.text;
-        if (counted)
-            name = "repeat" + rules.front().text.substr(rules.front().text.find(' '));
-        if (rules.empty() || name == "repeat 0")
-            throw UsageError(
-                "a block of generations needs an end; expected repeat N with N >= 1, or until with "
-                "one of generations, evaluations, seconds, fitness, stagnation");
-        const std::size_t reads = stages.reads_of_start();
-        return {name + " { " + stages.text() + " }",
-                [=](Known& known) {
-                    Known inside = known;
-                    inside.in_generation = true;
-                    inside.start_scored = known.scored;
-                    if (reads > 0 && reads != everyone) // the best of its start are chosen
-                        known.need_score(name);
-                    stages.check(inside);
-                    for (const Rule<G>& rule : rules)
-                        rule.check(inside, name);
-                    inside.start_scored = inside.scored;
-                    stages.check(inside); // what one generation leaves must suit the next
-                    known.scored = inside.scored;
-                },
-                [=](Population<G> population, Context<P>& context) {
-                    return generations(std::move(population), stages, rules, reads, context);
-                },
-                0,
-                {},
-                stages.begins()};
-    }
-
-  private:
-    template <Problem P, class G = typename P::Genome>
-    static Population<G> generations(Population<G> population, const Stage<P>& body,
-                                     const std::vector<Rule<G>>& rules, std::size_t reads,
-                                     Context<P>& context) {
-        typename Context<P>::OpenFrame frame(context.kept, std::move(population), true);
-        enum { asked, seconds, asked_last, moved }; // the block's own numbers
-        auto& numbers = frame->numbers;             // its own, what it knows of improvement, and each rule's
-        if (!frame.resumed()) {
-            numbers.resize(2 + rules.size());
-            const auto began = static_cast<double>(context.counters().asked);
-            numbers[0] = {began, context.seconds(), began, 0};
-        }
-        frame->expect(numbers.size() == 2 + rules.size() && numbers[0].size() == 4 &&
-                      (!frame.resumed() || frame->kept.size() == 1));
-        bool sure = false, paying = false;
-        for (const Rule<G>& rule : rules) {
-            sure |= rule.sure;
-            paying |= rule.text.starts_with(AfterEvaluations::words().name);
-        }
-        const auto ended = [&] {
-            const Progress<G> now{frame->next,
-                                  context.counters().asked - static_cast<long>(numbers[0][asked]),
-                                  context.seconds() - numbers[0][seconds], frame->population};
-            bool end = false;
-            for (std::size_t i = 0; i < rules.size(); ++i)
-                if (rules[i].holds(now, numbers[2 + i])) {
-                    end = true;
-                    if (rules[i].text.starts_with(AfterSeconds::words().name))
-                        context.note("ended on seconds; another run may end elsewhere");
-                }
-            return end || (!sure && idle(now, numbers[0], numbers[1], paying, context));
-        };
-        try {
-            for (bool inside = frame.resumed(); inside || !ended(); inside = false, ++frame->next) {
-                if (!inside)
-                    frame->kept = {start_of_generation(frame->population, reads)};
-                const typename Context<P>::Generation generation(context.where, frame->next, frame->kept[0]);
-                frame->population = body(std::move(frame->population), context);
-            }
-        } catch (const Stopped&) {
-            auto& in_hand = context.kept.in_hand;
-            if (in_hand && !frame->kept.empty())
-                in_hand = joined_with(frame->kept[0], std::move(*in_hand));
-            throw;
-        }
-        return std::move(frame->population);
-    }
-
-    /// Whether nothing has moved for so long that nothing will; evaluations move what waits for them
-    /// (`paying`).
-    template <class G, Problem P>
-    static bool idle(const Progress<G>& now, Numbers& own, Numbers& improvement, bool paying,
-                     Context<P>& context) {
-        constexpr double patience = 10000; // generations
-        enum { asked, seconds, asked_last, moved };
-        const auto asked_now = static_cast<double>(context.counters().asked);
-        if (improves(now, improvement) || (paying && asked_now > own[asked_last]))
-            own[moved] = static_cast<double>(now.generation);
-        own[asked_last] = asked_now;
-        if (static_cast<double>(now.generation) - own[moved] < patience)
-            return false;
-        context.note("ended after 10000 generations that brought it no nearer to its end");
-        return true;
+        return GenerationsStep<P>::of(body, ends.template rules<typename P::Genome>(), counted);
     }
 };
 

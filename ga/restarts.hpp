@@ -21,21 +21,21 @@ struct Restarts : Operator {
     template <Problem P>
     Step<P> step() const {
         using G = typename P::Genome;
-        const Stage<P> stages(body);
-        return {"restarts " + std::to_string(n) + " { " + stages.text() + " }",
-                [=](Known& known) { stages.check(known); },
+        const auto stages = std::make_shared<const Stage<P>>(body);
+        return {"restarts " + std::to_string(n) + " { " + stages->text() + " }",
+                [stages](Known& known) { stages->check(known); },
                 [stages, n = n](Population<G> population, Context<P>& context) {
-                    return again(std::move(population), stages, n, context);
+                    return again(std::move(population), *stages, n, context);
                 },
-                stages.reads_of_start(),
+                stages->reads_of_start(),
                 {},
-                stages.begins()};
+                stages->begins()};
     }
 
   private:
     template <Problem P, class G = typename P::Genome>
-    static Population<G> again(Population<G> population, const Stage<P>& stages, std::size_t n,
-                               Context<P>& context) {
+    [[gnu::cold]] static Population<G> again(Population<G> population, const Stage<P>& stages, std::size_t n,
+                                             Context<P>& context) {
         typename Context<P>::OpenFrame frame(context.kept, {}, true);
         if (!frame.resumed())
             frame->kept = {std::move(population), {}}; // the start, and the answers so far

@@ -35,7 +35,8 @@ struct Result {
 
 /// Throws UsageError when the pipeline cannot work on this problem and population.
 template <Problem P>
-void check(const Stage<P>& pipeline, const P& problem, const Population<typename P::Genome>& population) {
+[[gnu::cold]] void check(const Stage<P>& pipeline, const P& problem,
+                         const Population<typename P::Genome>& population) {
     Known known;
     for (const auto& objective : problem.objectives())
         known.objectives.push_back(objective.name);
@@ -52,8 +53,8 @@ void check(const Stage<P>& pipeline, const P& problem, const Population<typename
 
 /// What makes a run the one it is: pipeline, seed, objectives and start.
 template <Problem P>
-std::uint64_t identity_of_run(const Stage<P>& pipeline, const P& problem, std::uint64_t seed,
-                              const Population<typename P::Genome>& population) {
+[[gnu::cold]] std::uint64_t identity_of_run(const Stage<P>& pipeline, const P& problem, std::uint64_t seed,
+                                            const Population<typename P::Genome>& population) {
     std::uint64_t key = fold(fold(0, seed), pipeline.text());
     for (const auto& objective : problem.objectives())
         key = fold(fold(key, objective.name), objective.minimise ? 1 : 0);
@@ -65,7 +66,7 @@ std::uint64_t identity_of_run(const Stage<P>& pipeline, const P& problem, std::u
 /// What a stopped run gives back of what it had in hand: whoever is scored under the policy of most, best
 /// first.
 template <class G>
-Population<G> salvaged(Population<G> in_hand) {
+[[gnu::cold]] Population<G> salvaged(Population<G> in_hand) {
     std::erase_if(in_hand, [](const auto& individual) { return !individual.fitness.known(); });
     std::map<std::string, std::size_t> policies;
     for (const auto& individual : in_hand)
@@ -78,16 +79,11 @@ Population<G> salvaged(Population<G> in_hand) {
     return best_of(in_hand, everyone);
 }
 
-/// Runs a pipeline on a population, every paid call made by `evaluator`. The pipeline is checked first:
-/// UsageError says what it lacks. The same seed gives the same result, bit for bit, for any evaluator of the
-/// same outcomes, any number of threads and any memory, unless the run ends on seconds or a stop; with a
-/// keeper, however often the process ended on the way.
-/// @param population  may be empty where the pipeline begins with `sample`
-template <Problem P, class Pipeline, class G = typename P::Genome>
-requires(std::convertible_to<Pipeline, Stage<P>>) Result<G> run_by(
-    Evaluator<P>& evaluator, const Pipeline& pipeline, const P& problem, Population<G> population,
-    const RunOptions& options = {}, std::vector<Observer<G>> observers = {}, Keeper<P>* keeper = nullptr) {
-    const Stage<P> stage(pipeline);
+/// What `run_by` does once the pipeline's type is known no more.
+template <Problem P, class G = typename P::Genome>
+[[gnu::cold, gnu::noinline]] Result<G>
+run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Population<G> population,
+          const RunOptions& options, std::vector<Observer<G>> observers, Keeper<P>* keeper) {
     check(stage, problem, population);
     Identity next = 0;
     for (const auto& individual : population)
@@ -127,13 +123,26 @@ requires(std::convertible_to<Pipeline, Stage<P>>) Result<G> run_by(
     return result;
 }
 
+/// Runs a pipeline on a population, every paid call made by `evaluator`. The pipeline is checked first:
+/// UsageError says what it lacks. The same seed gives the same result, bit for bit, for any evaluator of the
+/// same outcomes, any number of threads and any memory, unless the run ends on seconds or a stop; with a
+/// keeper, however often the process ended on the way.
+/// @param population  may be empty where the pipeline begins with `sample`
+template <Problem P, class Pipeline, class G = typename P::Genome>
+requires(std::convertible_to<Pipeline, Stage<P>>)
+    [[gnu::cold]] Result<G> run_by(Evaluator<P>& evaluator, const Pipeline& pipeline, const P& problem,
+                                   Population<G> population, const RunOptions& options = {},
+                                   std::vector<Observer<G>> observers = {}, Keeper<P>* keeper = nullptr) {
+    const Stage<P>& stage = pipeline;
+    return run_stage(evaluator, stage, problem, std::move(population), options, std::move(observers), keeper);
+}
+
 /// The same with the paid calls spread over threads.
 template <Problem P, class Pipeline, class G = typename P::Genome>
-requires(std::convertible_to<Pipeline, Stage<P>>) Result<G> run(const Pipeline& pipeline, const P& problem,
-                                                                Population<G> population,
-                                                                const RunOptions& options = {},
-                                                                std::vector<Observer<G>> observers = {},
-                                                                Keeper<P>* keeper = nullptr) {
+requires(std::convertible_to<Pipeline, Stage<P>>)
+    [[gnu::cold]] Result<G> run(const Pipeline& pipeline, const P& problem, Population<G> population,
+                                const RunOptions& options = {}, std::vector<Observer<G>> observers = {},
+                                Keeper<P>* keeper = nullptr) {
     OnThreads<P> threads(options.threads);
     return run_by(threads, pipeline, problem, std::move(population), options, std::move(observers), keeper);
 }

@@ -71,22 +71,13 @@ class Stage {
     using Genome = typename P::Genome; ///< of the problem
 
     Stage() = default;
-    /// An operator as a pipeline of one stage. Throws UsageError where the problem lacks what it needs; what
-    /// concepts can tell is refused when it is compiled.
+    /// An operator as a pipeline of one stage, or operators joined by `|` before the problem was known.
+    /// Throws UsageError where the problem lacks what they need; what concepts can tell is refused when it is
+    /// compiled.
     template <class Op>
-    requires(std::derived_from<Op, Operator>) [[gnu::cold]] Stage(Op op) {
+    requires(std::derived_from<Op, Operator>) Stage(const Op& op) {
         static_assert(members_fit<P>());
-        if constexpr (requires { op.template check_problem<P>(); })
-            op.template check_problem<P>();
-        if constexpr (Block<Op, P>)
-            add(op.template step<P>());
-        else
-            add(step_of(std::move(op)));
-    }
-    /// Operators joined by `|` before the problem was known.
-    template <class A, class B>
-    Stage(Then<A, B> pair) : Stage(std::move(pair.first)) {
-        append(Stage(std::move(pair.second)));
+        take(op);
     }
     /// A step made by hand.
     Stage(Step<P> step) { add(std::move(step)); }
@@ -168,7 +159,7 @@ class Stage {
     struct Place {
         Step<P> step;
         Name name;
-        std::size_t ordinal;
+        std::size_t ordinal = 1;
         std::optional<std::pair<std::string, std::size_t>> written = {}; ///< text and column
 
         template <class Check>
@@ -204,9 +195,24 @@ class Stage {
         context.show(frame.population);
     }
 
+    template <class A, class B>
+    void take(const Then<A, B>& pair) {
+        take(pair.first);
+        take(pair.second);
+    }
     template <class Op>
-    [[gnu::cold]] static Step<P> step_of(Op op) {
-        Step<P> step{stage_text(op), [op](Known& known) { op.check(known); }, {}};
+    [[gnu::cold]] void take(const Op& op) {
+        if constexpr (requires { op.template check_problem<P>(); })
+            op.template check_problem<P>();
+        if constexpr (Block<Op, P>)
+            add(op.template step<P>());
+        else
+            add_operator(op);
+    }
+    template <class Op>
+    [[gnu::cold]] void add_operator(const Op& op) {
+        Step<P>& step = add(stage_text(op));
+        step.check = [op](Known& known) { op.check(known); };
         if constexpr (requires { op.reads_of_start(); })
             step.reads_of_start = op.reads_of_start();
         if constexpr (requires { op.demand(); })
@@ -232,22 +238,46 @@ class Stage {
             // No more callable here, where the compiler says which constraint is at fault.
             using Answer [[maybe_unused]] = decltype(op(Population<Genome>(), std::declval<Context<P>&>()));
         } else {
-            step.apply = [op = std::move(op)](Population<Genome> population, Context<P>& context) {
+            step.apply = [op](Population<Genome> population, Context<P>& context) {
                 return op(std::move(population), context);
             };
         }
-        return step;
     }
 
-    [[gnu::cold]] void add(Step<P> step) {
-        const Name name(step.text.substr(0, step.text.find_first_of(" ({")));
-        const auto equal = std::count_if(places_.begin(), places_.end(),
-                                         [&](const Place& place) { return place.name == name; });
-        places_.push_back({std::move(step), name, static_cast<std::size_t>(equal) + 1});
+    [[gnu::cold, gnu::noinline]] Step<P>& add(std::string text) {
+        const Name name(text.substr(0, text.find_first_of(" ({")));
+        std::size_t ordinal = 1;
+        for (const Place& place : places_)
+            ordinal += place.name == name ? 1 : 0;
+        Place& place = places_.emplace_back();
+        place.step.text = std::move(text);
+        place.name = name;
+        place.ordinal = ordinal;
+        return place.step;
+    }
+    [[gnu::cold, gnu::noinline]] void add(Step<P> step) {
+        Step<P>& added = add(step.text);
+        added = std::move(step);
     }
 
     std::vector<Place> places_;
 };
+
+/// Checks a body that runs generation after generation: what one leaves must suit the next. `more` looks at
+/// what is known after the first.
+template <Problem P, class More>
+[[gnu::cold]] void check_generation(const Stage<P>& body, const std::string& name, Known& known, More more) {
+    Known inside = known;
+    inside.in_generation = true;
+    inside.start_scored = known.scored;
+    if (const std::size_t reads = body.reads_of_start(); reads > 0 && reads != everyone)
+        known.need_score(name); // the best of its start are chosen
+    body.check(inside);
+    more(inside);
+    inside.start_scored = inside.scored;
+    body.check(inside);
+    known.scored = inside.scored;
+}
 
 /// a | b of operators, before the problem is known.
 template <class A, class B>
@@ -265,8 +295,8 @@ operator|(Stage<P> a, const B& b) {
 /// a | b where the problem is known.
 template <class A, Problem P>
 requires std::derived_from<A, Operator> Stage<P>
-operator|(A a, const Stage<P>& b) {
-    Stage<P> stage(std::move(a));
+operator|(const A& a, const Stage<P>& b) {
+    Stage<P> stage(a);
     stage.append(b);
     return stage;
 }

@@ -9,6 +9,7 @@ ga::Registry<DesignProblem> engine_words() { return ga::with_refinement(ga::voca
 
 } // namespace rough
 
+template class ga::Parser<rough::DesignProblem>;
 template ga::Result<rough::Genome> ga::run(const rough::Pipeline&, const rough::DesignProblem&,
                                            ga::Population<rough::Genome>, const ga::RunOptions&,
                                            std::vector<ga::Observer<rough::Genome>>,

@@ -2,7 +2,7 @@
 
 #include "domain/problem/problem.hpp"
 #include "ga/run.hpp"
-#include "ga/text/registry.hpp"
+#include "ga/text/parser.hpp"
 
 namespace rough {
 
@@ -15,7 +15,8 @@ ga::Registry<DesignProblem> engine_words();
 } // namespace rough
 
 /// @cond
-// Compiled once, in pipeline.cpp: what runs pipelines is most of what the compiler has to do.
+// Compiled once, in pipeline.cpp: what reads and runs pipelines is most of what the compiler has to do.
+extern template class ga::Parser<rough::DesignProblem>;
 extern template ga::Result<rough::Genome> ga::run(const rough::Pipeline&, const rough::DesignProblem&,
                                                   ga::Population<rough::Genome>, const ga::RunOptions&,
                                                   std::vector<ga::Observer<rough::Genome>>,

@@ -15,23 +15,24 @@ inline double hypervolume(std::vector<Point> points, const Point& reference) {
                 return true;
         return false;
     });
-    std::sort(points.begin(), points.end(),
-              [&](const Point& a, const Point& b) { return a[last] > b[last]; });
+    const auto order = in_order(
+        points.size(), [&](std::size_t a, std::size_t b) { return points[a][last] > points[b][last]; });
     if (points.empty())
         return 0;
     if (last == 0)
-        return points.front()[0] - reference[0];
+        return points[order[0]][0] - reference[0];
     double volume = 0, widest = reference[0];
     std::vector<Point> above;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const double next = i + 1 < points.size() ? points[i + 1][last] : reference[last];
-        const double thickness = points[i][last] - next;
+        const Point& point = points[order[i]];
+        const double next = i + 1 < points.size() ? points[order[i + 1]][last] : reference[last];
+        const double thickness = point[last] - next;
         if (last == 1) {
-            widest = std::max(widest, points[i][0]);
+            widest = std::max(widest, point[0]);
             volume += thickness * (widest - reference[0]);
             continue;
         }
-        above.push_back(points[i]);
+        above.push_back(point);
         above.back().pop_back();
         if (thickness > 0)
             volume += thickness * hypervolume(above, Point(reference.begin(), reference.end() - 1));

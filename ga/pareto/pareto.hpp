@@ -18,15 +18,13 @@ struct Pareto : Operator {
     /// Throws UsageError on less than two, or one twice.
     explicit Pareto(std::vector<std::string> names) : objectives(std::move(names)) { validate(); }
     /// Throws UsageError on less than two, or one twice.
-    void validate() const {
+    [[gnu::cold]] void validate() const {
         if (objectives.size() < 2)
             throw UsageError("pareto compares " + std::to_string(objectives.size()) +
                              " objectives; expected the names of 2 at least");
-        std::vector<std::string> sorted = objectives;
-        std::sort(sorted.begin(), sorted.end());
-        const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-        if (twice != sorted.end())
-            throw UsageError("pareto is given '" + *twice + "' twice; expected different objectives");
+        for (auto each = objectives.begin(); each != objectives.end(); ++each)
+            if (std::find(objectives.begin(), each, *each) != each)
+                throw UsageError("pareto is given '" + *each + "' twice; expected different objectives");
     }
     ///@{
     /// What every operator has (Operator).

@@ -3,10 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numeric>
 #include <vector>
 
 namespace ga {
+
+/// Positions 0 to n-1 in the order that `before(a, b)` gives; equals in their own order. The comparison's
+/// type is erased, so that sorting is compiled once.
+inline std::vector<std::size_t> in_order(std::size_t n,
+                                         const std::function<bool(std::size_t, std::size_t)>& before) {
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&before](std::size_t a, std::size_t b) { return before(a, b) || (a < b && !before(b, a)); });
+    return order;
+}
 
 /// Values of several objectives, greater is better.
 using Point = std::vector<double>;
@@ -26,10 +38,8 @@ inline bool dominates(const Point& a, const Point& b) {
 /// taken away (Deb, Pratap, Agarwal and Meyarivan 2002). Points are met in an order in which none is
 /// dominated by a later one, so each is compared with earlier ones only (Zhang, Tian, Cheng and Jin 2015).
 inline std::vector<std::size_t> pareto_ranks(const std::vector<Point>& points) {
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return points[a] > points[b]; });
+    const std::vector<std::size_t> order =
+        in_order(points.size(), [&](std::size_t a, std::size_t b) { return points[a] > points[b]; });
     std::vector<std::vector<std::size_t>> fronts;
     std::vector<std::size_t> rank(points.size());
     for (const std::size_t each : order) {
@@ -51,10 +61,8 @@ inline std::vector<std::size_t> pareto_ranks(const std::vector<Point>& points) {
 inline std::vector<double> crowding_distances(const std::vector<Point>& points,
                                               const std::vector<std::size_t>& ranks) {
     std::vector<double> room(points.size(), 0);
-    std::vector<std::size_t> order(points.size());
     for (std::size_t k = 0; !points.empty() && k < points[0].size(); ++k) {
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const auto order = in_order(points.size(), [&](std::size_t a, std::size_t b) {
             return ranks[a] != ranks[b] ? ranks[a] < ranks[b] : points[a][k] < points[b][k];
         });
         for (std::size_t first = 0, last; first < order.size(); first = last + 1) {

@@ -16,8 +16,8 @@ class Arguments {
     /// parameters.
     /// @param stage  what the stage is called in messages
     /// @param where  what the text is called in messages
-    Arguments(const std::vector<Parameter>& parameters, const std::vector<ArgumentText>& given,
-              const std::string& stage, std::size_t column, std::string where)
+    [[gnu::cold]] Arguments(const std::vector<Parameter>& parameters, const std::vector<ArgumentText>& given,
+                            const std::string& stage, std::size_t column, std::string where)
         : where_(std::move(where)) {
         for (const auto& argument : given) {
             const auto parameter =
@@ -84,7 +84,7 @@ class Arguments {
     }
 
   private:
-    void put(const std::vector<Field>& fields) const {
+    [[gnu::cold]] void put(const std::vector<Field>& fields) const {
         for (const Field& field : fields)
             if (has(field.parameter.name))
                 std::visit(
@@ -117,7 +117,8 @@ class Arguments {
             names.push_back(each.name);
         return names;
     }
-    void check(const Parameter& parameter, const ArgumentText& argument, const std::string& stage) const {
+    [[gnu::cold]] void check(const Parameter& parameter, const ArgumentText& argument,
+                             const std::string& stage) const {
         if (parameter.is_text())
             return;
         const std::optional<double> value = parsed(argument.value);

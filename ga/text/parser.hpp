@@ -13,7 +13,7 @@ template <Problem P>
 class Parser {
   public:
     /// Throws UsageError on a variant called like an operator.
-    explicit Parser(Registry<P> registry, Variants variants = {})
+    [[gnu::cold]] explicit Parser(Registry<P> registry, Variants variants = {})
         : registry_(std::move(registry)), variants_(std::move(variants)) {
         const auto names = registry_.names();
         for (const auto& [name, text] : variants_)
@@ -23,12 +23,12 @@ class Parser {
 
     /// @param text   a pipeline
     /// @param where  what messages call it
-    Stage<P> parse(const std::string& text, const std::string& where = "pipeline") {
+    [[gnu::cold]] Stage<P> parse(const std::string& text, const std::string& where = "pipeline") {
         return made(Syntax(text, where).read(), where);
     }
 
     /// The pipeline of a named variant. Names of other variants are expanded in place; a cycle is refused.
-    Stage<P> variant(const std::string& name) {
+    [[gnu::cold]] Stage<P> variant(const std::string& name) {
         const auto found = variants_.find(name);
         if (found == variants_.end())
             throw UsageError("unknown variant '" + name + "'" + suggestion(name, variant_names()));
@@ -41,14 +41,14 @@ class Parser {
   private:
     static constexpr std::size_t most_stages = 10000;
 
-    Stage<P> made(const PipelineText& pipeline, const std::string& where) {
+    [[gnu::cold]] Stage<P> made(const PipelineText& pipeline, const std::string& where) {
         Stage<P> stage;
         for (const auto& each : pipeline)
             stage.append(made(each, where));
         return stage;
     }
 
-    Stage<P> made(const StageText& text, const std::string& where) {
+    [[gnu::cold]] Stage<P> made(const StageText& text, const std::string& where) {
         if (variants_.count(text.name))
             return expanded(text, where);
         if (text.name == "pair")
@@ -79,7 +79,8 @@ class Parser {
     }
 
     /// The operator a stage names; a family's member is taken out of the arguments.
-    const typename Registry<P>::Entry* operator_of(StageText& stage, const std::string& where) const {
+    [[gnu::cold]] const typename Registry<P>::Entry* operator_of(StageText& stage,
+                                                                 const std::string& where) const {
         const std::vector<std::string> members = registry_.members(stage.name);
         const auto* alone = registry_.find(stage.name);
         if (members.empty() && alone)
@@ -110,8 +111,8 @@ class Parser {
     }
 
     /// Reads "fitness 0.99" as fitness=0.99.
-    static void key_words(const typename Registry<P>::Entry& entry, StageText& stage,
-                          const std::string& where) {
+    [[gnu::cold]] static void key_words(const typename Registry<P>::Entry& entry, StageText& stage,
+                                        const std::string& where) {
         auto& arguments = stage.arguments;
         for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
             const bool names_parameter =
@@ -134,7 +135,7 @@ class Parser {
             }
     }
 
-    Stage<P> paired(const StageText& text, const std::string& where) {
+    [[gnu::cold]] Stage<P> paired(const StageText& text, const std::string& where) {
         const ArgumentText& name = text.arguments.front();
         std::vector<std::string> names;
         for (const auto& [combine, meaning] : registry_.combines()) {
@@ -146,7 +147,7 @@ class Parser {
                         "unknown combination '" + name.value + "'" + suggestion(name.value, names));
     }
 
-    Stage<P> expanded(const StageText& text, const std::string& where) {
+    [[gnu::cold]] Stage<P> expanded(const StageText& text, const std::string& where) {
         if (!text.arguments.empty() || !text.bodies.empty())
             throw TextError(where, text.column, "variant '" + text.name + "' takes no arguments");
         if (std::find(open_.begin(), open_.end(), text.name) != open_.end()) {
@@ -159,14 +160,14 @@ class Parser {
     }
 
     /// The stage, which says where it was written.
-    Stage<P> located(Stage<P> stage, const StageText& text, const std::string& where) {
+    [[gnu::cold]] Stage<P> located(Stage<P> stage, const StageText& text, const std::string& where) {
         if (++stages_ > most_stages)
             throw TextError(where, text.column, "more than 10000 stages, with those of variants");
         stage.locate(where, text.column);
         return stage;
     }
 
-    std::vector<std::string> variant_names() const {
+    [[gnu::cold]] std::vector<std::string> variant_names() const {
         std::vector<std::string> names;
         for (const auto& [name, text] : variants_)
             names.push_back(name);

@@ -41,7 +41,7 @@ class Syntax {
     }
 
     /// All of the text. Throws TextError.
-    PipelineText read() {
+    [[gnu::cold]] PipelineText read() {
         PipelineText pipeline = read_pipeline();
         if (!token_.empty())
             fail("unexpected " + quoted() + "; expected | or the end");
@@ -51,7 +51,7 @@ class Syntax {
   private:
     static constexpr std::size_t longest = 1000000;
 
-    PipelineText read_pipeline() {
+    [[gnu::cold]] PipelineText read_pipeline() {
         if (++depth_ > 100)
             fail("more than 100 pipelines inside each other");
         PipelineText pipeline = {read_stage()};
@@ -63,7 +63,7 @@ class Syntax {
         return pipeline;
     }
 
-    StageText read_stage() {
+    [[gnu::cold]] StageText read_stage() {
         StageText stage;
         stage.column = column_;
         stage.name = word("the name of a stage");
@@ -99,29 +99,29 @@ class Syntax {
     static bool is_symbol(char c) { return std::string_view("|{}(),=").find(c) != std::string_view::npos; }
     static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
     /// Names and numbers begin with a letter, a digit or one of + - . _ / @
-    bool is_word() const {
+    [[gnu::cold]] bool is_word() const {
         const auto first = token_.empty() ? ' ' : token_[0];
         return (first >= '0' && first <= '9') || (first >= 'a' && first <= 'z') ||
                (first >= 'A' && first <= 'Z') || static_cast<unsigned char>(first) >= 0x80 ||
                std::string_view("+-._/@").find(first) != std::string_view::npos;
     }
-    std::string quoted() const { return token_.empty() ? "end" : "'" + token_ + "'"; }
+    [[gnu::cold]] std::string quoted() const { return token_.empty() ? "end" : "'" + token_ + "'"; }
     [[noreturn]] void fail(const std::string& message) const { throw TextError(where_, column_, message); }
 
-    std::string word(const std::string& what) {
+    [[gnu::cold]] std::string word(const std::string& what) {
         if (!is_word())
             fail("unexpected " + quoted() + "; expected " + what);
         std::string word = token_;
         next();
         return word;
     }
-    void take(const std::string& symbol) {
+    [[gnu::cold]] void take(const std::string& symbol) {
         if (token_ != symbol)
             fail("unexpected " + quoted() + "; expected " + symbol);
         next();
     }
     /// Moves on to the next symbol or word; an empty token stands for the end.
-    void next() {
+    [[gnu::cold]] void next() {
         while (at_ < text_.size() && is_space(text_[at_]))
             ++at_;
         const std::size_t start = at_;

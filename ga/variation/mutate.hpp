@@ -13,6 +13,12 @@ concept Mutates = Problem<P> && requires(const Way& way, const P& problem, typen
     { way(problem, genome, chance, stream) } -> std::same_as<bool>;
 };
 
+/// "mutate 0.1 gaussian 0.2".
+[[gnu::cold]] inline std::string mutation_text(double rate, const std::string& name,
+                                               const std::string& values) {
+    return "mutate " + number(rate) + (name.empty() ? "" : " " + name) + (values.empty() ? "" : " " + values);
+}
+
 /// Mutates every individual. One that changes loses its fitness; if it was scored, it becomes a child of its
 /// old self.
 template <class Way>
@@ -33,11 +39,7 @@ struct Mutate : Operator {
         visit(self.rate, number("rate", std::nullopt, 0, 1, "a gene's chance to mutate"));
         Way::describe(self.way, visit);
     }
-    std::string text() const {
-        const std::string name = Way::words().name, values = values_in_words(way);
-        return "mutate " + number(rate) + (name.empty() ? "" : " " + name) +
-               (values.empty() ? "" : " " + values);
-    }
+    std::string text() const { return mutation_text(rate, Way::words().name, values_in_words(way)); }
     void check(Known& known) const { known.scored.reset(); }
 
     template <class P>

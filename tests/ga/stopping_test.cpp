@@ -1,10 +1,11 @@
 #include "ga/checkpoint.hpp"
-#include "ga/text/parser.hpp"
-#include "ga/text/vocabulary.hpp"
+#include "ga/text/compiled_once.hpp"
 #include "tests/folder.hpp"
 #include "tests/ga/vectors.hpp"
 
 #include <catch2/catch.hpp>
+
+GA_PIPELINES_ELSEWHERE(Vectors)
 
 using namespace ga;
 

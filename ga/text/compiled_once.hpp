@@ -1,0 +1,28 @@
+#pragma once
+
+#include "ga/run.hpp"
+#include "ga/text/parser.hpp"
+#include "ga/text/vocabulary.hpp"
+
+/// @file
+/// Text pipelines compiled once for a problem, in one of a program's files, since they are most of what the
+/// compiler has to do: `GA_PIPELINES_ELSEWHERE(Knapsack)` behind the problem's definition in its header, and
+/// `GA_PIPELINES_HERE(Knapsack)` in one source file; both at global scope. Without them every file that reads
+/// text pipelines compiles them anew.
+
+/// The vocabulary, the parser and `run` of a problem are compiled elsewhere.
+#define GA_PIPELINES_ELSEWHERE(P) GA_PIPELINES_OF(extern template, P)
+/// They are compiled here.
+#define GA_PIPELINES_HERE(P) GA_PIPELINES_OF(template, P)
+
+/// @cond
+#define GA_PIPELINES_OF(instantiate, P)                                                                      \
+    instantiate ga::Registry<P> ga::vocabulary<P>();                                                         \
+    instantiate class ga::Parser<P>;                                                                         \
+    instantiate ga::Result<P::Genome> ga::run(const ga::Stage<P>&, const P&, ga::Population<P::Genome>,      \
+                                              const ga::RunOptions&, std::vector<ga::Observer<P::Genome>>,   \
+                                              ga::Keeper<P>*);                                               \
+    instantiate ga::Result<P::Genome> ga::run_stage(ga::Evaluator<P>&, const ga::Stage<P>&, const P&,        \
+                                                    ga::Population<P::Genome>, const ga::RunOptions&,        \
+                                                    std::vector<ga::Observer<P::Genome>>, ga::Keeper<P>*);
+/// @endcond
