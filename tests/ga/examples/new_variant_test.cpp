@@ -1,6 +1,7 @@
 // The page ga/README.md, word for word where it matters: a new problem, a new variant in code and in text, a
 // new operator.
 
+#include "ga/ask_tell.hpp"
 #include "ga/ga.hpp"
 #include "ga/text/parser.hpp"
 #include "ga/text/vocabulary.hpp"
@@ -102,6 +103,17 @@ TEST_CASE("the page's variant solves its problem, in code and in text alike") {
     CHECK(again.counters.evaluations == result.counters.evaluations);
     CHECK_THROWS_WITH(parser.parse("start | repeat 100 { tornament 2 }"),
                       "pipeline, column 22: unknown stage 'tornament'; did you mean 'tournament'?");
+}
+
+TEST_CASE("the page's loop of one's own gives the same answer") {
+    const auto variant = sample(50) | score() |
+                         repeat(100, tournament(2) | cross(uniform()) | mutate(0.05) | score() | elite(1)) |
+                         best(1);
+    AskTell<Knapsack> search(variant, problem, {}, {.seed = 7});
+    for (auto questions = search.ask(); !questions.empty(); questions = search.ask())
+        for (auto& [id, taken] : questions)
+            search.tell(id, problem.evaluate(taken));
+    CHECK(search.result().best->genome == run(variant, problem, {}, {.seed = 7}).best->genome);
 }
 
 TEST_CASE("the page's operator works in code and in text") {
