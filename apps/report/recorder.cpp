@@ -6,7 +6,8 @@
 namespace app {
 
 ga::Observer<rough::Genome> recorder(std::vector<StageRecord>& stages) {
-    return [&stages](const ga::Event<rough::Genome>& event) {
+    return [&stages, counted = std::size_t{0},
+            candidates = std::size_t{0}](const ga::Event<rough::Genome>& event) mutable {
         StageRecord record{event.path, {}, event.counters.evaluations + event.counters.gradients};
         for (const auto& individual : event.population) {
             const bool scored = individual.fitness.known() && individual.fitness.objective() == "similarity";
@@ -15,7 +16,17 @@ ga::Observer<rough::Genome> recorder(std::vector<StageRecord>& stages) {
                  {individual.parents.begin(), individual.parents.end()},
                  scored ? individual.value() : std::numeric_limits<double>::quiet_NaN()});
         }
-        stages.push_back(std::move(record));
+        for (; counted < stages.size(); ++counted) // one more, or those of a run that is gone on with
+            candidates += stages[counted].candidates.size();
+        const auto last = candidates < most_candidates
+                              ? stages.rend()
+                              : std::find_if(stages.rbegin(), stages.rend(), [&](const StageRecord& each) {
+                                    return each.path == event.path;
+                                });
+        if (last == stages.rend())
+            stages.push_back(std::move(record));
+        else
+            *last = std::move(record);
     };
 }
 

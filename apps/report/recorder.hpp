@@ -7,6 +7,10 @@
 
 namespace app {
 
+/// So many candidates are kept of every generation; afterwards a stage's record stands in the place of its
+/// last.
+constexpr std::size_t most_candidates = 200000;
+
 /// An observer that keeps every stage's candidates: identity, parents and similarity (the problem's first
 /// objective; NaN where a stage left it unscored).
 ga::Observer<rough::Genome> recorder(std::vector<StageRecord>& stages);

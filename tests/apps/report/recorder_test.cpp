@@ -1,0 +1,27 @@
+#include "apps/report/recorder.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace app;
+
+TEST_CASE("the record of a run without end stays bounded and ends with its last generation") {
+    std::vector<StageRecord> stages;
+    const auto observe = recorder(stages);
+    const ga::Population<rough::Genome> population(1000);
+    ga::Counters counters;
+    for (long generation = 0; generation < 500; ++generation)
+        for (const std::string path : {"v/repeat.1/cross.1", "v/repeat.1/score.1"}) {
+            counters.evaluations = generation;
+            observe({path, {static_cast<std::size_t>(generation)}, population, counters, 0});
+        }
+    CHECK(stages.size() == most_candidates / 1000);
+    CHECK(stages.front().spent == 0);
+    CHECK(stages.back().path == "v/repeat.1/score.1");
+    CHECK(stages.back().spent == 499);
+    CHECK(stages[stages.size() - 2].path == "v/repeat.1/cross.1");
+    CHECK(stages[stages.size() - 2].spent == 499);
+    CHECK(stages[stages.size() - 3].spent == 98);
+    const std::string end = "v/best.1";
+    observe({end, {}, population, counters, 0});
+    CHECK(stages.back().path == end);
+}
