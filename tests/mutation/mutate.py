@@ -142,6 +142,16 @@ def tried(number, name, limits):
     return None
 
 
+def explained():
+    """Reasons why a break changes nothing that could be noticed, by file and change: tests/mutation/equivalent."""
+    reasons = {}
+    for line in (pathlib.Path(__file__).parent / "equivalent").read_text().splitlines():
+        if line and not line.startswith("#"):
+            name, change, reason = line.split(" | ")
+            reasons[name, change] = reason
+    return reasons
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scopes", nargs="*", default=[], metavar="ga|domain|apps")
@@ -165,21 +175,24 @@ def main():
             sys.exit(f"tests/mutation: without any break '{failed}' fails")
         limits[program] = 30 + 4 * given.jobs * (time.monotonic() - start)
 
-    results = []
+    results, reasons = [], explained()
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
         waiting = {pool.submit(tried, number, name, limits): number for number, (name, _) in mutants.items()}
         for done in concurrent.futures.as_completed(waiting):
             number = waiting[done]
             name, (start, _, _, change) = mutants[number]
             line = (ROOT / name).read_text().count("\n", 0, start) + 1
-            results.append({"file": name, "line": line, "change": change, "caught_by": done.result()})
-            print(f"{len(results)} of {len(mutants)}: {name}:{line}: {change[:90]}: {done.result() or 'SURVIVED'}", flush=True)
+            reason = None if done.result() else reasons.get((name, change))
+            results.append({"file": name, "line": line, "change": change, "caught_by": done.result(), "equivalent": reason})
+            print(f"{len(results)} of {len(mutants)}: {name}:{line}: {change[:90]}: {done.result() or reason or 'SURVIVED'}",
+                  flush=True)
     results.sort(key=lambda result: (result["file"], result["line"]))
     given.out.write_text(json.dumps(results, indent=1))
     for scope in scopes:
         mine = [result for result in results if result["file"].startswith(scope + "/")]
         caught = sum(result["caught_by"] is not None for result in mine)
-        print(f"{scope}: {caught} of {len(mine)} caught ({100 * caught / max(1, len(mine)):.1f} %)")
+        same = sum(result["equivalent"] is not None for result in mine)
+        print(f"{scope}: {caught} of {len(mine)} caught, {same} equivalent ({100 * (caught + same) / max(1, len(mine)):.1f} %)")
 
 
 main()

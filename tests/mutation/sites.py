@@ -64,7 +64,8 @@ def expressions(text):
     for match in re.finditer(r"\breturn ([^;{}\[\]]+);", text):
         yield match.span(1)
     for match in re.finditer(r"^[ \t]+[\w:<>&*.,()\[\] \->]+? (?:=|\+=|-=|\*=|/=) ([^;{}]+);", text, re.M):
-        yield match.span(1)
+        if not re.search(r"\bconstexpr\b|\bvirtual\b", match[0]):  # what the compiler would refuse
+            yield match.span(1)
 
 
 def changed(expression, mask, choose):
@@ -107,7 +108,8 @@ def sites(text, choose):
     for match in re.finditer(r"^([ \t]+)((?!return\b|throw\b|delete\b|using\b|const\b|auto\b|else\b|if\b)[\w:.\->\[\]]+\([^;{}]*\));$", mask, re.M):
         start, end = match.span(2)
         before = mask[:match.start()].rstrip()
-        if free(start, end + 1) and before and before[-1] in ";{}" and "refuse" not in match[2]:
+        if free(start, end + 1) and before and before[-1] in ";{}" and "refuse" not in match[2] \
+                and not re.search(r"\b(reserve|prefetch)\(", match[2]):  # these change nothing but time
             taken.append((start, end + 1))
             call = text[start:end]
             found.append((start, end + 1, "if (!rugosa_mutant({id})) " + call + ";", "left out: " + " ".join(call.split())))
