@@ -1,0 +1,27 @@
+// Compiled where Eigen's and NLopt's headers are errors.
+#include "ga/ask_tell.hpp"
+#include "ga/checkpoint.hpp"
+#include "ga/ga.hpp"
+#include "ga/observers/front.hpp"
+#include "ga/observers/hall_of_fame.hpp"
+#include "ga/observers/log.hpp"
+#include "ga/observers/progress.hpp"
+#include "ga/text/compiled_once.hpp"
+#include "ga/text/listing.hpp"
+
+struct Ones {
+    using Genome = std::vector<bool>;
+    using Outcome = double;
+    std::vector<ga::Objective<double>> list{{"ones", [](const double& value) { return value; }}};
+
+    double evaluate(const Genome& bits) const {
+        return static_cast<double>(std::count(bits.begin(), bits.end(), true));
+    }
+    const std::vector<ga::Objective<double>>& objectives() const { return list; }
+};
+GA_PIPELINES_ELSEWHERE(Ones)
+
+double most_ones(const Ones& problem) {
+    const auto stage = ga::Parser<Ones>(ga::vocabulary<Ones>()).parse("score | best 1");
+    return ga::run(stage, problem, ga::population<Ones::Genome>({{true, false}})).best->value();
+}
