@@ -57,6 +57,9 @@ TEST_CASE(
     std::string one;
     for (const int threads : {1, 2, 5}) {
         Uneven::threads().clear();
+        run(sample(24) | score(), Uneven{}, nobody, {.threads = threads}); // one batch
+        CHECK(Uneven::threads().size() == static_cast<std::size_t>(threads));
+        Uneven::threads().clear();
         const auto result = run(pipeline, Uneven{}, nobody, {.threads = threads});
         CHECK(Uneven::threads().size() == static_cast<std::size_t>(threads));
         one = one.empty() ? bits_of(result) : one;
