@@ -1,5 +1,7 @@
 #include "domain/numerics/statistics.hpp"
 
+#include "ga/random.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,6 +44,43 @@ double mean(const std::vector<double>& values) {
     const std::vector<double> all = known(values);
     return all.empty() ? none
                        : std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+}
+
+double share_up_to(const std::vector<double>& values, double limit) {
+    const auto count = std::count_if(values.begin(), values.end(), [&](double v) { return v <= limit; });
+    return values.empty() ? none : static_cast<double>(count) / static_cast<double>(values.size());
+}
+
+Interval median_interval(std::vector<double> values, double confidence) {
+    std::sort(values.begin(), values.end(),
+              [](double a, double b) { return std::isnan(b) ? !std::isnan(a) : a < b; });
+    // The k-th from either end miss the median where fewer than k of n fair coins fall on that side.
+    const std::size_t n = values.size();
+    double fewer = std::ldexp(1.0, -static_cast<int>(n)), term = fewer;
+    std::size_t k = 0;
+    while (k + 1 < (n + 1) / 2) {
+        const double next = term * static_cast<double>(n - k) / static_cast<double>(k + 1);
+        if (1 - 2 * (fewer + next) < confidence)
+            break;
+        term = next;
+        fewer += term;
+        ++k;
+    }
+    return {values[k], values[n - 1 - k], 1 - 2 * fewer};
+}
+
+Interval bootstrap_interval(std::size_t n,
+                            const std::function<double(const std::vector<std::size_t>&)>& statistic,
+                            std::size_t draws, double confidence, std::uint64_t seed) {
+    std::vector<double> found;
+    std::vector<std::size_t> picks(n);
+    for (std::size_t draw = 0; draw < draws; ++draw) {
+        ga::Stream stream(ga::fold(seed, draw));
+        for (std::size_t& pick : picks)
+            pick = stream.below(n);
+        found.push_back(statistic(picks));
+    }
+    return {quantile(found, (1 - confidence) / 2), quantile(found, (1 + confidence) / 2), confidence};
 }
 
 double slope(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {

@@ -1,4 +1,5 @@
 #include "domain/numerics/statistics.hpp"
+#include "ga/random.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -50,4 +51,51 @@ TEST_CASE("a column is a member of each row, or what a function says of it, in t
     CHECK(column(rows, &Row::value) == std::vector<double>{3, 1, 2});
     CHECK(column(rows, &Row::doubled) == std::vector<double>{6, 2, 4});
     CHECK(column(rows, [](const Row& row) { return -row.value; }) == std::vector<double>{-3, -1, -2});
+}
+
+TEST_CASE("the empirical distribution steps at each value, and what is never reached counts among them") {
+    const std::vector<double> values{3, 1, std::nan(""), 2};
+    CHECK(share_up_to(values, 0.9) == 0);
+    CHECK(share_up_to(values, 1) == 0.25);
+    CHECK(share_up_to(values, 2.5) == 0.5);
+    CHECK(share_up_to(values, 1e9) == 0.75);
+    CHECK(std::isnan(share_up_to({}, 1)));
+}
+
+TEST_CASE("the median's interval of order statistics is the binomial table's") {
+    std::vector<double> values;
+    for (int i = 1; i <= 15; ++i)
+        values.push_back(i);
+    const Interval of15 = median_interval(values); // the 4th and 12th of 15: 96.48 %
+    CHECK(of15.lower == 4);
+    CHECK(of15.upper == 12);
+    CHECK(of15.coverage == Approx(0.96484).epsilon(1e-4));
+    const Interval of3 = median_interval({2, 9, 4}); // too few: the extremes, and what they are worth
+    CHECK(of3.lower == 2);
+    CHECK(of3.upper == 9);
+    CHECK(of3.coverage == Approx(0.75));
+    CHECK(median_interval({7}).lower == 7);
+    CHECK(median_interval({7}).coverage == Approx(0).margin(1e-15));
+    CHECK(std::isnan(median_interval({1, 2, std::nan("")}).upper));
+}
+
+TEST_CASE("the bootstrap's interval of a mean holds it about as often as it says") {
+    int held = 0;
+    constexpr int trials = 400;
+    for (std::uint64_t trial = 0; trial < trials; ++trial) {
+        ga::Stream stream(ga::fold(3, trial));
+        std::vector<double> values;
+        for (int i = 0; i < 40; ++i)
+            values.push_back(stream.normal() + 2);
+        const auto of_picks = [&](const std::vector<std::size_t>& picks) {
+            double sum = 0;
+            for (const std::size_t pick : picks)
+                sum += values[pick];
+            return sum / static_cast<double>(picks.size());
+        };
+        const Interval interval = bootstrap_interval(values.size(), of_picks, 200, 0.9, trial);
+        held += interval.lower <= 2 && 2 <= interval.upper;
+    }
+    CHECK(held > 0.84 * trials);
+    CHECK(held < 0.94 * trials);
 }
