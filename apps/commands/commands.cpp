@@ -17,6 +17,7 @@ const std::vector<Command>& commands() {
         {"database", "keep genomes and their responses in a file, and ask it for a target", database},
         {"run", "run an experiment (.ini): design surfaces and report on them", run},
         {"optimise", "optimise what a program in any language evaluates", optimise},
+        {"compare", "compare pipelines on problems with known answers", compare},
         {"operators", "list what text pipelines are made of", operators},
         {"chart", "chart speed against accuracy for every contact solver", chart},
         {"stability", "try every contact solver where methods fail, and tabulate who fails", stability},

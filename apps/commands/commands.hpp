@@ -17,6 +17,7 @@ struct Command {
 };
 
 int chart(const Words& words);
+int compare(const Words& words);
 int contact(const Words& words);
 int design(const Words& words);
 int database(const Words& words);

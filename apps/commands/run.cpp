@@ -69,32 +69,58 @@ const Experiment& experiment_of(const std::filesystem::path& file,
 int run_by_name(const std::string& kind, const Words& words) {
     const Experiment& experiment = *std::find_if(experiments().begin(), experiments().end(),
                                                  [&](const Experiment& one) { return one.kind == kind; });
-    const auto flag_of = [&](const Setting& setting) { return setting.name.substr(kind.size() + 1); };
+    std::map<std::string, std::string> key_of; // by flag
     std::vector<Setting> flags{{"out", "", "folder to write [out/" + kind + "]"},
                                {"force", "", "write over an existing result", true}};
-    for (const Setting& key : experiment.settings) {
-        flags.push_back(key);
-        flags.back().name = flag_of(key);
+    if (experiment.takes_file) {
+        flags.push_back({"experiment", "", "an .ini file of this kind (may be given without the flag)"});
+        for (const char* common : {"seed", "threads"}) {
+            key_of[common] = std::string("experiment.") + common;
+            flags.push_back(
+                {common, "", std::string(common) + " [the file's, or " + (common[0] == 's' ? "1]" : "all]")});
+        }
     }
-    if (shows_help(words, kind + " [--out DIR] [flags]", experiment.summary, flags, experiment.examples))
-        return 0;
-    const Settings given = read_command_line(words, flags);
-    std::map<std::string, std::string> values;
     for (const Setting& key : experiment.settings)
-        if (given.given(flag_of(key)))
-            values[key.name] = given.text(flag_of(key));
-    return carry_out(experiment, Settings("", experiment.all_settings(), values),
-                     {.command = command_line(kind, words),
-                      .out = given.text("out"),
-                      .name = kind,
-                      .inputs = {},
-                      .page = kind + ".html",
-                      .force = given.is_on("force")});
+        if (key.name.starts_with(kind + ".")) {
+            flags.push_back(key);
+            flags.back().name = key.name.substr(kind.size() + 1);
+            key_of[flags.back().name] = key.name;
+        }
+    if (shows_help(words, kind + (experiment.takes_file ? " [FILE.ini]" : "") + " [--out DIR] [flags]",
+                   experiment.summary, flags, experiment.examples))
+        return 0;
+    const Settings given = read_command_line(words, flags,
+                                             experiment.takes_file ? std::vector<std::string>{"experiment"}
+                                                                   : std::vector<std::string>{});
+    std::map<std::string, std::string> values;
+    std::vector<std::string> overrides;
+    for (const auto& [flag, key] : key_of)
+        if (given.given(flag)) {
+            values[key] = given.text(flag);
+            overrides.push_back(key + "=" + given.text(flag));
+        }
+    Request request{.command = command_line(kind, words),
+                    .out = given.text("out"),
+                    .name = kind,
+                    .inputs = given.files(),
+                    .page = experiment.takes_file ? "report.html" : kind + ".html",
+                    .force = given.is_on("force")};
+    if (!experiment.takes_file || !given.has("experiment"))
+        return carry_out(experiment, Settings("", experiment.all_settings(), values), request);
+    const std::filesystem::path file = given.text("experiment");
+    const Settings settings = read_ini(file, experiment.all_settings(), overrides);
+    if (settings.text("experiment.kind") != kind)
+        throw rough::InputError(settings.place("experiment.kind") + ": " + settings.text("experiment.kind") +
+                                " given, expected " + kind);
+    for (const auto& input : settings.files())
+        request.inputs.push_back(input);
+    return carry_out(experiment, settings, request);
 }
 
 } // namespace
 
 int chart(const Words& words) { return run_by_name("chart", words); }
+int compare(const Words& words) { return run_by_name("compare", words); }
 int stability(const Words& words) { return run_by_name("stability", words); }
 
 int run(const Words& given) {

@@ -12,13 +12,14 @@
 namespace app {
 
 const std::vector<Experiment>& experiments() {
-    static const std::vector<Experiment> all{paper_experiment(), variants_experiment(), accuracy_experiment(),
-                                             chart_experiment(), stability_experiment()};
+    static const std::vector<Experiment> all{paper_experiment(),     variants_experiment(),
+                                             accuracy_experiment(),  chart_experiment(),
+                                             stability_experiment(), compare_experiment()};
     return all;
 }
 
 std::vector<Setting> Experiment::all_settings() const {
-    return joined({{{"experiment.kind", "paper", "paper, variants, accuracy, chart or stability"},
+    return joined({{{"experiment.kind", "paper", "paper, variants, accuracy, chart, stability or compare"},
                     {"experiment.seed", "1", "seed of everything random; of the variants, the first seed"},
                     {"experiment.threads", "0", "threads, where no time is measured; 0 takes all"}},
                    settings});

@@ -37,6 +37,8 @@ struct Experiment {
     Findings (*run)(const Settings& settings, const Conditions& conditions);
     bool resumes = false;                   ///< it keeps checkpoints in the folder `checkpoints`
     std::vector<std::string> examples = {}; ///< flags of its short name, where it has one
+    /// Its short name may be followed by an .ini file, has --seed and --threads, and writes report.html.
+    bool takes_file = false;
 
     std::vector<Setting> all_settings() const; ///< with the common keys of the section [experiment]
 };
@@ -46,6 +48,7 @@ Experiment variants_experiment();
 Experiment accuracy_experiment();
 Experiment chart_experiment();
 Experiment stability_experiment();
+Experiment compare_experiment();
 
 /// Every kind.
 const std::vector<Experiment>& experiments();

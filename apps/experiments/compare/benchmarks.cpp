@@ -1,0 +1,146 @@
+#include "apps/experiments/compare/benchmarks.hpp"
+
+#include "apps/experiments/compare/pagmo.hpp"
+#include "apps/experiments/compare/problems/bbob.hpp"
+#include "apps/experiments/compare/problems/combinations.hpp"
+#include "apps/experiments/compare/problems/fronts.hpp"
+#include "domain/errors.hpp"
+#include "ga/text/nearest.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+/// A benchmark whose instances a function makes of their number.
+template <class Make>
+Benchmark benchmark(std::string name, std::string group, std::string kind, std::vector<double> targets,
+                    Make make) {
+    Benchmark result{
+        std::move(name), std::move(group), std::move(kind), make(1).genes, std::move(targets), {}, {}};
+    result.check = [make](const std::string& variant) {
+        const auto instance = make(1);
+        if constexpr (std::is_same_v<decltype(instance), const RealInstance>)
+            if (is_pagmos(variant))
+                return expect_pagmos(instance, variant);
+        expect_fits(instance, variant);
+    };
+    result.run = [make, targets = result.targets](const std::string& variant, int number,
+                                                  const Attempt& attempt) -> Reached {
+        const auto instance = make(number);
+        if constexpr (std::is_same_v<decltype(instance), const RealInstance>)
+            if (is_pagmos(variant))
+                return raced_by_pagmo(instance, variant, targets, attempt);
+        return raced(instance, variant, targets, attempt);
+    };
+    return result;
+}
+
+Benchmark bbob_benchmark(int dimension, int function) {
+    const std::string group = "bbob" + std::to_string(dimension);
+    return benchmark(group + "-" + std::to_string(function), group, "real", precisions(1e2, 1e-8),
+                     [=](int number) {
+                         const Bbob f(function, dimension, number);
+                         RealInstance instance;
+                         instance.genes = static_cast<std::size_t>(dimension);
+                         for (std::size_t i = 0; i < instance.genes; ++i)
+                             instance.box.push_back({i, -5, 5});
+                         instance.best = f.value();
+                         instance.evaluate = [f](const std::vector<double>& x) { return Valued{{f(x)}}; };
+                         return instance;
+                     });
+}
+
+/// Those that are always the same, by name.
+std::vector<Benchmark> fixed_benchmarks() {
+    std::vector<Benchmark> all;
+    for (const std::string& name : front_problems())
+        all.push_back(benchmark(name, name.substr(0, name.size() - 1), "fronts", precisions(1e1, 1e-4),
+                                [name](int) { return front_instance(name); }));
+    const auto seed = [](int number) { return static_cast<std::uint64_t>(number); };
+    for (const std::size_t things : {50, 200})
+        all.push_back(benchmark("knapsack" + std::to_string(things), "knapsack", "bits", precisions(1, 1e-4),
+                                [=](int number) { return knapsack_instance(things, seed(number)); }));
+    all.push_back(benchmark("tsp14", "tsp", "tours", precisions(1e1, 1e-4),
+                            [=](int number) { return scattered_instance(14, seed(number)); }));
+    all.push_back(benchmark("tsp-circle30", "tsp", "tours", precisions(1e1, 1e-4),
+                            [=](int number) { return circle_instance(30, seed(number)); }));
+    return all;
+}
+
+/// The dimension and function (0: all) of "bbob5" or "bbob5-8", or nothing.
+std::optional<std::pair<int, int>> bbob_named(const std::string& name) {
+    const std::string prefix = "bbob";
+    if (!name.starts_with(prefix))
+        return {};
+    const char *at = name.data() + prefix.size(), *end = name.data() + name.size();
+    int dimension = 0, function = 0;
+    auto read = std::from_chars(at, end, dimension);
+    if (read.ec == std::errc() && read.ptr < end && *read.ptr == '-') {
+        read = std::from_chars(read.ptr + 1, end, function);
+        if (function < 1)
+            return {};
+    }
+    if (read.ec != std::errc() || read.ptr != end || dimension < 2 || dimension > 40 ||
+        function > Bbob::functions)
+        return {};
+    return std::pair(dimension, function);
+}
+
+Benchmark roughness_benchmark(const rough::DesignSetup& setup) {
+    Benchmark result{"roughness", "roughness", "surfaces", 1, precisions(1, 1e-3), {}, {}};
+    result.check = [setup](const std::string& variant) { expect_fits(setup, variant); };
+    result.run = [setup, targets = result.targets](const std::string& variant, int, const Attempt& attempt) {
+        return raced(setup, variant, targets, attempt);
+    };
+    return result;
+}
+
+} // namespace
+
+std::vector<double> precisions(double from, double to) {
+    constexpr int count = 51;
+    std::vector<double> all;
+    for (int i = 0; i < count; ++i)
+        all.push_back(from * std::pow(to / from, i / (count - 1.0)));
+    return all;
+}
+
+std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
+                                  const std::optional<rough::DesignSetup>& roughness) {
+    const std::vector<Benchmark> fixed = fixed_benchmarks();
+    std::vector<Benchmark> all;
+    for (const std::string& name : names) {
+        const std::size_t before = all.size();
+        if (const auto bbob = bbob_named(name)) {
+            for (int function = 1; function <= Bbob::functions; ++function)
+                if (bbob->second == 0 || bbob->second == function)
+                    all.push_back(bbob_benchmark(bbob->first, function));
+        } else if (name == "roughness" && roughness) {
+            all.push_back(roughness_benchmark(*roughness));
+        } else if (name == "roughness") {
+            throw rough::InputError("roughness: given without a target, expected its file (CSV)");
+        }
+        for (const Benchmark& each : fixed)
+            if (each.name == name || each.group == name)
+                all.push_back(each);
+        if (all.size() == before) {
+            std::vector<std::string> known{"bbob5", "bbob20", "bbob5-1", "roughness"};
+            for (const Benchmark& each : fixed)
+                known.insert(known.end(), {each.name, each.group});
+            throw rough::InputError("\"" + name +
+                                    "\" given, expected bbobN, bbobN-F (N of 2 to 40, F of 1 to 24), "
+                                    "zdt, dtlz, knapsack, tsp, one of theirs or roughness" +
+                                    ga::suggestion(name, known));
+        }
+    }
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (all[i].name == all[j].name)
+                throw rough::InputError("\"" + all[i].name + "\" given twice, expected once");
+    return all;
+}
+
+} // namespace app

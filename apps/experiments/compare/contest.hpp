@@ -1,0 +1,71 @@
+#pragma once
+
+#include "apps/experiments/compare/benchmarks.hpp"
+#include "apps/report/record.hpp"
+#include "domain/numerics/rank_tests.hpp"
+#include "domain/numerics/statistics.hpp"
+
+/// What a comparison of variants found, and what follows from it.
+namespace app {
+
+/// All variants on one problem.
+struct Bout {
+    Benchmark problem;
+    Contestants variants;
+    long budget = 0;                        ///< evaluations of each run
+    std::vector<std::vector<Reached>> runs; ///< a row a variant, in it one a seed
+};
+
+struct Contest {
+    Origin origin;      ///< its seed is the first, and the number of the first instance
+    long seeds = 0;     ///< runs of each variant on each problem
+    std::string budget; ///< as it was given
+    std::vector<Bout> bouts;
+};
+
+/// Evaluations a success takes in the mean: those of all runs until they reached a target, or ended, over how
+/// many reached it (Auger and Hansen 2005); infinite where none did.
+double expected_runtime(const std::vector<Reached>& runs, std::size_t target);
+long successes(const std::vector<Reached>& runs, std::size_t target);
+
+/// Share of all pairs of run and target that were reached with so many evaluations a gene (COCO's runtime
+/// ECDF), and where it lies were other seeds drawn (bootstrap over seeds, 95 %).
+struct RuntimeShare {
+    std::vector<double> share, lower, upper; ///< at each of a group's `evaluations`
+};
+
+/// Two variants against each other.
+struct Duel {
+    std::string problem; ///< "" over all problems of the group
+    std::size_t first, second;
+    double difference;   ///< of their mean areas
+    double p, corrected; ///< two-sided, and after Holm's correction over the pairs
+};
+
+/// The problems of a group together.
+struct GroupResult {
+    std::string name;
+    std::vector<const Bout*> bouts;
+    std::vector<double> evaluations;  ///< a gene, evenly on a logarithmic scale
+    std::vector<RuntimeShare> shares; ///< a variant each
+    /// [problem][variant][seed]: mean height of a run's share of targets over `evaluations`; 1 would be all
+    /// targets at once, 0 none ever. This is what is ranked and tested.
+    std::vector<std::vector<std::vector<double>>> areas;
+    rough::Friedman ranks; ///< of mean areas over the problems, the best first; of one problem over its seeds
+    std::vector<Duel> duels; ///< signed ranks over the problems, then rank sums over each problem's seeds
+};
+
+std::vector<GroupResult> analysed(const Contest& contest);
+
+/// Mean area of a variant on a group's problem, or on all.
+double mean_area(const GroupResult& group, std::size_t variant);
+double mean_area(const GroupResult& group, std::size_t problem, std::size_t variant);
+
+/// The report as a web page.
+std::string contest_page(const Contest& contest, const std::vector<GroupResult>& groups);
+
+/// result.json, runs.csv, ert.csv, ecdf.csv and tests.csv.
+void write_contest(const Contest& contest, const std::vector<GroupResult>& groups,
+                   const std::filesystem::path& folder);
+
+} // namespace app

@@ -1,0 +1,40 @@
+#include "apps/experiments/compare/benchmarks.hpp"
+#include "apps/experiments/compare/pagmo.hpp"
+
+namespace app {
+
+const std::map<std::string, Contestants>& usual_contestants() {
+    static const std::map<std::string, Contestants> all = [] {
+        const std::string on = "repeat 1000000000 { ";
+        const std::string vary = "tournament 2 | cross sbx rate=0.9 | mutate 1/n polynomial | ";
+        std::map<std::string, Contestants> all{
+            {"real",
+             {{"ga", "sample 40 | score | " + on + vary + "score | elite 2 } | best 1"},
+              {"blend",
+               "sample 40 | score | " + on +
+                   "tournament 2 | cross blend | mutate 1/n gaussian 0.02 | score | plus } | best 1"},
+              {"bobyqa", "sample 1 | score | refine nlopt LN_BOBYQA 2000"}}},
+            {"fronts",
+             {{"nsga2",
+               "sample 100 | pareto objectives | " + on + vary + "pareto objectives | plus 100 } | front"},
+              {"random", "sample 1000 | pareto objectives | front"}}},
+            {"bits",
+             {{"ga", "sample 40 | score | " + on +
+                         "tournament 2 | cross uniform rate=0.9 | mutate 1/n | score | elite 2 } | best 1"},
+              {"one-plus-one", "sample 1 | score | " + on + "mutate 1/n | score | plus 1 } | best 1"}}},
+            {"tours",
+             {{"ga",
+               "sample 40 | score | " + on +
+                   "tournament 2 | cross order rate=0.9 | mutate 1/n reverse | score | elite 2 } | best 1"},
+              {"one-plus-one",
+               "sample 1 | score | " + on + "mutate 1/n reverse | score | plus 1 } | best 1"}}},
+            {"surfaces", {{"default", "default"}, {"multistart", "multistart"}, {"plain", "plain"}}},
+        };
+        for (const std::string& name : pagmo_variants())
+            all["real"].emplace_back(name, name);
+        return all;
+    }();
+    return all;
+}
+
+} // namespace app

@@ -1,0 +1,241 @@
+#include "apps/experiments/experiment.hpp"
+
+#include "apps/experiments/compare/contest.hpp"
+#include "apps/experiments/compare/pagmo.hpp"
+#include "apps/prompt/model_settings.hpp"
+#include "domain/text/words.hpp"
+#include "ga/parallel.hpp"
+
+#include <algorithm>
+#include <mutex>
+
+namespace app {
+
+namespace {
+
+constexpr const char* usual_problems = "bbob5, bbob20, zdt, dtlz, knapsack, tsp";
+constexpr const char* quick_problems =
+    "bbob5-1, bbob5-3, bbob5-8, bbob5-10, bbob5-15, bbob5-21, zdt1, knapsack50, tsp14, tsp-circle30";
+
+std::vector<Setting> compare_settings() {
+    std::vector<Setting> settings{
+        {"compare.problems", "", std::string("with commas between [") + usual_problems + "]"},
+        {"compare.variants", "",
+         "NAME=PIPELINE with commas between, or names of usual ones, for every problem [by the kind of "
+         "genome: "
+         "sections real, fronts, bits, tours and surfaces of the file, or the usual ones]"},
+        {"compare.seeds", "", "runs of each variant on each problem [15]"},
+        {"compare.budget", "", "evaluations of a run: 20000, or 1e4*D of a genome of D genes [1e4*D]"},
+        {"compare.curves", "1000", "budget of a run on roughness: curves and gradients"},
+        {"compare.target", "", "target curve (CSV) of roughness"},
+        {"compare.max-pressure", "", "of roughness: p_max of Eq. 11, MPa [amplitude is a gene]"},
+        {"compare.quick", "", "few problems, 3 seeds, 100*D evaluations, where nothing else is asked for",
+         true}};
+    for (const auto& [kind, usual] : usual_contestants())
+        settings.push_back({kind + ".*", "", "a variant on problems of this kind of genome"});
+    return joined({settings, model_settings("model.")});
+}
+
+std::string text_of(const Settings& settings, const std::string& key, const char* usual, const char* quick) {
+    return settings.has(key) ? settings.text(key) : settings.is_on("compare.quick") ? quick : usual;
+}
+
+/// "1e4*D" of so many genes, or a number.
+long budget_from(const Settings& settings, const std::string& text, std::size_t genes) {
+    std::string number(rough::trim(text));
+    double factor = 1;
+    if (number.ends_with("*D")) {
+        number.resize(number.size() - 2);
+        factor = static_cast<double>(genes);
+    }
+    const std::string place = settings.place("compare.budget");
+    const double budget = rough::number_from(number, place) * factor;
+    if (!(budget >= 1 && budget <= 1e12))
+        throw rough::InputError(place + ": " + text +
+                                " given, expected 1 to 1e12 evaluations, e.g. 20000 or 1e4*D");
+    return static_cast<long>(budget);
+}
+
+/// The parts of a text between its commas, but those within brackets.
+std::vector<std::string> parts_of(const std::string& text) {
+    std::vector<std::string> parts{""};
+    int depth = 0;
+    for (const char c : text) {
+        depth += c == '(' || c == '{' ? 1 : c == ')' || c == '}' ? -1 : 0;
+        if (c == ',' && depth == 0)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+/// Who runs on problems of a kind; a usual variant's name stands for its pipeline.
+Contestants contestants_of(const Settings& settings, const std::string& kind) {
+    const Contestants& usual = usual_contestants().at(kind);
+    const auto meaning = [&](const std::string& text) {
+        const auto found =
+            std::find_if(usual.begin(), usual.end(), [&](const auto& each) { return each.first == text; });
+        return found == usual.end() ? text : found->second;
+    };
+    Contestants given;
+    if (settings.has("compare.variants")) {
+        for (const std::string& part : parts_of(settings.text("compare.variants"))) {
+            const std::size_t equals =
+                std::min(part.find('='), part.find_first_of("|{ ", part.find_first_not_of(' ')));
+            const bool named = equals < part.size() && part[equals] == '=';
+            const std::string name(rough::trim(named ? part.substr(0, equals) : part));
+            const std::string text(rough::trim(named ? part.substr(equals + 1) : part));
+            if (name.empty() || text.empty())
+                throw rough::InputError(settings.place("compare.variants") + ": \"" + part +
+                                        "\" given, expected NAME=PIPELINE");
+            for (const auto& other : given)
+                if (other.first == name)
+                    throw rough::InputError(settings.place("compare.variants") + ": '" + name +
+                                            "' given twice, expected once");
+            given.emplace_back(name, meaning(text));
+        }
+        return given;
+    }
+    for (const std::string& name : settings.names_under(kind + "."))
+        given.emplace_back(name, meaning(std::string(rough::trim(settings.text(kind + "." + name)))));
+    return given.empty() ? usual : given;
+}
+
+std::optional<rough::DesignSetup> roughness_from(const Settings& settings) {
+    if (!settings.has("compare.target"))
+        return {};
+    rough::DesignSetup setup;
+    setup.model = model_from(settings, "model.");
+    setup.targets = {rough::read_target(settings.path("compare.target"))};
+    if (settings.has("compare.max-pressure"))
+        setup.max_pressure = settings.pressure("compare.max-pressure");
+    return placing(settings, "compare.", [&] { return completed(setup); });
+}
+
+Contest contest_from(const Settings& settings, const Origin& origin) {
+    Contest contest;
+    contest.origin = origin;
+    const std::string place = settings.place("compare.seeds");
+    const double seeds = rough::number_from(text_of(settings, "compare.seeds", "15", "3"), place);
+    if (!(seeds >= 1 && seeds <= 1000 && seeds == std::floor(seeds)))
+        throw rough::InputError(place + ": " + settings.text("compare.seeds") +
+                                " given, expected a whole number from 1 to 1000");
+    contest.seeds = static_cast<long>(seeds);
+    contest.budget = text_of(settings, "compare.budget", "1e4*D", "100*D");
+    std::vector<Benchmark> problems;
+    const auto roughness = roughness_from(settings);
+    try {
+        problems = benchmarks(
+            rough::listed(text_of(settings, "compare.problems", usual_problems, quick_problems)), roughness);
+    } catch (const rough::InputError& error) {
+        throw rough::InputError(settings.place("compare.problems") + ": " + error.what());
+    }
+    for (Benchmark& problem : problems) {
+        Bout bout;
+        bout.variants = contestants_of(settings, problem.kind);
+        bout.budget = problem.kind == "surfaces" ? settings.whole("compare.curves", 1, 1000000000)
+                                                 : budget_from(settings, contest.budget, problem.genes);
+        for (const auto& [name, text] : bout.variants) {
+            const std::string key = problem.kind + "." + name;
+            read_at(settings, settings.given(key) ? key : "compare.variants", [&] {
+                try {
+                    problem.check(text);
+                } catch (const ga::UsageError& error) {
+                    throw ga::UsageError("'" + name + "' on " + problem.name + ": " + error.what());
+                }
+                return 0;
+            });
+        }
+        bout.runs.assign(bout.variants.size(), std::vector<Reached>(static_cast<std::size_t>(contest.seeds)));
+        bout.problem = std::move(problem);
+        contest.bouts.push_back(std::move(bout));
+    }
+    return contest;
+}
+
+/// All runs, spread over threads; problems that were not finished are left out.
+void hold(Contest& contest, const Conditions& conditions) {
+    struct Place {
+        Bout* bout;
+        std::size_t variant, seed;
+    };
+    std::vector<Place> places;
+    for (Bout& bout : contest.bouts)
+        for (std::size_t v = 0; v < bout.runs.size(); ++v)
+            for (std::size_t s = 0; s < bout.runs[v].size(); ++s)
+                places.push_back({&bout, v, s});
+    std::vector<char> done(places.size(), 0);
+    std::mutex telling;
+    long ended = 0;
+    ga::parallel_for(places.size(), contest.origin.threads, [&](std::size_t i) {
+        if (conditions.stop)
+            return;
+        const auto [bout, variant, s] = places[i];
+        const std::uint64_t number = contest.origin.seed + s;
+        const auto& [name, text] = bout->variants[variant];
+        bout->runs[variant][s] =
+            bout->problem.run(text, static_cast<int>(1 + (number - 1) % 100000),
+                              {ga::fold(number, bout->problem.name), bout->budget, &conditions.stop});
+        done[i] = !conditions.stop;
+        const std::lock_guard lock(telling);
+        conditions.progress.show(bout->problem.name + ": " + name + ", run " + std::to_string(++ended) +
+                                 " of " + std::to_string(places.size()));
+    });
+    std::vector<const Bout*> unfinished;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (!done[i])
+            unfinished.push_back(places[i].bout);
+    std::vector<Bout> finished;
+    for (Bout& bout : contest.bouts)
+        if (std::find(unfinished.begin(), unfinished.end(), &bout) == unfinished.end())
+            finished.push_back(std::move(bout));
+    contest.bouts = std::move(finished);
+}
+
+Findings run_compare(const Settings& settings, const Conditions& conditions) {
+    const auto contest = std::make_shared<Contest>(contest_from(settings, conditions.origin));
+    hold(*contest, conditions);
+    if (contest->bouts.empty())
+        return {};
+    const auto groups = std::make_shared<const std::vector<GroupResult>>(analysed(*contest));
+    std::string best;
+    for (const GroupResult& group : *groups) {
+        const auto& ranks = group.ranks.mean_ranks;
+        const auto first =
+            static_cast<std::size_t>(std::min_element(ranks.begin(), ranks.end()) - ranks.begin());
+        best +=
+            (best.empty() ? "best on " : ", on ") + group.name + " " + group.bouts[0]->variants[first].first;
+    }
+    return {[=, folder = conditions.folder] { write_contest(*contest, *groups, folder); },
+            [=] { return contest_page(*contest, *groups); }, best};
+}
+
+} // namespace
+
+Experiment compare_experiment() {
+    return {
+        .kind = "compare",
+        .summary =
+            "Compares variants (pipelines as text) on problems with known answers: BBOB's 24 noiseless "
+            "functions "
+            "in any dimension from 2 to 40, ZDT and DTLZ, knapsacks, tours, and the roughness problem. Gives "
+            "medians with intervals, when targets are reached (runtime ECDF, expected runtimes), and rank "
+            "tests "
+            "with correction, as result.json, runs.csv, ert.csv, ecdf.csv, tests.csv and report.html. In a "
+            "pipeline 1/n is one gene's share and objectives the names of all. libpagmo's pagmo:cmaes, "
+            "pagmo:de, "
+            "pagmo:sade and pagmo:sga run beside where rugosa was built with it.",
+        .settings = compare_settings(),
+        .files = {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv"},
+        .run = run_compare,
+        .examples =
+            {"compare --quick --out out/compare",
+             "compare --problems bbob5,bbob20-10 --variants pagmo:cmaes,ga --budget 1e3*D --seeds 5",
+             "compare --problems tsp --variants \"mine=sample 50 | score | repeat 1000 { tournament 3 | "
+             "cross order | mutate 1/n reverse | score | elite 1 } | best 1\"",
+             "compare experiments/compare.ini --threads 4"},
+        .takes_file = true};
+}
+
+} // namespace app

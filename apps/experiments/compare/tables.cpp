@@ -1,0 +1,105 @@
+#include "apps/experiments/compare/contest.hpp"
+#include "apps/report/csv.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/result.hpp"
+#include "domain/text/atomic_file.hpp"
+
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+using nlohmann::json;
+
+/// Every tenth of the usual 51: in COCO's range 1e2, 6.3, 0.4 ... and of whole decades those that there are.
+bool is_told(const std::vector<double>& targets, std::size_t k) {
+    const double decade = std::log10(targets[k]);
+    return k + 1 == targets.size() || std::abs(decade - std::round(decade)) < 1e-9;
+}
+
+long reached(const Reached& run) {
+    return std::count_if(run.evaluations.begin(), run.evaluations.end(),
+                         [](double e) { return !std::isnan(e); });
+}
+
+json group_json(const GroupResult& group) {
+    const Contestants& variants = group.bouts.front()->variants;
+    json result = {{"friedman", {{"statistic", group.ranks.statistic}, {"p", group.ranks.p}}},
+                   {"evaluations_per_gene", group.evaluations}};
+    for (const Bout* bout : group.bouts)
+        result["problems"].push_back(bout->problem.name);
+    for (std::size_t v = 0; v < variants.size(); ++v)
+        result["variants"][variants[v].first] = {
+            {"pipeline", variants[v].second},       {"mean_rank", group.ranks.mean_ranks[v]},
+            {"area", mean_area(group, v)},          {"share", group.shares[v].share},
+            {"share_lower", group.shares[v].lower}, {"share_upper", group.shares[v].upper}};
+    return result;
+}
+
+json bout_json(const Bout& bout) {
+    json result = {{"group", bout.problem.group},
+                   {"genes", bout.problem.genes},
+                   {"budget", bout.budget},
+                   {"targets", bout.problem.targets}};
+    for (std::size_t v = 0; v < bout.variants.size(); ++v) {
+        json& one = result["variants"][bout.variants[v].first];
+        const std::vector<double> precision = rough::column(bout.runs[v], &Reached::precision);
+        const rough::Interval interval = rough::median_interval(precision);
+        one["median_precision"] = rough::median(precision);
+        one["interval"] = {interval.lower, interval.upper};
+        one["interval_coverage"] = interval.coverage;
+        one["expected_runtime"] = expected_runtime(bout.runs[v], bout.problem.targets.size() - 1);
+        one["successes"] = successes(bout.runs[v], bout.problem.targets.size() - 1);
+        for (const Reached& run : bout.runs[v])
+            one["runs"].push_back({{"evaluations", run.spent},
+                                   {"precision", run.precision},
+                                   {"evaluations_to_targets", run.evaluations}});
+    }
+    return result;
+}
+
+} // namespace
+
+void write_contest(const Contest& contest, const std::vector<GroupResult>& groups,
+                   const std::filesystem::path& folder) {
+    Csv runs("problem,variant,seed,evaluations,precision,targets_reached,area");
+    Csv ert("problem,variant,precision,expected_runtime,successes,runs", 6);
+    Csv ecdf("group,variant,evaluations_per_gene,share,lower,upper", 6);
+    Csv tests("group,problem,first,second,area_difference,p,p_corrected", 6);
+    json result = origin_json(contest.origin);
+    result["seeds"] = contest.seeds;
+    result["budget"] = contest.budget;
+    for (const GroupResult& group : groups) {
+        result["groups"][group.name] = group_json(group);
+        const Contestants& variants = group.bouts.front()->variants;
+        for (std::size_t k = 0; k < group.bouts.size(); ++k) {
+            const Bout& bout = *group.bouts[k];
+            result["problems"][bout.problem.name] = bout_json(bout);
+            for (std::size_t v = 0; v < variants.size(); ++v) {
+                for (std::size_t s = 0; s < bout.runs[v].size(); ++s) {
+                    const Reached& run = bout.runs[v][s];
+                    runs.row(bout.problem.name, variants[v].first, contest.origin.seed + s, run.spent,
+                             run.precision, reached(run), group.areas[k][v][s]);
+                }
+                for (std::size_t t = 0; t < bout.problem.targets.size(); ++t)
+                    if (is_told(bout.problem.targets, t))
+                        ert.row(bout.problem.name, variants[v].first, bout.problem.targets[t],
+                                expected_runtime(bout.runs[v], t), successes(bout.runs[v], t), contest.seeds);
+            }
+        }
+        for (std::size_t v = 0; v < variants.size(); ++v)
+            for (std::size_t i = 0; i < group.evaluations.size(); ++i)
+                ecdf.row(group.name, variants[v].first, group.evaluations[i], group.shares[v].share[i],
+                         group.shares[v].lower[i], group.shares[v].upper[i]);
+        for (const Duel& duel : group.duels)
+            tests.row(group.name, duel.problem, variants[duel.first].first, variants[duel.second].first,
+                      duel.difference, duel.p, duel.corrected);
+    }
+    write_json(folder / "result.json", result);
+    for (const auto& [name, table] :
+         {std::pair("runs.csv", &runs), {"ert.csv", &ert}, {"ecdf.csv", &ecdf}, {"tests.csv", &tests}})
+        rough::write_atomically(folder / name, table->text());
+}
+
+} // namespace app

@@ -1,0 +1,122 @@
+#include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
+
+#include <catch2/catch.hpp>
+
+using app::testing::Ended;
+using app::testing::Folder;
+using app::testing::result_in;
+using app::testing::rugosa;
+using nlohmann::json;
+
+namespace {
+
+const std::string few = "compare --problems bbob5-1,bbob5-8,zdt1,knapsack50,tsp14 --seeds 3 --budget 60*D ";
+
+} // namespace
+
+TEST_CASE("a comparison writes medians, runtimes, shares and tests, the same on any number of threads") {
+    const Folder folder;
+    for (const int threads : {1, 2, 5}) {
+        const std::string out = "t" + std::to_string(threads);
+        const Ended ended =
+            rugosa(few + "--threads " + std::to_string(threads) + " --out " + out, folder.path());
+        INFO(ended.err);
+        REQUIRE(ended.code == 0);
+        for (const char* name : {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv"})
+            CHECK(rough::read_whole(folder / out / name) == rough::read_whole(folder / "t1" / name));
+    }
+    const json result = result_in(folder / "t1");
+    CHECK(result["seeds"] == 3);
+    CHECK(result["groups"].size() == 4);
+    CHECK(result["problems"].size() == 5);
+    const json& sphere = result["problems"]["bbob5-1"];
+    CHECK(sphere["budget"] == 300);
+    CHECK(sphere["targets"].size() == 51);
+    for (const auto& [name, variant] : sphere["variants"].items()) {
+        INFO(name);
+        REQUIRE(variant["runs"].size() == 3);
+        CHECK(variant["interval"][0] <= variant["median_precision"]);
+        for (const json& run : variant["runs"])
+            CHECK(run["evaluations"] <= 300);
+    }
+    for (const auto& [name, group] : result["groups"].items())
+        for (const auto& [variant, one] : group["variants"].items()) {
+            INFO(name << " " << variant);
+            double before = 0;
+            for (std::size_t i = 0; i < one["share"].size(); ++i) {
+                CHECK(one["share"][i] >= before); // never falls
+                CHECK(one["share_lower"][i] <= one["share"][i]);
+                CHECK(one["share_upper"][i] >= one["share"][i]);
+                before = one["share"][i];
+            }
+        }
+    const std::string page = rough::read_whole(folder / "t1/report.html");
+    CHECK(page.find("one-plus-one") != std::string::npos);
+    CHECK(page.find("<svg") != std::string::npos);
+}
+
+TEST_CASE("variants given by flag or by file run in the place of the usual ones") {
+    const Folder folder;
+    const Ended ended =
+        rugosa("compare --problems bbob5-1 --seeds 2 --budget 500 --variants \"ga, mine=sample 9 | "
+               "pair(score, score, union) | best 1\" --out r",
+               folder.path());
+    INFO(ended.err);
+    CHECK(ended.code == 2); // a comma within brackets parts nothing: it is `union` that is not known
+    CHECK_THAT(ended.err, Catch::Contains("union"));
+    folder.write("c.ini",
+                 "[experiment]\nkind = compare\n[compare]\nproblems = tsp14\nseeds = 2\nbudget = 300\n"
+                 "[tours]\nmine = sample 9 | score | best 1\nga = ga\n");
+    REQUIRE(rugosa("compare c.ini --budget 400 --out c", folder.path()).code == 0);
+    REQUIRE(rugosa("run c.ini --pictures off --out d", folder.path()).code == 0);
+    const json result = result_in(folder / "c")["problems"]["tsp14"];
+    CHECK(result["variants"].size() == 2);
+    CHECK(result["variants"].count("mine") == 1);
+    CHECK(result["budget"] == 400);
+    CHECK(result_in(folder / "d")["problems"]["tsp14"]["budget"] == 300);
+}
+
+TEST_CASE("the roughness problem is compared by curves, with similarity for precision") {
+    const Folder folder;
+    const Ended ended =
+        rugosa("compare --problems roughness --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' "
+               "--max-pressure 1.6e-4 --seeds 2 --curves 60 --variants plain,\"mine=sample 20 | score | "
+               "best 1\" --out r",
+               folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    const json result = result_in(folder / "r")["problems"]["roughness"];
+    for (const auto& [name, variant] : result["variants"].items())
+        for (const json& run : variant["runs"]) {
+            CHECK(run["evaluations"] <= 60);
+            CHECK(run["precision"] > 0);
+            CHECK(run["precision"] < 1);
+        }
+}
+
+TEST_CASE("what a comparison cannot do gets one line and exit code 2") {
+    const Folder folder;
+    folder.write("chart.ini", "[experiment]\nkind = chart\n[compare]\nseeds = 2\n");
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {"--problems bbob1", "--problems"},
+        {"--problems zdtt", "did you mean"},
+        {"--problems roughness", "without a target"},
+        {"--problems tsp --seeds 0", "--seeds"},
+        {"--problems tsp --budget many", "--budget"},
+        {"--problems tsp --budget 0", "--budget"},
+        {"--problems tsp --variants pagmo:cmaes", "--variants"},
+        {"--problems tsp --variants \"a=sample 3 | score | best 1,a=ga\"", "given twice"},
+        {"--problems tsp --variants \"a=sample 3 | cross sbx | score | best 1\"", "'a' on tsp14"},
+        {"--problems zdt --variants pagmo:de", "several objectives"},
+        {"chart.ini", "expected compare"},
+    };
+    for (const auto& [words, message] : cases) {
+        const Ended ended = rugosa("compare " + words, folder.path());
+        INFO(words << ": " << ended.err);
+        CHECK(ended.code == 2);
+        CHECK(ended.error_lines() == 1);
+        CHECK_THAT(ended.err, Catch::Contains(message));
+    }
+    CHECK_FALSE(std::filesystem::exists(folder / "out"));
+}
