@@ -29,7 +29,7 @@ std::vector<Setting> compare_settings() {
         {"compare.curves", "1000", "budget of a run on roughness: curves and gradients"},
         {"compare.target", "", "target curve (CSV) of roughness"},
         {"compare.max-pressure", "", "of roughness: p_max of Eq. 11, MPa [amplitude is a gene]"},
-        {"compare.quick", "", "few problems, 3 seeds, 100*D evaluations, where nothing else is asked for",
+        {"compare.quick", "", "few problems, 5 seeds, 1e3*D evaluations, where nothing else is asked for",
          true}};
     for (const auto& [kind, usual] : usual_contestants())
         settings.push_back({kind + ".*", "", "a variant on problems of this kind of genome"});
@@ -81,11 +81,11 @@ Contestants contestants_of(const Settings& settings, const std::string& kind) {
     Contestants given;
     if (settings.has("compare.variants")) {
         for (const std::string& part : parts_of(settings.text("compare.variants"))) {
-            const std::size_t equals =
-                std::min(part.find('='), part.find_first_of("|{ ", part.find_first_not_of(' ')));
-            const bool named = equals < part.size() && part[equals] == '=';
-            const std::string name(rough::trim(named ? part.substr(0, equals) : part));
-            const std::string text(rough::trim(named ? part.substr(equals + 1) : part));
+            const std::size_t equals = part.find('=');
+            std::string name(rough::trim(part.substr(0, equals)));
+            std::string text(rough::trim(equals < part.size() ? part.substr(equals + 1) : part));
+            if (name.find_first_of("|({ ") != std::string::npos) // the "=" of an argument
+                name = text = std::string(rough::trim(part));
             if (name.empty() || text.empty())
                 throw rough::InputError(settings.place("compare.variants") + ": \"" + part +
                                         "\" given, expected NAME=PIPELINE");
@@ -117,12 +117,12 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
     Contest contest;
     contest.origin = origin;
     const std::string place = settings.place("compare.seeds");
-    const double seeds = rough::number_from(text_of(settings, "compare.seeds", "15", "3"), place);
+    const double seeds = rough::number_from(text_of(settings, "compare.seeds", "15", "5"), place);
     if (!(seeds >= 1 && seeds <= 1000 && seeds == std::floor(seeds)))
         throw rough::InputError(place + ": " + settings.text("compare.seeds") +
                                 " given, expected a whole number from 1 to 1000");
     contest.seeds = static_cast<long>(seeds);
-    contest.budget = text_of(settings, "compare.budget", "1e4*D", "100*D");
+    contest.budget = text_of(settings, "compare.budget", "1e4*D", "1e3*D");
     std::vector<Benchmark> problems;
     const auto roughness = roughness_from(settings);
     try {

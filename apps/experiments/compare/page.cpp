@@ -128,7 +128,8 @@ std::string contest_page(const Contest& contest, const std::vector<GroupResult>&
         "Area is the mean height of a run's curve in the picture. Over a group's problems areas are compared "
         "by Friedman's test and, in pairs, by signed ranks; on each problem by rank sums. Pairs are "
         "corrected "
-        "by Holm; better means p at most 0.05 then. Intervals of medians are order statistics.");
+        "by Holm; better means p at most 0.05 then. Intervals of medians are order statistics, of 95 % from "
+        "6 seeds on.");
     page.section("The variants");
     std::vector<std::string> told;
     for (const GroupResult& group : groups)

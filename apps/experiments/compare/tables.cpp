@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Every tenth of the usual 51: in COCO's range 1e2, 6.3, 0.4 ... and of whole decades those that there are.
+/// Whole decades and the last target.
 bool is_told(const std::vector<double>& targets, std::size_t k) {
     const double decade = std::log10(targets[k]);
     return k + 1 == targets.size() || std::abs(decade - std::round(decade)) < 1e-9;
