@@ -40,6 +40,12 @@ struct Known {
             throw UsageError("stage '" + stage +
                              "' reads the start of a generation; expected it inside repeat or until");
     }
+    /// Throws UsageError, naming the stage that learns, outside a generation.
+    void need_repetition(const std::string& stage) const {
+        if (!in_generation)
+            throw UsageError("stage '" + stage +
+                             "' learns from one generation to the next; expected it inside repeat or until");
+    }
     /// Throws UsageError, naming the stage, outside a generation, or where its start was scored otherwise
     /// than the population, so that the two cannot be compared.
     [[gnu::cold]] void need_comparable_start(const std::string& stage) const {

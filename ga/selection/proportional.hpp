@@ -86,7 +86,7 @@ struct ByRank {
 /// Chooses in proportion to weights, with replacement, as many as there are.
 template <class Weights>
 struct Proportional : Operator {
-    Weights weights; ///< how much each individual counts: Roulette, Universal or ByRank
+    Weights weights; ///< how much each counts: Roulette, Universal, ByRank or Sharing
 
     Proportional() = default;
     /// With these weights.
@@ -103,7 +103,11 @@ struct Proportional : Operator {
         const std::size_t n = population.size();
         if (population.empty())
             return population;
-        std::vector<double> ends = weights.of(population);
+        std::vector<double> ends;
+        if constexpr (requires { weights.of(population, context.problem()); })
+            ends = weights.of(population, context.problem());
+        else
+            ends = weights.of(population);
         std::partial_sum(ends.begin(), ends.end(), ends.begin());
         Stream spin = context.stream(n);
         const double offset = spin.uniform();

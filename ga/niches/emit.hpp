@@ -1,0 +1,150 @@
+#pragma once
+
+#include "ga/niches/descriptors.hpp"
+#include "ga/refinement/sensitivity.hpp"
+#include "ga/stage.hpp"
+#include "ga/variation/mutations.hpp"
+
+namespace ga {
+
+/// The gradient emitter OMG-MEGA (Fontaine and Nikolaidis 2021, Differentiable quality diversity, Algorithm
+/// 1): n children of elites chosen at random, each theta + |c_0| grad f + sum_j c_j grad m_j with normal c of
+/// deviation sigma, every gradient of unit length, genes in widths between their bounds and mirrored there. f
+/// grows as the squares of the residuals fall, or is the fitness itself, where the problem has derivatives of
+/// these, which are paid for; m_j are the descriptors.
+struct Emit : Operator {
+    std::size_t n = 1;                    ///< children
+    std::vector<std::string> descriptors; ///< of the problem, one at least
+    double sigma = 0.1;                   ///< length of a step, > 0
+
+    ///@{
+    /// What every operator has (Operator).
+    static Words words() {
+        return {"emit", "niches", "n children of elites along the gradients of fitness and descriptors"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.n, whole("n", std::nullopt, 1, "how many"));
+        visit(self.descriptors, word_list("descriptors", "of the problem"));
+        visit(self.sigma,
+              number("sigma", "0.1", above_zero, no_limit, "length of a step, in widths").keyed());
+    }
+    void check(Known& known) const {
+        known.need_one_objective(text_of(*this));
+        known.scored.reset();
+    }
+
+    template <Problem P>
+    requires Describing<P> && HasGenes<P> Population<typename P::Genome>
+    operator()(Population<typename P::Genome> population, Context<P>& context) const {
+        using G = typename P::Genome;
+        const P& problem = context.problem();
+        const auto by = descriptors_of(problem, descriptors, text_of(*this));
+        if (population.empty())
+            return population;
+        context.need_room(n, population);
+        std::vector<std::size_t> chosen(n);
+        for (std::size_t i = 0; i < n; ++i) {
+            Stream stream = context.stream(i);
+            chosen[i] = stream.below(population.size());
+        }
+        Population<G> fresh = context.gather(std::move(population), chosen);
+        const auto slopes = slopes_of(fresh, context);
+        if (context.watch().expired()) { // perhaps without having found them all
+            context.kept.in_hand = std::move(fresh);
+            throw Stopped{context.watch().reason()};
+        }
+        std::vector<std::vector<double>> moved(n);
+        parallel_for(n, context.threads(), [&](std::size_t i) {
+            Stream stream = context.stream(n + i);
+            std::vector<double> genes = genes_of(problem, fresh[i].genome);
+            const auto& moving = variables_of(problem, fresh[i].genome);
+            std::vector<double> step(genes.size(), 0);
+            const auto add = [&](std::vector<double> gradient, double length) {
+                double squares = 0;
+                for (const Variable& v : moving)
+                    if (v.gene < gradient.size())
+                        squares += std::pow(gradient[v.gene] * width(v), 2);
+                if (!(squares > 0) || !std::isfinite(squares))
+                    return;
+                for (const Variable& v : moving) // the gradient in widths, and back to the gene's own unit
+                    if (v.gene < gradient.size())
+                        step[v.gene] += length * gradient[v.gene] * width(v) * width(v) / std::sqrt(squares);
+            };
+            add(slopes[i], sigma * std::abs(stream.normal()));
+            for (const auto* descriptor : by)
+                add(gradient_of(problem, *descriptor, fresh[i].genome, genes, moving),
+                    sigma * stream.normal());
+            for (const Variable& v : moving)
+                if (v.gene < genes.size())
+                    genes[v.gene] = reflected(genes[v.gene] + step[v.gene], v);
+            moved[i] = std::move(genes);
+        });
+        for (std::size_t i = 0; i < n; ++i) {
+            const Identity parent = fresh[i].identity;
+            fresh[i].genome = with_genes(problem, fresh[i].genome, std::move(moved[i]));
+            context.make_child(fresh[i], Parents(parent));
+        }
+        return fresh;
+    }
+    ///@}
+
+  private:
+    /// In which direction each gets better; empty where that is not to be had.
+    template <Problem P>
+    static std::vector<std::vector<double>> slopes_of(const Population<typename P::Genome>& population,
+                                                      Context<P>& context) {
+        std::vector<std::vector<double>> all(population.size());
+        if constexpr (Sensitive<P> || Differentiable<P>) {
+            std::vector<Slope<P>> slopes;
+            for (const auto& each : population)
+                slopes.push_back({each.genome, each.fitness.objective_name(), Sensitive<P>, {}, {}, {}});
+            Inquiry<P> inquiry;
+            for (auto& slope : slopes)
+                inquiry.slopes.push_back(&slope);
+            context.door().serve(inquiry);
+            for (std::size_t i = 0; i < slopes.size(); ++i) {
+                if (slopes[i].sensitivity) {
+                    const Eigen::VectorXd down =
+                        -slopes[i].sensitivity->jacobian.transpose() * slopes[i].sensitivity->residuals;
+                    all[i].assign(down.begin(), down.end());
+                } else if (!slopes[i].gradient.empty()) {
+                    all[i] = slopes[i].gradient;
+                    if (population[i].fitness.minimises())
+                        for (double& each : all[i])
+                            each = -each;
+                }
+            }
+        }
+        return all;
+    }
+
+    /// The descriptor's own gradient, or forward differences over a millionth of a width.
+    template <Problem P>
+    static std::vector<double> gradient_of(const P& problem, const Descriptor<typename P::Genome>& descriptor,
+                                           const typename P::Genome& genome, const std::vector<double>& genes,
+                                           const auto& moving) {
+        if (descriptor.gradient)
+            return descriptor.gradient(genome);
+        std::vector<double> gradient(genes.size(), 0);
+        const double here = descriptor.of(genome);
+        for (const Variable& v : moving) {
+            if (v.gene >= genes.size() || !(width(v) > 0))
+                continue;
+            std::vector<double> beside = genes;
+            const double step = (genes[v.gene] + 1e-6 * width(v) <= v.upper ? 1e-6 : -1e-6) * width(v);
+            beside[v.gene] += step;
+            gradient[v.gene] = (descriptor.of(with_genes(problem, genome, std::move(beside))) - here) / step;
+        }
+        return gradient;
+    }
+};
+
+/// The stage `emit n descriptors sigma=sigma`.
+inline Emit emit(std::size_t n, std::vector<std::string> descriptors, double sigma = 0.1) {
+    Emit stage;
+    stage.n = n, stage.descriptors = std::move(descriptors), stage.sigma = sigma;
+    check_values(stage, Emit::words().name);
+    return stage;
+}
+
+} // namespace ga
