@@ -1,0 +1,13 @@
+#pragma once
+
+/// @file
+/// Operators that learn from one generation to the next, and those that keep niches. They need Eigen and
+/// nlohmann's JSON.
+#include "ga/adaptation/cma_es.hpp"
+#include "ga/adaptation/l_shade.hpp"
+#include "ga/adaptation/self_adaptive.hpp"
+#include "ga/niches/clearing.hpp"
+#include "ga/niches/crowding.hpp"
+#include "ga/niches/emit.hpp"
+#include "ga/niches/map_elites.hpp"
+#include "ga/niches/sharing.hpp"

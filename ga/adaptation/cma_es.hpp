@@ -1,0 +1,242 @@
+#pragma once
+
+#include "ga/adaptation/cma_runs.hpp"
+#include "ga/stage.hpp"
+#include "ga/variation/mutations.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace ga {
+
+/// CMA-ES with active covariance adaptation (Hansen and Ostermeier 2001; Hansen 2016, see CmaConstants). Each
+/// generation learns from those of its children that are in the population still, and puts new ones in its
+/// place; the first begins at the best of the population. A gene's step is in widths between its bounds; one
+/// that passes a bound is mirrored there, and what is learnt is the mirrored gene. Children that were refined
+/// since are taken at most sqrt(n) + 2n/(n + 2) deviations from the mean (Hansen 2011, Injecting external
+/// solutions into CMA-ES). A run that is over (`over`) is followed by another (CmaPlan) whose mean is uniform
+/// between the bounds; a gene without bounds begins where the first run did.
+struct CmaEs : Operator {
+    double sigma = 0.3;             ///< first step, in widths between bounds, > 0
+    std::size_t population = 0;     ///< children of the first run; 0 for 4 + 3 ln n
+    std::string restarts = "bipop"; ///< ipop, bipop, or none: an ended run gives its population back as it is
+
+    /// What it has learnt; coordinates are genes in widths between their bounds.
+    struct State {
+        std::vector<Variable> moving;   ///< its genes
+        Eigen::VectorXd first;          ///< where the first run began
+        Cloud cloud;                    ///< what is drawn from
+        CmaRecord record;               ///< of this run
+        CmaPlan plan;                   ///< of the runs
+        CmaPlan::Run run{0, 1, 0};      ///< this one
+        std::vector<Identity> children; ///< drawn last
+        bool ended = false;             ///< no further run
+    };
+
+    ///@{
+    /// What every operator has (Operator).
+    static Words words() {
+        return {"cma-es", "adaptation",
+                "children of a normal distribution that learns from the last ones (Hansen and Ostermeier)"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.sigma,
+              number("sigma", "0.3", above_zero, no_limit, "first step, in widths between bounds").keyed());
+        visit(self.population, whole("population", "0", 0, "children of the first run; 0 for 4 + 3 ln n")
+                                   .up_to(1e6)
+                                   .keyed()
+                                   .quiet());
+        visit(self.restarts,
+              word("restarts", "bipop", "what follows a run that ended: bipop, ipop or none").keyed());
+    }
+    void validate() const {
+        if (restarts != "bipop" && restarts != "ipop" && restarts != "none")
+            throw UsageError("stage 'cma-es': restarts is '" + restarts + "'; expected bipop, ipop or none");
+        if (population == 1)
+            throw UsageError("stage 'cma-es': population is '1'; expected 0, or 2 at least");
+        check_values(*this, words().name);
+    }
+    void check(Known& known) const {
+        known.need_repetition(text_of(*this));
+        known.need_one_objective(text_of(*this));
+        known.scored.reset();
+    }
+
+    template <Problem P>
+    requires HasGenes<P> Population<typename P::Genome>
+    operator()(Population<typename P::Genome> population, Context<P>& context, State& state) const {
+        if (population.empty())
+            return population;
+        const auto order = ranking(population);
+        const auto& best = population[order.front()];
+        Stream random = context.stream(everyone);
+        if (state.moving.empty())
+            begin(genes_of(context.problem(), best.genome), variables_of(context.problem(), best.genome),
+                  state);
+        else if (!state.ended)
+            learn(population, order, context.problem(), state);
+        const CmaConstants constants(state.first.size(), state.run.lambda);
+        if (!state.ended && state.record.spent > 0 &&
+            (over(state.cloud, constants, state.record, sigma * state.run.shrink) ||
+             (state.run.most > 0 && state.record.spent >= state.run.most)))
+            begin_again(state, random);
+        return state.ended ? population : children(std::move(population), best.genome, context, state);
+    }
+    ///@}
+
+  private:
+    void begin(const std::vector<double>& genes, std::vector<Variable> moving, State& state) const {
+        std::erase_if(moving,
+                      [&](const Variable& v) { return !(v.lower < v.upper) || v.gene >= genes.size(); });
+        if (moving.empty())
+            throw UsageError("cma-es: the genome has no gene that may move");
+        state.moving = std::move(moving);
+        state.first = coordinates(genes, state.moving);
+        state.run.lambda = state.plan.usual =
+            population > 0 ? population : CmaConstants::usual_children(state.first.size());
+        state.cloud = Cloud(state.first, sigma);
+    }
+
+    /// In widths between bounds.
+    static Eigen::VectorXd coordinates(const std::vector<double>& genes,
+                                       const std::vector<Variable>& moving) {
+        Eigen::VectorXd x(static_cast<Eigen::Index>(moving.size()));
+        for (std::size_t i = 0; i < moving.size(); ++i)
+            x[static_cast<Eigen::Index>(i)] = genes[moving[i].gene] / width(moving[i]);
+        return x;
+    }
+
+    template <Problem P>
+    static void learn(const Population<typename P::Genome>& population, const std::vector<std::size_t>& order,
+                      const P& problem, State& state) {
+        const auto n = static_cast<double>(state.first.size());
+        Eigen::MatrixXd steps(state.first.size(), static_cast<Eigen::Index>(state.children.size()));
+        std::vector<double> values;
+        for (const std::size_t i : order) {
+            const auto& individual = population[i];
+            const Fitness& fitness = individual.fitness;
+            if (std::find(state.children.begin(), state.children.end(), individual.identity) ==
+                    state.children.end() ||
+                values.size() == state.children.size())
+                continue;
+            const auto genes = genes_of(problem, individual.genome);
+            if (genes.size() <= state.moving.back().gene)
+                continue;
+            Eigen::VectorXd step = (coordinates(genes, state.moving) - state.cloud.mean) / state.cloud.sigma;
+            if (individual.origin)
+                step *= std::min(1.0, (std::sqrt(n) + 2 * n / (n + 2)) / state.cloud.whitened(step).norm());
+            steps.col(static_cast<Eigen::Index>(values.size())) = step;
+            values.push_back(fitness.has_failed() ? -HUGE_VAL
+                             : fitness.feasible() ? fitness.merit()
+                                                  : -fitness.violation());
+        }
+        if (values.empty())
+            return;
+        state.cloud.learn(CmaConstants(state.first.size(), state.run.lambda),
+                          steps.leftCols(static_cast<Eigen::Index>(values.size())));
+        state.record.note(values, state.run.lambda);
+    }
+
+    void begin_again(State& state, Stream& random) const {
+        if (restarts == "none") {
+            state.ended = true;
+            return;
+        }
+        state.run = state.plan.next(state.record.spent, restarts == "bipop", random);
+        Eigen::VectorXd mean = state.first;
+        for (std::size_t i = 0; i < state.moving.size(); ++i)
+            if (const Variable& v = state.moving[i]; std::isfinite(v.upper - v.lower))
+                mean[static_cast<Eigen::Index>(i)] = random.uniform(v.lower, v.upper) / width(v);
+        state.cloud = Cloud(std::move(mean), sigma * state.run.shrink);
+        state.record = {};
+    }
+
+    template <Problem P, class G = typename P::Genome>
+    static Population<G> children(Population<G> population, G like, Context<P>& context, State& state) {
+        context.need_room(state.run.lambda, population, &like);
+        std::vector<double> genes = genes_of(context.problem(), like);
+        Population<G> fresh(state.run.lambda);
+        state.children.clear();
+        for (std::size_t k = 0; k < fresh.size(); ++k) {
+            Stream stream = context.stream(k);
+            Eigen::VectorXd z(state.first.size());
+            for (double& each : z)
+                each = stream.normal();
+            const Eigen::VectorXd x = state.cloud.at(z);
+            for (std::size_t i = 0; i < state.moving.size(); ++i) {
+                const Variable& v = state.moving[i];
+                if (v.gene < genes.size())
+                    genes[v.gene] = reflected(x[static_cast<Eigen::Index>(i)] * width(v), v);
+            }
+            fresh[k].genome = with_genes(context.problem(), like, genes);
+            context.make_child(fresh[k], Parents());
+            state.children.push_back(fresh[k].identity);
+        }
+        return fresh;
+    }
+};
+
+///@{
+/// What checkpoints hold, and back without loss.
+inline void to_json(nlohmann::json& j, const CmaEs::State& s) {
+    const auto numbers = [](const auto& m) { return std::vector<double>(m.data(), m.data() + m.size()); };
+    std::vector<double> moving;
+    for (const Variable& v : s.moving)
+        moving.insert(moving.end(), {static_cast<double>(v.gene), v.lower, v.upper});
+    const Cloud& c = s.cloud;
+    j = {moving,
+         numbers(s.first),
+         {numbers(c.mean), c.sigma, numbers(c.covariance), numbers(c.path_sigma), numbers(c.path_c),
+          numbers(c.axes), numbers(c.scales), c.learnt, c.drawn},
+         {s.record.best, s.record.median, s.record.equal, s.record.spent},
+         {s.plan.usual, s.plan.doublings, s.plan.large, s.plan.small, s.plan.last_large, s.plan.now_large,
+          s.plan.begun},
+         {s.run.lambda, s.run.shrink, s.run.most},
+         s.children,
+         s.ended};
+}
+inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
+    const auto vector = [](const nlohmann::json& from) {
+        const auto all = from.get<std::vector<double>>();
+        return Eigen::VectorXd(
+            Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size())));
+    };
+    const auto moving = j.at(0).get<std::vector<double>>();
+    for (std::size_t i = 0; i + 2 < moving.size(); i += 3)
+        s.moving.push_back({static_cast<std::size_t>(moving[i]), moving[i + 1], moving[i + 2]});
+    s.first = vector(j.at(1));
+    const Eigen::Index n = s.first.size();
+    const auto matrix = [&](const nlohmann::json& from) {
+        const Eigen::VectorXd all = vector(from);
+        if (all.size() != n * n)
+            throw UsageError("the checkpoint does not fit its pipeline; expected one that was written by it");
+        return Eigen::MatrixXd(Eigen::Map<const Eigen::MatrixXd>(all.data(), n, n));
+    };
+    const auto& c = j.at(2);
+    s.cloud.mean = vector(c.at(0));
+    s.cloud.sigma = c.at(1);
+    s.cloud.covariance = matrix(c.at(2));
+    s.cloud.path_sigma = vector(c.at(3)), s.cloud.path_c = vector(c.at(4));
+    s.cloud.axes = matrix(c.at(5));
+    s.cloud.scales = vector(c.at(6));
+    s.cloud.learnt = c.at(7), s.cloud.drawn = c.at(8);
+    const auto& r = j.at(3);
+    s.record = {r.at(0), r.at(1), r.at(2), r.at(3)};
+    const auto& p = j.at(4);
+    s.plan = {p.at(0), p.at(1), p.at(2), p.at(3), p.at(4), p.at(5), p.at(6)};
+    s.run = {j.at(5).at(0), j.at(5).at(1), j.at(5).at(2)};
+    j.at(6).get_to(s.children);
+    s.ended = j.at(7);
+}
+///@}
+
+/// The stage `cma-es sigma=sigma population=children restarts=restarts`.
+inline CmaEs cma_es(double sigma = 0.3, std::string restarts = "bipop", std::size_t children = 0) {
+    CmaEs stage;
+    stage.sigma = sigma;
+    stage.population = children;
+    stage.restarts = std::move(restarts);
+    stage.validate();
+    return stage;
+}
+
+} // namespace ga

@@ -1,0 +1,146 @@
+#pragma once
+
+#include "ga/stage.hpp"
+#include "ga/variation/genes.hpp"
+
+namespace ga {
+
+/// v = base + F1 (a - base) + F2 (b - c), and of every gene that may move the trial takes v's with
+/// probability CR, one in any case (binomial cross-over: Storn and Price 1997, Eq. 2-4). A gene past a bound
+/// goes half the way from the target to it (Zhang and Sanderson 2009). Genes that one of them lacks stay.
+struct Difference {
+    const std::vector<double>&base, &a, &b, &c; ///< genes
+    double f1, f2;                              ///< of a - base, and of b - c
+    double cr;                                  ///< cross-over rate, [0, 1]
+
+    /// The trial of a target; never the target itself, but where nothing differs.
+    template <class Moving>
+    std::vector<double> trial(std::vector<double> target, const Moving& moving, Stream& stream) const {
+        if (moving.empty())
+            return target;
+        const std::size_t sure = stream.below(moving.size());
+        for (std::size_t i = 0; i < moving.size(); ++i) {
+            const Variable& v = moving[i];
+            const bool taken = stream.uniform() < cr || i == sure;
+            if (!taken || v.gene >= std::min({target.size(), base.size(), a.size(), b.size(), c.size()}))
+                continue;
+            double& gene = target[v.gene];
+            const double value =
+                base[v.gene] + f1 * (a[v.gene] - base[v.gene]) + f2 * (b[v.gene] - c[v.gene]);
+            gene = value < v.lower ? (gene + v.lower) / 2 : value > v.upper ? (gene + v.upper) / 2 : value;
+        }
+        return target;
+    }
+};
+
+/// The genes of everybody.
+template <Problem P>
+std::vector<std::vector<double>> all_genes(const P& problem,
+                                           const Population<typename P::Genome>& population) {
+    std::vector<std::vector<double>> all;
+    for (const auto& individual : population)
+        all.push_back(genes_of(problem, individual.genome));
+    return all;
+}
+
+/// Differential evolution (Storn and Price 1997): every individual gives its place to a trial, its child,
+/// made by rand/1/bin, best/1/bin or current-to-best/1/bin. `duel` behind the score keeps the better of the
+/// two.
+struct DifferentialEvolution : Operator {
+    std::string base = "rand"; ///< rand, best or current-to-best
+    double F = 0.5;            ///< weight of differences, above 0
+    double CR = 0.9;           ///< cross-over rate, [0, 1]
+
+    ///@{
+    /// What every operator has (Operator).
+    static Words words() {
+        return {"de", "adaptation",
+                "a trial in everybody's place by differential evolution; duel follows the score"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.base, word("base", "rand", "rand, best or current-to-best"));
+        visit(self.F, number("F", "0.5", above_zero, 2, "weight of differences").keyed());
+        visit(self.CR, number("CR", "0.9", 0, 1, "a gene's chance to be the mutant's").keyed());
+    }
+    void validate() const {
+        if (base != "rand" && base != "best" && base != "current-to-best")
+            throw UsageError("stage 'de': base is '" + base + "'; expected rand, best or current-to-best");
+        check_values(*this, words().name);
+    }
+    void check(Known& known) const {
+        known.need_score(text_of(*this));
+        known.scored.reset();
+    }
+
+    template <Problem P>
+    requires HasGenes<P> Population<typename P::Genome>
+    operator()(Population<typename P::Genome> population, Context<P>& context) const {
+        const std::size_t n = population.size();
+        if (n < 4)
+            throw NothingLeft(context.path() + ": " + std::to_string(n) +
+                              " individuals; expected 4 at least");
+        const auto genes = all_genes(context.problem(), population);
+        const std::size_t best = ranking(population, 1).front();
+        for (std::size_t i = 0; i < n; ++i) {
+            Stream stream = context.stream(i);
+            std::size_t others[3]; // apart from each other and from i
+            for (std::size_t k = 0; k < 3; ++k)
+                do
+                    others[k] = stream.below(n);
+                while (others[k] == i || std::find(others, others + k, others[k]) != others + k);
+            const bool from_current = base == "current-to-best";
+            const std::size_t from = from_current ? i : base == "best" ? best : others[2];
+            const Difference difference{
+                genes[from], genes[best], genes[others[0]], genes[others[1]], from_current ? F : 0, F, CR};
+            auto& individual = population[i];
+            individual.genome = with_genes(
+                context.problem(), individual.genome,
+                difference.trial(genes[i], variables_of(context.problem(), individual.genome), stream));
+            context.make_child(individual, Parents(individual.identity));
+        }
+        return population;
+    }
+    ///@}
+};
+
+/// The stage `de base F=f CR=cr`.
+inline DifferentialEvolution differential_evolution(std::string base = "rand", double f = 0.5,
+                                                    double cr = 0.9) {
+    DifferentialEvolution stage;
+    stage.base = std::move(base), stage.F = f, stage.CR = cr;
+    stage.validate();
+    return stage;
+}
+
+/// One-to-one replacement: each child gives way to its first parent in the generation's start where that one
+/// is better; of equals the child stays (Storn and Price 1997).
+struct Duel : Operator {
+    ///@{
+    /// What every operator has (Operator).
+    static Words words() {
+        return {"duel", "replacement", "each child or its first parent, whichever is better"};
+    }
+    static void describe(auto&, auto) {}
+    std::size_t reads_of_start() const { return everyone; }
+    void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
+
+    template <Problem P>
+    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
+                                              Context<P>& context) const {
+        const auto& start = context.generation_start();
+        for (auto& child : population)
+            for (const auto& parent : start)
+                if (child.parents.size() > 0 && parent.identity == *child.parents.begin() &&
+                    better(parent.fitness, child.fitness)) {
+                    child = parent;
+                    break;
+                }
+        return population;
+    }
+    ///@}
+};
+
+/// The stage `duel`.
+inline Duel duel() { return {}; }
+
+} // namespace ga

@@ -1,0 +1,248 @@
+#pragma once
+
+#include "ga/adaptation/differential_evolution.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <numbers>
+
+namespace ga {
+
+/// What success-history based adaptation remembers of F and CR that did well (Tanabe and Fukunaga 2014,
+/// Improving the search performance of SHADE using linear population size reduction, Algorithm 1).
+struct SuccessHistory {
+    std::vector<double> F, CR; ///< H means of each; a CR below 0 stands for the terminal value
+    std::size_t next = 0;      ///< the entry that is replaced next
+
+    SuccessHistory() = default;
+    /// All 0.5 at first.
+    explicit SuccessHistory(std::size_t entries) : F(entries, 0.5), CR(entries, 0.5) {}
+
+    /// One F and CR that were better than before by `gain`.
+    struct Success {
+        double F, CR, gain;
+    };
+    /// A generation's.
+    void learn(const std::vector<Success>& successes) {
+        if (successes.empty())
+            return;
+        const auto lehmer = [&](double Success::*part) { // Eq. 7-9, gains for weights
+            double squares = 0, sum = 0;
+            for (const Success& s : successes) {
+                squares += s.gain * (s.*part) * (s.*part);
+                sum += s.gain * (s.*part);
+            }
+            return sum > 0 ? squares / sum : 0;
+        };
+        const double mean_CR = lehmer(&Success::CR);
+        CR[next] = CR[next] < 0 || mean_CR == 0 ? -1 : mean_CR;
+        F[next] = lehmer(&Success::F);
+        next = (next + 1) % F.size();
+    }
+    /// F in (0, 1] and CR in [0, 1] round about an entry drawn at random (Eq. 1-2).
+    std::pair<double, double> draw(Stream& stream) const {
+        const std::size_t entry = stream.below(F.size());
+        const double cr = CR[entry] < 0 ? 0 : std::clamp(CR[entry] + 0.1 * stream.normal(), 0.0, 1.0);
+        double f = 0;
+        while (!(f > 0)) // Cauchy
+            f = F[entry] + 0.1 * std::tan(std::numbers::pi * (stream.uniform() - 0.5));
+        return {std::min(f, 1.0), cr};
+    }
+};
+
+/// L-SHADE (Tanabe and Fukunaga 2014): differential evolution, current-to-pbest/1/bin with an archive of
+/// parents that were beaten, that learns F and CR from its successes and shrinks its population linearly to 4
+/// over `evaluations`. Everybody gives its place to a trial; `duel` behind the score keeps the better.
+/// Without an end to its evaluations the population stays as it is, which is SHADE.
+struct LShade : Operator {
+    long evaluations = 0;   ///< by when the population is 4; 0 for the run's budget
+    std::size_t memory = 6; ///< entries of the success history, H
+    double archive = 2.6;   ///< beaten parents kept, in populations
+    double p = 0.11;        ///< share of the best that trials are drawn towards
+
+    /// A trial that waits for its fitness.
+    struct Trial {
+        Identity child;             ///< it
+        double F, CR;               ///< how it was made
+        double violation, merit;    ///< its parent's
+        std::vector<double> parent; ///< its parent's genes
+    };
+    /// What it has learnt.
+    struct State {
+        SuccessHistory history;                  ///< of F and CR
+        std::vector<std::vector<double>> beaten; ///< the archive
+        std::vector<Trial> trials;               ///< made last
+        std::size_t initial = 0;                 ///< individuals at first
+        long spent = 0;                          ///< evaluations
+    };
+
+    ///@{
+    /// What every operator has (Operator).
+    static Words words() {
+        return {
+            "l-shade", "adaptation",
+            "differential evolution that learns F and CR and shrinks its population; duel follows the score"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.evaluations,
+              whole("evaluations", "0", 0, "when the population has shrunk to 4; 0 for the run's budget")
+                  .keyed()
+                  .quiet());
+        visit(self.memory,
+              whole("memory", "6", 1, "entries of the success history").up_to(1e6).keyed().quiet());
+        visit(self.archive,
+              number("archive", "2.6", 0, 100, "beaten parents kept, in populations").keyed().quiet());
+        visit(self.p, number("p", "0.11", above_zero, 1, "share of the best to go towards").keyed().quiet());
+    }
+    void check(Known& known) const {
+        known.need_repetition(text_of(*this));
+        known.need_one_objective(text_of(*this));
+        known.scored.reset();
+    }
+
+    template <Problem P>
+    requires HasGenes<P> Population<typename P::Genome>
+    operator()(Population<typename P::Genome> population, Context<P>& context, State& state) const {
+        if (population.size() < 4)
+            throw NothingLeft(context.path() + ": " + std::to_string(population.size()) +
+                              " individuals; expected 4 at least");
+        Stream random = context.stream(everyone);
+        if (state.initial == 0) {
+            state.initial = population.size();
+            state.spent = static_cast<long>(population.size());
+            state.history = SuccessHistory(memory);
+        }
+        learn(population, state, random);
+        shrink(population, context.ledger().budget().evaluations, state);
+        const std::size_t n = population.size();
+        while (state.beaten.size() > room(n))
+            drop(state.beaten, random.below(state.beaten.size()));
+
+        auto genes = all_genes(context.problem(), population);
+        const auto order = ranking(population, std::max<std::size_t>(2, rounded(p * static_cast<double>(n))));
+        state.trials.clear();
+        for (std::size_t i = 0; i < n; ++i) {
+            Stream stream = context.stream(i);
+            const auto [f, cr] = state.history.draw(stream);
+            std::size_t first, second;
+            do
+                first = stream.below(n);
+            while (first == i);
+            do
+                second = stream.below(n + state.beaten.size());
+            while (second == i || second == first);
+            const std::size_t towards = order[stream.below(order.size())];
+            const Difference difference{genes[i],
+                                        genes[towards],
+                                        genes[first],
+                                        second < n ? genes[second] : state.beaten[second - n],
+                                        f,
+                                        f,
+                                        cr};
+            auto& individual = population[i];
+            const Fitness& fitness = individual.fitness;
+            Trial trial{0, f, cr, violation(fitness), merit(fitness), genes[i]};
+            individual.genome = with_genes(
+                context.problem(), individual.genome,
+                difference.trial(genes[i], variables_of(context.problem(), individual.genome), stream));
+            context.make_child(individual, Parents(individual.identity));
+            trial.child = individual.identity;
+            state.trials.push_back(std::move(trial));
+        }
+        state.spent += static_cast<long>(n);
+        return population;
+    }
+    ///@}
+
+  private:
+    static std::size_t rounded(double x) { return static_cast<std::size_t>(std::max(0.0, std::round(x))); }
+    std::size_t room(std::size_t n) const { return rounded(archive * static_cast<double>(n)); }
+    static void drop(std::vector<std::vector<double>>& from, std::size_t i) {
+        std::swap(from[i], from.back());
+        from.pop_back();
+    }
+    static double violation(const Fitness& f) {
+        return f.has_failed() ? HUGE_VAL : f.feasible() ? 0 : f.violation();
+    }
+    static double merit(const Fitness& f) { return f.has_failed() || !f.feasible() ? 0 : f.merit(); }
+
+    template <class G>
+    void learn(const Population<G>& population, State& state, Stream& random) const {
+        std::vector<SuccessHistory::Success> successes;
+        for (Trial& trial : state.trials) {
+            const auto child = std::find_if(population.begin(), population.end(),
+                                            [&](const auto& each) { return each.identity == trial.child; });
+            if (child == population.end())
+                continue;
+            double gain = trial.violation - violation(child->fitness);
+            if (!(gain > 0 || gain < 0)) // both feasible, or as far off
+                gain = merit(child->fitness) - trial.merit;
+            if (!(gain > 0))
+                continue;
+            successes.push_back({trial.F, trial.CR, std::min(gain, std::numeric_limits<double>::max())});
+            if (const std::size_t most = room(population.size()); most > 0) {
+                if (state.beaten.size() >= most)
+                    drop(state.beaten, random.below(state.beaten.size()));
+                state.beaten.push_back(std::move(trial.parent));
+            }
+        }
+        double largest = 0; // so that no sum of gains is infinite
+        for (const auto& success : successes)
+            largest = std::max(largest, success.gain);
+        for (auto& success : successes)
+            success.gain /= largest;
+        state.history.learn(successes);
+    }
+
+    /// The worst go (Eq. 10).
+    template <class G>
+    void shrink(Population<G>& population, long budget, const State& state) const {
+        const long end = evaluations > 0 ? evaluations : budget;
+        if (end == std::numeric_limits<long>::max())
+            return;
+        const auto initial = static_cast<double>(state.initial);
+        const double share = static_cast<double>(state.spent) / static_cast<double>(std::max(end, 1L));
+        const std::size_t target = std::max<std::size_t>(4, rounded(initial + (4 - initial) * share));
+        if (target >= population.size())
+            return;
+        auto order = ranking(population, target);
+        std::sort(order.begin(), order.end());
+        Population<G> left;
+        for (const std::size_t i : order)
+            left.push_back(std::move(population[i]));
+        population = std::move(left);
+    }
+};
+
+///@{
+/// What checkpoints hold, and back without loss.
+inline void to_json(nlohmann::json& j, const LShade::Trial& t) {
+    j = {t.child, t.F, t.CR, t.violation, t.merit, t.parent};
+}
+inline void from_json(const nlohmann::json& j, LShade::Trial& t) {
+    t = {j.at(0), j.at(1), j.at(2), j.at(3), j.at(4), j.at(5)};
+}
+inline void to_json(nlohmann::json& j, const LShade::State& s) {
+    j = {s.history.F, s.history.CR, s.history.next, s.beaten, s.trials, s.initial, s.spent};
+}
+inline void from_json(const nlohmann::json& j, LShade::State& s) {
+    j.at(0).get_to(s.history.F);
+    j.at(1).get_to(s.history.CR);
+    s.history.next = j.at(2);
+    j.at(3).get_to(s.beaten);
+    j.at(4).get_to(s.trials);
+    s.initial = j.at(5);
+    s.spent = j.at(6);
+}
+///@}
+
+/// The stage `l-shade evaluations=evaluations`.
+inline LShade l_shade(long evaluations = 0) {
+    LShade stage;
+    stage.evaluations = evaluations;
+    check_values(stage, LShade::words().name);
+    return stage;
+}
+
+} // namespace ga
