@@ -28,7 +28,7 @@ struct CmaEs : Operator {
         CmaRecord record;               ///< of this run
         CmaPlan plan;                   ///< of the runs
         CmaPlan::Run run{0, 1, 0};      ///< this one
-        std::vector<Identity> children; ///< drawn last
+        std::vector<Identity> children; ///< drawn last, ascending
         bool ended = false;             ///< no further run
     };
 
@@ -114,8 +114,7 @@ struct CmaEs : Operator {
         for (const std::size_t i : order) {
             const auto& individual = population[i];
             const Fitness& fitness = individual.fitness;
-            if (std::find(state.children.begin(), state.children.end(), individual.identity) ==
-                    state.children.end() ||
+            if (!std::binary_search(state.children.begin(), state.children.end(), individual.identity) ||
                 values.size() == state.children.size())
                 continue;
             const auto genes = genes_of(problem, individual.genome);

@@ -10,9 +10,10 @@ namespace ga {
 
 /// What one run of CMA-ES has come to: values turned so that greater is better.
 struct CmaRecord {
-    std::vector<double> best, median; ///< of each generation, as far back as the rules look
-    std::vector<double> equal;        ///< 1 where the best and the k-th best were the same
-    long spent = 0;                   ///< children that were scored
+    std::vector<double> best;   ///< of each generation, as far back as the rules look
+    std::vector<double> median; ///< likewise
+    std::vector<double> equal;  ///< 1 where the best and the k-th best were the same
+    long spent = 0;             ///< children that were scored
 
     /// Notes a generation's values, best first.
     void note(const std::vector<double>& values, std::size_t lambda) {
@@ -87,11 +88,13 @@ inline const char* over(const Cloud& cloud, const CmaConstants& c, CmaRecord& re
 /// How runs follow each other: with twice the children each time (IPOP: Auger and Hansen 2005), or besides as
 /// many evaluations in runs of few children and small steps (BIPOP: Hansen 2009).
 struct CmaPlan {
-    std::size_t usual = 0;                 ///< children of the first run
-    std::size_t doublings = 0;             ///< large runs after the first
-    long large = 0, small = 0;             ///< evaluations spent in either kind after the first run
-    long last_large = 0;                   ///< of the last large run
-    bool now_large = false, begun = false; ///< the run that is; whether the first is over
+    std::size_t usual = 0;     ///< children of the first run
+    std::size_t doublings = 0; ///< large runs after the first
+    long large = 0;            ///< evaluations spent in these
+    long small = 0;            ///< evaluations spent in small runs
+    long last_large = 0;       ///< of the last large run
+    bool now_large = false;    ///< the run that is
+    bool begun = false;        ///< whether the first is over
 
     /// Of a run.
     struct Run {

@@ -14,9 +14,13 @@ struct CmaConstants {
     Eigen::Index mu;         ///< parents: children whose weight is above 0
     Eigen::VectorXd weights; ///< lambda, best child first; the first mu sum to 1, the others are 0 or less
     double mu_eff;           ///< variance-effective number of parents, Eq. 8
-    double c_c, c_sigma, c_1, c_mu, d_sigma; ///< Eq. 55-58
-    double chi;                              ///< expected length of a standard normal vector
-    Eigen::Index every; ///< generations between two decompositions of the covariance, 1 or more
+    double c_c;              ///< of the path of C, Eq. 56
+    double c_sigma;          ///< of the path of sigma, Eq. 55
+    double c_1;              ///< of the rank-one update, Eq. 57
+    double c_mu;             ///< of the rank-mu update, Eq. 58
+    double d_sigma;          ///< damping of sigma, Eq. 55
+    double chi;              ///< expected length of a standard normal vector
+    Eigen::Index every;      ///< generations between two decompositions of the covariance, 1 or more
 
     /// As many children as Eq. 48 proposes.
     static std::size_t usual_children(Eigen::Index n) {
@@ -51,13 +55,15 @@ struct CmaConstants {
 
 /// The normal distribution that CMA-ES draws from and learns. Equation numbers as above.
 struct Cloud {
-    Eigen::VectorXd mean;               ///< n
-    double sigma = 0;                   ///< step size
-    Eigen::MatrixXd covariance;         ///< C, n x n
-    Eigen::VectorXd path_sigma, path_c; ///< evolution paths, n
-    Eigen::MatrixXd axes;               ///< B, eigenvectors of C as it was last decomposed
-    Eigen::VectorXd scales;             ///< D, roots of its eigenvalues
-    Eigen::Index learnt = 0, drawn = 0; ///< generations; when C was last decomposed
+    Eigen::VectorXd mean;       ///< n
+    double sigma = 0;           ///< step size
+    Eigen::MatrixXd covariance; ///< C, n x n
+    Eigen::VectorXd path_sigma; ///< evolution path of sigma, n
+    Eigen::VectorXd path_c;     ///< evolution path of C, n
+    Eigen::MatrixXd axes;       ///< B, eigenvectors of C as it was last decomposed
+    Eigen::VectorXd scales;     ///< D, roots of its eigenvalues
+    Eigen::Index learnt = 0;    ///< generations
+    Eigen::Index drawn = 0;     ///< of these when C was last decomposed
 
     Cloud() = default;
     /// Round about a point.

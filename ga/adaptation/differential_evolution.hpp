@@ -9,9 +9,13 @@ namespace ga {
 /// probability CR, one in any case (binomial cross-over: Storn and Price 1997, Eq. 2-4). A gene past a bound
 /// goes half the way from the target to it (Zhang and Sanderson 2009). Genes that one of them lacks stay.
 struct Difference {
-    const std::vector<double>&base, &a, &b, &c; ///< genes
-    double f1, f2;                              ///< of a - base, and of b - c
-    double cr;                                  ///< cross-over rate, [0, 1]
+    const std::vector<double>& base; ///< genes
+    const std::vector<double>& a;    ///< genes
+    const std::vector<double>& b;    ///< genes
+    const std::vector<double>& c;    ///< genes
+    double f1;                       ///< of a - base
+    double f2;                       ///< of b - c
+    double cr;                       ///< cross-over rate, [0, 1]
 
     /// The trial of a target; never the target itself, but where nothing differs.
     template <class Moving>

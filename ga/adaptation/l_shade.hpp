@@ -12,8 +12,9 @@ namespace ga {
 /// What success-history based adaptation remembers of F and CR that did well (Tanabe and Fukunaga 2014,
 /// Improving the search performance of SHADE using linear population size reduction, Algorithm 1).
 struct SuccessHistory {
-    std::vector<double> F, CR; ///< H means of each; a CR below 0 stands for the terminal value
-    std::size_t next = 0;      ///< the entry that is replaced next
+    std::vector<double> F;  ///< H means
+    std::vector<double> CR; ///< H means; one below 0 stands for the terminal value
+    std::size_t next = 0;   ///< the entry that is replaced next
 
     SuccessHistory() = default;
     /// All 0.5 at first.
@@ -21,7 +22,9 @@ struct SuccessHistory {
 
     /// One F and CR that were better than before by `gain`.
     struct Success {
-        double F, CR, gain;
+        double F;    ///< weight of differences
+        double CR;   ///< cross-over rate
+        double gain; ///< of fitness, above 0
     };
     /// A generation's.
     void learn(const std::vector<Success>& successes) {
@@ -64,8 +67,10 @@ struct LShade : Operator {
     /// A trial that waits for its fitness.
     struct Trial {
         Identity child;             ///< it
-        double F, CR;               ///< how it was made
-        double violation, merit;    ///< its parent's
+        double F;                   ///< with which it was made
+        double CR;                  ///< with which it was made
+        double violation;           ///< its parent's
+        double merit;               ///< its parent's
         std::vector<double> parent; ///< its parent's genes
     };
     /// What it has learnt.
