@@ -55,9 +55,15 @@ std::vector<Answer> answers_of(const Judge& judge, const DesignSetup& setup,
     return answers;
 }
 
-/// The best answer, then the best of the way that differ from it and from each other.
-std::vector<Answer> alternatives(const Judge& judge, const DesignSetup& setup, const Answer& best,
-                                 const Archive& archive, const SearchOptions& options) {
+/// The best answer, then the best of the way and of the pipeline's answers that differ from it and from each
+/// other.
+std::vector<Answer> alternatives(const DesignProblem& problem, const Judge& judge, const DesignSetup& setup,
+                                 const Answer& best, const Archive& found,
+                                 const ga::Population<Genome>& population, const SearchOptions& options) {
+    Archive archive(found.best.size() + population.size());
+    archive.best = found.best;
+    for (const auto& individual : population)
+        archive.offer(problem, individual);
     std::vector<Profile> profiles{sample(best.genome, setup.model.grid)};
     std::vector<Genome> others;
     std::vector<double> differences;
@@ -131,13 +137,6 @@ bool makes_its_own_starts(const std::string& pipeline) {
 bool holds_limits(const DesignSetup& setup, const Genome& genome) {
     const auto all = margins(genome, setup.model.grid, setup.limits);
     return std::all_of(all.begin(), all.end(), [](const Margin& margin) { return margin.holds(); });
-}
-
-double difference(const Profile& left, const Profile& right) {
-    const Eigen::VectorXd a = left.heights.array() - left.heights.mean();
-    const Eigen::VectorXd b = right.heights.array() - right.heights.mean();
-    const double both = a.norm() * b.norm();
-    return both > 0 ? 1 - std::max(a.dot(b), a.dot(b.reverse())) / both : 0;
 }
 
 namespace {
@@ -253,7 +252,7 @@ SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked,
     }
     result.best = *std::max_element(answers.begin(), answers.end(),
                                     [](const Answer& a, const Answer& b) { return better(b, a); });
-    result.alternatives = alternatives(judge, reported, result.best, archive, options);
+    result.alternatives = alternatives(problem, judge, reported, result.best, archive, population, options);
     result.setup = setup;
     return result;
 }

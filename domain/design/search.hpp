@@ -1,6 +1,7 @@
 #pragma once
 
 #include "domain/design/front.hpp"
+#include "domain/profile/difference.hpp"
 #include "ga/context.hpp"
 
 #include <atomic>
@@ -80,17 +81,12 @@ struct SearchResult {
 };
 
 /// The ways to search that have a name, as text: `default`, `in-line`, `multistart`, `plain`, `sog`, `gco`,
-/// `cco`, for two targets `mcco` and `nsga2`, `esch`, `crs2`. Those that do not begin with `shape` or
+/// `cco`, for two targets `mcco` and `nsga2`, `map-elites`, `esch`, `crs2`. Those that do not begin with `shape` or
 /// `sample` work on the Sobol database.
 const std::map<std::string, std::string>& design_variants();
 
 /// Whether the genome (in final amplitude) is within every limit.
 bool holds_limits(const DesignSetup& setup, const Genome& genome);
-
-/// How much two profiles differ: 1 less the correlation coefficient of their heights, the better one of as
-/// they are and one of them mirrored end to end. 0 to 2; answers differ from `different` on.
-double difference(const Profile& left, const Profile& right);
-constexpr double different = 0.05; ///< see above
 
 /// Runs a pipeline on a design and picks what to believe: of the best individuals of all stages those that
 /// are best at their worst (Judgement). There is always an answer: the best so far, or a first start. Throws

@@ -1,9 +1,12 @@
 #include "domain/problem/problem.hpp"
 
 #include "domain/mwm/cross.hpp"
+#include "domain/mwm/sampling.hpp"
 #include "domain/problem/appraisal.hpp"
 #include "domain/problem/drawn_start.hpp"
 #include "domain/problem/rows.hpp"
+#include "domain/problem/surface_descriptors.hpp"
+#include "domain/profile/difference.hpp"
 #include "domain/target/similarity.hpp"
 #include "domain/target/stiffness_limits.hpp"
 
@@ -42,7 +45,7 @@ double DesignOutcome::similarity() const {
 
 DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory)
     : setup_(std::make_shared<DesignSetup>(completed(std::move(setup)))), memory_(std::move(memory)),
-      stiffest_(stiffest_of(setup_->model)) {
+      stiffest_(stiffest_of(setup_->model)), descriptors_(surface_descriptors(setup_->model.grid)) {
     validate(*setup_);
     judge_ = std::make_shared<Judge>(*setup_);
     // Below every genome within the limits, by how far it is over them.
@@ -112,6 +115,11 @@ void DesignProblem::cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Str
 
 void DesignProblem::cross_uniform(Genome& a, Genome& b, ga::Stream& stream) const {
     rough::cross_uniform(a, b, stream);
+}
+
+double DesignProblem::distance(const Genome& a, const Genome& b) const {
+    const Grid& grid = setup_->model.grid;
+    return difference(rough::sample(a, grid), rough::sample(b, grid));
 }
 
 std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {

@@ -2,6 +2,7 @@
 
 #include "domain/problem/judgement.hpp"
 #include "domain/problem/response_memory.hpp"
+#include "ga/niches/descriptors.hpp"
 #include "ga/random.hpp"
 #include "ga/refinement/sensitivity.hpp"
 
@@ -68,6 +69,11 @@ class DesignProblem {
     /// fractions are the smooth ones (response/smooth_area.hpp) here, as a count of nodes has no derivative.
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 
+    /// What surfaces may differ in (surface_descriptors).
+    const std::vector<ga::Descriptor<Genome>>& descriptors() const { return descriptors_; }
+    /// How much the profiles of two genomes differ (difference); 0 to 2.
+    double distance(const Genome& a, const Genome& b) const;
+
     const DesignSetup& setup() const { return *setup_; } ///< what is asked for
     double stiffest() const { return stiffest_; }        ///< no tangent is above it, MPa/mm
     /// Which points of a target an objective is over.
@@ -79,6 +85,7 @@ class DesignProblem {
     std::shared_ptr<ResponseMemory> memory_;
     double stiffest_;
     std::vector<ga::Objective<Outcome>> objectives_;
+    std::vector<ga::Descriptor<Genome>> descriptors_;
 };
 
 } // namespace rough
