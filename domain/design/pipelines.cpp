@@ -90,6 +90,11 @@ const ga::Variants& design_variants() {
                   "{ score goal2 | refine lm 15 | parents } | pareto goal1 goal2 | best 40 | repeat 15 { "
                   "tournament 2 | cross uniform rate=0.8 | mutate 0.05 gaussian 0.02 | score | refine lm 5 | "
                   "parents | pareto goal1 goal2 | best 40 } | front"},
+        // Many surfaces of one response: elites of every wave length and skewness, moved along the gradients
+        // of these and brought back to the target.
+        {"map-elites",
+         "shape 40 | score | best 20 | refine lm 15 | repeat 30 { emit 16 wavelength skewness sigma=0.3 "
+         "| score | refine lm 8 | map-elites wavelength skewness cells=12 }"},
         // Global optimisers of NLopt on every gene of the best start.
         {"esch", "score | best 1 | refine nlopt GN_ESCH 5000"},
         {"crs2", "score | best 1 | refine nlopt GN_CRS2_LM 5000"},
