@@ -89,8 +89,16 @@ ga::Variants outside_variants(const Genes& genes, std::size_t objectives) {
     for (const std::string& name : objective_names(objectives))
         pareto += " " + name;
     const std::string on = "repeat 1000000000 { " + vary;
-    return {{"ga", "sample 40 | score | " + on + " | score | elite 2 } | best 1"},
-            {"nsga2", "sample 100 | " + pareto + " | " + on + " | " + pareto + " | plus 100 } | front"}};
+    ga::Variants variants{
+        {"ga", "sample 40 | score | " + on + " | score | elite 2 } | best 1"},
+        {"nsga2", "sample 100 | " + pareto + " | " + on + " | " + pareto + " | plus 100 } | front"}};
+    if (genes.kind == Genes::Kind::real) {
+        const std::size_t many = std::clamp<std::size_t>(18 * genes.count, 20, 2000); // Tanabe and Fukunaga
+        const std::string ever = " | score | repeat 1000000000 { ";
+        variants["cma-es"] = "sample 1" + ever + "cma-es | score }";
+        variants["l-shade"] = "sample " + std::to_string(many) + ever + "l-shade | score | duel }";
+    }
+    return variants;
 }
 
 } // namespace app
