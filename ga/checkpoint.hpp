@@ -173,11 +173,12 @@ class Checkpoints : public Keeper<P> {
             return std::nullopt;
         std::string bytes;
         try {
-            bytes = opened(file_);
+            bytes = opened(std::filesystem::exists(file_) ? file_ : before);
         } catch (const UsageError& damaged) {
             if (!std::filesystem::exists(before))
                 throw;
             bytes = opened(before);
+            std::filesystem::rename(before, file_); // the next write keeps what stands under the name
             trouble_ = std::string(damaged.what()) + "; went on from the one before";
         }
         try {
@@ -198,7 +199,9 @@ class Checkpoints : public Keeper<P> {
     }
     std::optional<Population<Genome>> answer() const override { return answer_; }
     bool due(double seconds) const override { return seconds >= next_write_; }
-    std::string trouble() const override { return trouble_; }
+    std::string trouble() const override {
+        return trouble_ + (trouble_.empty() || unwritten_.empty() ? "" : "; ") + unwritten_;
+    }
 
     void write(const Taken& snapshot, const Ledger<P>& ledger,
                const Population<Genome>* answer = nullptr) override {
@@ -214,9 +217,9 @@ class Checkpoints : public Keeper<P> {
         remember(j, snapshot, ledger);
         const std::vector<std::uint8_t> bytes = json::to_cbor(j);
         const std::string error = seal(file_, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-        if (!error.empty())
-            trouble_ = "checkpoint '" + file_.string() + "' cannot be written (" + error +
-                       "); the run went on without it";
+        unwritten_ = error.empty() ? ""
+                                   : "checkpoint '" + file_.string() + "' cannot be written (" + error +
+                                         "); the run went on without it";
         next_write_ = snapshot.seconds + std::max(interval_, 20 * clock.seconds());
     }
 
@@ -277,7 +280,7 @@ class Checkpoints : public Keeper<P> {
     }
 
     std::filesystem::path file_;
-    std::string description_, trouble_;
+    std::string description_, trouble_, unwritten_;
     bool resume_;
     double interval_;
     double next_write_ = 0;

@@ -68,8 +68,21 @@ inline std::string seal(const std::filesystem::path& file, std::string_view byte
         ::unlink(draft.c_str());
         return error;
     }
-    ::rename(file.c_str(), before.c_str()); // where there is one
-    return ::rename(draft.c_str(), file.c_str()) == 0 ? "" : std::strerror(errno);
+    ::unlink(before.c_str());
+    if (::link(file.c_str(), before.c_str()) != 0)
+        ::rename(file.c_str(), before.c_str()); // on file systems without links
+    if (::rename(draft.c_str(), file.c_str()) != 0) {
+        error = std::strerror(errno);
+        ::unlink(draft.c_str());
+        return error;
+    }
+    const std::filesystem::path folder = file.parent_path();
+    if (const int at = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        at >= 0) {
+        ::fsync(at); // so that the name outlasts a loss of power
+        ::close(at);
+    }
+    return "";
 }
 
 /// JSON of bytes, no deeper than a checkpoint is. Throws UsageError, naming the file, on anything deeper, and

@@ -116,9 +116,9 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
         result.front = ga::front_of(result.population);
     result.best = context.best();
     result.counters = context.counters();
-    if (keeper && !keeper->trouble().empty())
-        context.kept.note(keeper->trouble());
     result.notes = context.kept.notes();
+    if (keeper && !keeper->trouble().empty())
+        result.notes.push_back(keeper->trouble());
     result.seconds = context.seconds();
     return result;
 }

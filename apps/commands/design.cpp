@@ -135,8 +135,8 @@ int design(const Words& words) {
         run.options.alternatives = 1; // there is hardly time for one
     run.options.stop = &interrupt.flag();
     const auto checkpoint = folder / "checkpoint.cbor";
-    run.options.keeping =
-        rough::Keeping{checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); }};
+    run.options.keeping = rough::Keeping{
+        checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); }, checkpoint_interval()};
     if (!run.out_of_reach.empty())
         run.options.evaluations = 3000; // the nearest curve is enough
     double best = -HUGE_VAL;
@@ -155,7 +155,7 @@ int design(const Words& words) {
     run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
     run.verdict = verdict_of(run) + not_asked(run);
     run.seconds = schedule.spent();
-    write_design_result(run, folder);
+    write_design_result(run, output.restored());
     write_design_tables(run, folder);
     if (!run.interrupted) {
         progress.show("verifying");
@@ -171,6 +171,7 @@ int design(const Words& words) {
     if (run.found.stopped.empty() || (run.options.reach && run.found.best.judged() >= *run.options.reach))
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
             std::filesystem::remove(folder / kept);
+    tell_notes(run.found.notes);
     if (run.trust) {
         for (const auto& flag : run.trust->flags)
             say("note: " + flag);

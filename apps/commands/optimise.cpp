@@ -168,7 +168,7 @@ int optimise(const Words& words) {
         json result = origin_json({RUGOSA_VERSION, command_line("optimise", words), asked.seed, threads});
         result.update(outside_json(asked, record, settings));
         result["seconds"] = clock.seconds();
-        write_json(folder / "result.json", result);
+        write_json(output.restored() / "result.json", result);
     }
     if (asked.stopped.empty())
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
@@ -176,8 +176,7 @@ int optimise(const Words& words) {
     if (!children.trouble().empty())
         throw rough::InputError(children.trouble() +
                                 (record.best() ? "; the best so far is in " + folder.string() : ""));
-    for (const std::string& note : asked.notes)
-        tell("note: " + note);
+    tell_notes(asked.notes);
     std::string best = "nothing was evaluated";
     if (record.best()) {
         best = "best";

@@ -50,6 +50,7 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
         const Origin origin{RUGOSA_VERSION, request.command, settings.seed("experiment.seed"),
                             ga::thread_count(settings.threads("experiment.threads"))};
         found = experiment.run(settings, {origin, progress, interrupt.flag(), folder, request.resume});
+        output.restored();
         if (found.write)
             found.write();
         const bool goes_on = interrupt.asked() && experiment.resumes;

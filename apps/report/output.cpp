@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <fcntl.h>
 #include <set>
 #include <sys/file.h>
@@ -128,6 +129,13 @@ OutputFolder::~OutputFolder() {
         fs::remove(folder, not_empty);
 }
 
+const fs::path& OutputFolder::restored() const {
+    std::error_code error;
+    if (!fs::exists(path_, error) && fs::create_directories(path_, error))
+        say("note: " + path_.string() + " was taken away during the run; what was found is in a new one");
+    return path_;
+}
+
 fs::path subfolder(const fs::path& folder, const std::string& name) {
     const fs::path path = folder / name;
     std::error_code error;
@@ -153,6 +161,23 @@ bool says_finished(const fs::path& folder, const std::string& checkpoint) {
         return false;
     say(folder.string() + ": was finished, nothing is left to go on with; another set-up takes --force");
     return true;
+}
+
+double checkpoint_interval() {
+    const char* const given = std::getenv("RUGOSA_CHECKPOINTS");
+    if (!given)
+        return 1;
+    char* end = nullptr;
+    const double seconds = std::strtod(given, &end);
+    if (end == given || *end || !(seconds >= 0))
+        throw InputError("RUGOSA_CHECKPOINTS: '" + std::string(given) +
+                         "' given in the environment, expected seconds between two checkpoints");
+    return seconds;
+}
+
+void tell_notes(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes)
+        (note.starts_with("checkpoint ") || note.starts_with("log ") ? say : tell)("note: " + note);
 }
 
 void write_picture(const fs::path& file, const Plot& plot) {

@@ -31,6 +31,8 @@ class OutputFolder {
     OutputFolder(const OutputFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
+    /// The same, made anew where it was taken away during the run.
+    const std::filesystem::path& restored() const;
 
   private:
     OutputFolder() = default; // what is thrown once it is made undoes it
@@ -53,6 +55,12 @@ void expect_distinct(const std::vector<std::string>& names, const std::vector<st
 
 /// Whether a folder holds a result without the checkpoint to go on from; says so, as there is nothing to do.
 bool says_finished(const std::filesystem::path& folder, const std::string& checkpoint);
+
+/// Seconds between two checkpoints of a run, at least: 1, or what RUGOSA_CHECKPOINTS in the environment says.
+double checkpoint_interval();
+
+/// Tells what could not be kept on the way, and with --verbose the engine's other remarks.
+void tell_notes(const std::vector<std::string>& notes);
 
 /// Writes a plot as an SVG file. Where it cannot be drawn, says so: a missing picture costs nothing else.
 void write_picture(const std::filesystem::path& file, const Plot& plot);

@@ -193,7 +193,8 @@ SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked,
                          "' makes its own starts, expected one that begins with those given (score | ...)");
     std::optional<ga::Checkpoints<DesignProblem>> keeper;
     if (options.keeping) {
-        keeper.emplace(options.keeping->file, json_text(description(setup), true), options.keeping->resume);
+        keeper.emplace(options.keeping->file, json_text(description(setup), true), options.keeping->resume,
+                       options.keeping->interval);
         keeper->keep("archive", archive.best);
         keeper->keep("front", front);
         if (options.keeping->also)

@@ -23,6 +23,7 @@ struct Keeping {
     bool resume = false;        ///< go on from the file, where there is one
     /// Hands the keeper what observers hold, to be kept with the run.
     std::function<void(ga::Checkpoints<DesignProblem>&)> also = {};
+    double interval = 1; ///< seconds between two writes, at least
 };
 
 /// How long, from where and by which pipeline to search.

@@ -306,7 +306,8 @@ void check(const ScanOptions& options) {
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
     check(options);
     const std::string file = path.string();
-    const auto lines = text_lines(read_whole(path), file);
+    const auto lines = text_lines(
+        read_whole(path, most_bytes, [&](std::string_view head) { expect_text(head, file); }), file);
     Account account;
     const auto named = named_profile(lines, file);
     Points points =

@@ -101,6 +101,8 @@ void write_through(const std::filesystem::path& device, std::string_view content
     write_all(file.get(), content, device);
 }
 
+constexpr std::size_t first_bytes = 4096;
+
 [[noreturn]] void refuse_size(const std::filesystem::path& path, std::size_t most) {
     throw InputError(path.string() + ": more than " + std::to_string(most) +
                      " bytes, expected a file of that size at most");
@@ -127,7 +129,8 @@ void write_atomically(const std::filesystem::path& path, std::string_view conten
     Draft(path).keep_as(path, content);
 }
 
-std::string read_whole(const std::filesystem::path& path, std::size_t most) {
+std::string read_whole(const std::filesystem::path& path, std::size_t most,
+                       const std::function<void(std::string_view)>& expect) {
     const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
     struct stat there {};
     if (file.get() < 0 || fstat(file.get(), &there) != 0)
@@ -138,8 +141,9 @@ std::string read_whole(const std::filesystem::path& path, std::size_t most) {
         refuse_size(path, most);
     std::string bytes;
     // Files of /proc and pipes do not say how much they hold.
-    std::size_t wanted = static_cast<std::size_t>(std::max<off_t>(there.st_size, 0)) + 1;
-    for (std::size_t held = 0;; wanted = std::max<std::size_t>(2 * held, 65536)) {
+    const std::size_t told = static_cast<std::size_t>(std::max<off_t>(there.st_size, 0)) + 1;
+    std::size_t wanted = told == 1 ? first_bytes : std::min(told, first_bytes);
+    for (std::size_t held = 0;; wanted = std::max({told, 2 * held, std::size_t{65536}})) {
         bytes.resize(std::min(wanted, most + 1));
         ssize_t got = 0;
         while (held < bytes.size() &&
@@ -150,6 +154,8 @@ std::string read_whole(const std::filesystem::path& path, std::size_t most) {
             refuse(path, "read", errno);
         if (held > most)
             refuse_size(path, most);
+        if (expect && wanted <= first_bytes)
+            expect(bytes.substr(0, held));
         if (held < bytes.size()) {
             bytes.resize(held);
             return bytes;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -23,7 +24,8 @@ std::filesystem::path without_links(std::filesystem::path path);
 constexpr std::size_t most_bytes = 400'000'000;
 
 /// The bytes of a whole file, at most so many. Throws InputError with one line when it cannot be read or is
-/// larger.
-std::string read_whole(const std::filesystem::path& path, std::size_t most = most_bytes);
+/// larger. `expect` sees the first 4096 bytes, and may throw, before there is room for the others.
+std::string read_whole(const std::filesystem::path& path, std::size_t most = most_bytes,
+                       const std::function<void(std::string_view)>& expect = {});
 
 } // namespace rough

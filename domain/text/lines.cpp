@@ -75,7 +75,7 @@ std::size_t sequence(const std::string& bytes, std::size_t i, std::uint32_t& cod
     return length;
 }
 
-bool is_utf16(const std::string& bytes) {
+bool is_utf16(std::string_view bytes) {
     return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
 }
 
@@ -94,7 +94,7 @@ std::string to_utf8(const std::string& bytes) {
 }
 
 /// What a binary file says it is, in brackets.
-std::string kind_of(const std::string& bytes) {
+std::string kind_of(std::string_view bytes) {
     using namespace std::string_view_literals;
     constexpr std::array<std::pair<std::string_view, const char*>, 9> kinds{
         {{"PK\x03\x04"sv, "a zip archive, as Excel workbooks and X3P are"},
@@ -112,7 +112,7 @@ std::string kind_of(const std::string& bytes) {
     return "";
 }
 
-[[noreturn]] void refuse_binary(const std::string& bytes, const std::string& file) {
+[[noreturn]] void refuse_binary(std::string_view bytes, const std::string& file) {
     throw InputError(file + ": holds binary data" + kind_of(bytes) +
                      ", expected a text file of x and height (export as text or CSV)");
 }
@@ -121,11 +121,12 @@ std::string kind_of(const std::string& bytes) {
 
 std::string at(const std::string& file, int line) { return file + ", line " + std::to_string(line); }
 
+void expect_text(std::string_view head, const std::string& file) {
+    if (!is_utf16(head) && !head.starts_with("ISO 5436") && head.find('\0') != head.npos)
+        refuse_binary(head, file);
+}
+
 std::vector<std::string> text_lines(const std::string& bytes, const std::string& file) {
-    // A large file of another kind is refused before it is copied.
-    const std::string_view head = std::string_view(bytes).substr(0, 4096);
-    if (!is_utf16(bytes) && !bytes.starts_with("ISO 5436") && head.find('\0') != head.npos)
-        refuse_binary(bytes, file);
     std::string text = to_utf8(bytes);
     if (text.starts_with("ISO 5436")) // softgauges end their fields with it
         std::replace(text.begin(), text.end(), '\0', ' ');

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rough {
@@ -10,6 +11,10 @@ namespace rough {
 /// CR. The typographic minus becomes '-' and the no-break space ' '. Throws InputError on binary content and
 /// on more than 12 million lines.
 std::vector<std::string> text_lines(const std::string& bytes, const std::string& file);
+
+/// Throws InputError where a file that begins with these bytes holds no text: before all of a large one is
+/// read.
+void expect_text(std::string_view head, const std::string& file);
 
 /// Where a message finds fault: "scan.txt, line 7".
 std::string at(const std::string& file, int line);

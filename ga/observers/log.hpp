@@ -10,8 +10,8 @@ namespace ga {
 
 /// A table with a row for every stage of a run: path, generation, individuals, best, median, diversity,
 /// asked, evaluations, gradients, failures, seconds. Written beside its name and given it by `close`, so that
-/// no half of a table stands there. With `checkpoints.keep("log", log.position)` a resumed run goes on with
-/// the row after the checkpoint.
+/// no half of a table stands there. A table that cannot be written ends no run. With `checkpoints.keep("log",
+/// log.position)` a resumed run goes on with the row after the checkpoint.
 class Log {
   public:
     /// `file` appears when the log is closed.
@@ -19,6 +19,7 @@ class Log {
     Log(const Log&) = delete;
 
     std::uint64_t position = 0; ///< bytes of the table so far
+    std::string trouble;        ///< why the table is not whole; empty while it is
 
     /// To be handed to `run`; refers to the problem and to this log, which must outlive the run.
     template <Problem P>
@@ -49,12 +50,21 @@ class Log {
         if (position == 0)
             append("");
         stream_.close();
-        if (std::filesystem::exists(part_))
-            std::filesystem::rename(part_, file_);
+        std::error_code error;
+        if (trouble.empty() && std::filesystem::exists(part_))
+            std::filesystem::rename(part_, file_, error);
+        if (error)
+            trouble = cannot_be_written();
     }
 
   private:
+    std::string cannot_be_written() const {
+        return "log '" + file_.string() + "' cannot be written; the run went on without it";
+    }
     void append(const std::string& text) {
+        if (!trouble.empty())
+            return;
+        const std::uint64_t whole = position;
         if (!stream_.is_open()) {
             if (position > 0)
                 take_up();
@@ -65,8 +75,10 @@ class Log {
         }
         put(text);
         stream_.flush();
-        if (!stream_)
-            throw UsageError("log '" + part_.string() + "' cannot be written");
+        if (!stream_) {
+            trouble = cannot_be_written();
+            position = whole;
+        }
     }
     /// Cuts the table off after the row of the checkpoint. A run that was interrupted has given it its name.
     void take_up() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/commands/optimise/search.hpp"
+#include "apps/report/output.hpp"
 #include "domain/errors.hpp"
 #include "ga/adaptation/vocabulary.hpp"
 #include "ga/checkpoint.hpp"
@@ -120,7 +121,7 @@ void search_by_children(OutsideSearch& asked, Children& children) {
     run.variant = asked.variant;
     run.budget = {asked.evaluations - apart, asked.seconds - clock.seconds(), asked.stop};
     ga::Checkpoints<P> keeper(asked.checkpoint, asked.description + " " + std::to_string(objectives),
-                              asked.resume);
+                              asked.resume, checkpoint_interval());
     keeper.keep("record", children.record);
     try {
         const auto found =

@@ -3,6 +3,7 @@
 #include "apps/experiments/paper/page.hpp"
 #include "apps/experiments/paper/settings.hpp"
 #include "apps/experiments/paper/tables.hpp"
+#include "apps/report/output.hpp"
 #include "apps/report/recorder.hpp"
 #include "apps/report/result.hpp"
 #include "domain/errors.hpp"
@@ -165,19 +166,23 @@ class Paper {
     std::optional<VariantRun> run_kept(const Variant& variant, const DesignProblem& problem,
                                        const std::string& title) const {
         const std::string name = title + "-" + variant.name;
+        std::error_code none; // where there can be none, the run goes on without
         for (const char* folder : {"checkpoints", "log"})
-            std::filesystem::create_directories(conditions_.folder / folder);
+            std::filesystem::create_directories(conditions_.folder / folder, none);
         std::vector<StageRecord> stages;
         ga::Log log(conditions_.folder / "log" / (name + ".csv"));
         ga::Checkpoints<DesignProblem> checkpoints(conditions_.folder / "checkpoints" / (name + ".cbor"),
                                                    rough::json_text(description(problem.setup()), true),
-                                                   conditions_.resume);
+                                                   conditions_.resume, checkpoint_interval());
         checkpoints.keep("stages", stages);
         checkpoints.keep("log", log.position);
         const Run result = run_pipeline(variant, problem, {recorder(stages), log.observer(problem)},
                                         &checkpoints, fidelity_ != off);
         log.close();
         std::optional<VariantRun> run = told(variant, problem, result, std::move(stages));
+        tell_notes(result.notes);
+        if (!log.trouble.empty())
+            tell_notes({log.trouble});
         if (run && fidelity_ == estimated)
             run->notes.push_back(
                 "fidelity: genomes were given up by an estimate from a coarse grid, not by a "
