@@ -12,8 +12,7 @@ namespace app {
 constexpr std::size_t most_candidates = 200000;
 
 /// An observer that keeps every stage's candidates: identity, parents and similarity (the problem's first
-/// objective; NaN where a stage left it unscored). Of a run with more than 200,000 stages and candidates
-/// those in the middle are left out, a stage called "(stages left out)" in their place.
+/// objective; NaN where a stage left it unscored).
 ga::Observer<rough::Genome> recorder(std::vector<StageRecord>& stages);
 
 /// As a checkpoint keeps them.

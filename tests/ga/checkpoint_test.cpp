@@ -217,6 +217,32 @@ TEST_CASE("a checkpoint follows no link, and one that cannot be written ends no 
     CHECK(result.notes[0].find("cannot be written") != std::string::npos);
 }
 
+TEST_CASE("a run whose checkpoint had only its older name when it was killed goes on without a word") {
+    const tests::Folder folder;
+    const auto pipeline = sample(8) | score() | repeat(6, tournament(2) | mutate(1) | score() | elite(1));
+    Checkpoints<Vectors> write(folder / "run", "", false, 0);
+    const auto stopped = run(pipeline, Vectors{}, nobody, {.budget = {.evaluations = 30}}, {}, &write);
+    REQUIRE_FALSE(stopped.stopped.empty());
+    fs::rename(folder / "run", folder / "run.before");
+    Checkpoints<Vectors> resume(folder / "run", "", true);
+    const auto result = run(pipeline, Vectors{}, nobody, {}, {}, &resume);
+    CHECK(result.notes.empty());
+    CHECK(text_of(result, {}) == text_of(run(pipeline, Vectors{}, nobody), {}));
+}
+
+TEST_CASE("a run that took up the older checkpoint keeps it until it has written a newer one") {
+    const tests::Folder folder;
+    const fs::path file = folder / "run";
+    const auto pipeline = sample(8) | score() | repeat(6, tournament(2) | mutate(1) | score() | elite(1));
+    Checkpoints<Vectors> write(file, "", false, 0);
+    run(pipeline, Vectors{}, nobody, {.budget = {.evaluations = 30}}, {}, &write);
+    std::ofstream(file, std::ios::binary) << "half";
+    Checkpoints<Vectors> killed(file, "", true, 1e9); // that writes once
+    run(pipeline, Vectors{}, nobody, {.budget = {.evaluations = 40}}, {}, &killed);
+    CHECK_NOTHROW(opened(file));
+    CHECK_NOTHROW(opened(file.string() + ".before"));
+}
+
 TEST_CASE("individuals of every kind come back from their text with every bit") {
     Population<std::vector<double>> start = population<std::vector<double>>({{0.1, -0.0, 1e-310}, {1.0 / 3}});
     start[0].fitness = Fitness(Name(std::string("a")), 0.1 + 0.2);

@@ -56,6 +56,23 @@ TEST_CASE("the log has a row for every stage with what a population is worth") {
     CHECK(rows[52].starts_with("v/repeat.1/elite.1,9,20," + number(result.best->value())));
 }
 
+TEST_CASE("a log that cannot be written ends no run and is told") {
+    const tests::Folder folder;
+    const Vectors problem;
+    Log whole(folder / "whole.csv"), nowhere(folder / "gone" / "log.csv"), full(folder / "full.csv");
+    fs::create_symlink("/dev/full", folder / "full.csv.part");
+    const auto result = run(pipeline, problem, nobody, {},
+                            {whole.observer(problem), nowhere.observer(problem), full.observer(problem)});
+    CHECK(result.stopped.empty());
+    for (Log* log : {&whole, &nowhere, &full})
+        log->close();
+    CHECK(whole.trouble.empty());
+    CHECK(nowhere.trouble.find("log.csv' cannot be written") != std::string::npos);
+    CHECK(full.trouble.find("full.csv' cannot be written") != std::string::npos);
+    CHECK(full.position == 0);
+    CHECK_FALSE(fs::exists(folder / "full.csv"));
+}
+
 TEST_CASE("a log goes on after a resume as if the run had never stopped") {
     const tests::Folder folder;
     const Vectors problem;

@@ -1,0 +1,60 @@
+#include "apps/commands/commands.hpp"
+#include "tests/apps/program.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <locale>
+#include <map>
+
+using app::testing::Folder;
+
+namespace {
+
+/// As in most of Europe: 1.234.567,5.
+struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+/// Everything that the commands leave and say, by name, with streams that write numbers so.
+std::map<std::string, std::string> left_by_commands(const std::locale& locale) {
+    const Folder folder;
+    const auto in = [&](const std::string& name) { return (folder / name).string(); };
+    folder.write("genome.json", R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":)"
+                                R"([{"n":1,"phases":[0.3]},{"n":3,"phases":[1.25]}]}]})");
+    struct Back {
+        std::locale before;
+        ~Back() { std::locale::global(before); }
+    } const back{std::locale::global(locale)};
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"contact", "--genome", in("genome.json"), "--out", in("curve.csv"), "--nodes", "1500"},
+             {"profile", in("genome.json"), "--out", in("solid"), "--nodes", "1500", "--pictures", "off"},
+             {"target", "--genome", in("genome.json"), "--out", in("target.csv")},
+             {"contact", "--profile", in("solid/heights.csv"), "--out", in("again.csv")},
+             {"design", "--target", in("target.csv"), "--nodes", "64", "--pictures", "off", "--out",
+              in("design"), "--pipeline", "sample 3 | score | refine lm 2 | best 1"}}) {
+        for (const app::Command& command : app::commands())
+            if (command.name == words[0])
+                CHECK(command.run({words.begin() + 1, words.end()}) != 2);
+    }
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
+        if (entry.is_regular_file() && entry.path().filename() != "result.json")
+            files[entry.path().lexically_relative(folder.path()).string()] = rough::read_whole(entry.path());
+    REQUIRE(files.size() >= 8);
+    return files;
+}
+
+} // namespace
+
+TEST_CASE("a decimal comma in the user's locale changes no file") {
+    const auto expected = left_by_commands(std::locale::classic());
+    const auto found = left_by_commands(std::locale(std::locale::classic(), new Comma));
+    for (const auto& [name, content] : expected) {
+        INFO(name);
+        // Pages and accounts name the folder they stand in.
+        if (!content.empty() && content.find("rugosa-test-") == std::string::npos)
+            CHECK(found.at(name) == content);
+    }
+}

@@ -1,0 +1,95 @@
+#include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
+
+#include <catch2/catch.hpp>
+
+using app::testing::Ended;
+using app::testing::Folder;
+using app::testing::result_in;
+using app::testing::rugosa;
+using app::testing::timeless;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string keeping = "RUGOSA_CHECKPOINTS=0 ";
+const std::string design =
+    "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 64 --threads 1 --pictures off "
+    "--pipeline 'sample 30 | score | repeat 40 { tournament 2 | cross uniform | mutate 0.1 | score } | best "
+    "1' ";
+const std::string experiment =
+    "run '" RUGOSA_SOURCE "/experiments/paper.ini' --pictures off --nodes 64 --threads 1 --set "
+    "database.pairs=20 --set paper.sweep-points=0 ";
+
+/// Runs it in a folder "o" that goes away as soon as there is a checkpoint in it.
+Ended without_its_folder(const Folder& folder, const std::string& words, const std::string& checkpoint) {
+    const fs::path script = folder.write(
+        "gone.sh", keeping + "'" RUGOSA_PROGRAM "' " + words + " --out o >log 2>err & child=$!\n" +
+                       "until [ -s " + checkpoint + " ]; do sleep 0.002; done\nmv o gone; wait $child\n");
+    const int status =
+        std::system(("cd '" + folder.path().string() + "' && bash '" + script.string() + "'").c_str());
+    return {WEXITSTATUS(status), rough::read_whole(folder / "log"), rough::read_whole(folder / "err"), 0};
+}
+
+} // namespace
+
+TEST_CASE("a design whose checkpoint has no room on the disk says so once and ends with what was found") {
+    const Folder folder;
+    const Ended whole = rugosa(design + "--out whole", folder.path());
+    REQUIRE(whole.code != 2);
+    // A file may have as many blocks as the result needs.
+    const auto blocks = fs::file_size(folder / "whole/result.json") / 512 + 1;
+    const Ended full =
+        rugosa(design + "--out full", folder.path(),
+               keeping + "sh -c 'ulimit -f " + std::to_string(blocks) + "; exec \"$0\" \"$@\"'");
+    INFO(full.err);
+    CHECK(full.code == whole.code);
+    const std::string note = "checkpoint 'full/checkpoint.cbor' cannot be written";
+    const auto at = full.out.find(note);
+    REQUIRE(at != std::string::npos);
+    CHECK(full.out.find(note, at + 1) == std::string::npos);
+    auto found = timeless(result_in(folder / "full")), expected = timeless(result_in(folder / "whole"));
+    CHECK(found["variants"]["pipeline"]["notes"].size() == 1);
+    found["variants"]["pipeline"]["notes"] = expected["variants"]["pipeline"]["notes"];
+    CHECK(found == expected);
+    for (const auto& entry : fs::directory_iterator(folder / "full"))
+        CHECK(entry.path().extension() != ".tmp");
+}
+
+TEST_CASE("a run whose folder is taken away goes on and leaves its result in a new one") {
+    const Folder folder;
+    const Ended whole = rugosa(design + "--out whole", folder.path());
+    const Ended gone = without_its_folder(folder, design, "o/checkpoint.cbor");
+    INFO(gone.err);
+    CHECK(gone.code == whole.code);
+    CHECK_THAT(gone.out, Catch::Contains("cannot be written") && Catch::Contains("in a new one"));
+    auto found = timeless(result_in(folder / "o")), expected = timeless(result_in(folder / "whole"));
+    for (auto* result : {&found, &expected})
+        (*result)["variants"]["pipeline"].erase("notes");
+    CHECK(found == expected);
+}
+
+TEST_CASE("an experiment whose folder is taken away goes on and leaves its result in a new one") {
+    const Folder folder;
+    REQUIRE(rugosa(experiment + "--out whole", folder.path()).code == 0);
+    const Ended gone = without_its_folder(folder, experiment, "o/checkpoints/drawn-sog.cbor");
+    INFO(gone.err);
+    CHECK(gone.code == 0);
+    auto found = timeless(result_in(folder / "o")), expected = timeless(result_in(folder / "whole"));
+    for (auto* result : {&found, &expected})
+        for (auto& variant : (*result)["variants"])
+            variant.erase("notes");
+    CHECK(found == expected);
+}
+
+TEST_CASE("the time between checkpoints is seconds") {
+    for (const char* wrong : {"soon", "-1", "1s", ""}) {
+        const Folder folder;
+        const Ended refused =
+            rugosa(design + "--out o", folder.path(), "RUGOSA_CHECKPOINTS='" + std::string(wrong) + "' ");
+        CHECK(refused.code == 2);
+        CHECK(refused.error_lines() == 1);
+        CHECK_THAT(refused.err, Catch::Contains("RUGOSA_CHECKPOINTS"));
+    }
+}
