@@ -51,9 +51,9 @@ class Log {
             append("");
         stream_.close();
         std::error_code error;
-        if (trouble.empty() && std::filesystem::exists(part_))
+        if (trouble.empty() && std::filesystem::exists(part_, error))
             std::filesystem::rename(part_, file_, error);
-        if (error)
+        if (trouble.empty() && (error || !std::filesystem::exists(file_, error)))
             trouble = cannot_be_written();
     }
 

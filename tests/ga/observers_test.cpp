@@ -64,6 +64,11 @@ TEST_CASE("a log that cannot be written ends no run and is told") {
     const auto result = run(pipeline, problem, nobody, {},
                             {whole.observer(problem), nowhere.observer(problem), full.observer(problem)});
     CHECK(result.stopped.empty());
+    Log taken(folder / "taken.csv");
+    run(pipeline, problem, nobody, {}, {taken.observer(problem)});
+    fs::remove(folder / "taken.csv.part");
+    taken.close();
+    CHECK_FALSE(taken.trouble.empty());
     for (Log* log : {&whole, &nowhere, &full})
         log->close();
     CHECK(whole.trouble.empty());
