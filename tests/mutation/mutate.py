@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Breaks the code in many places, one at a time, and asks which breaks the tests notice.
 
-    tests/mutation/run [ga] [domain] [apps] [--count N] [--seed S] [--jobs J] [--out FILE]
+    tests/mutation/run [ga] [domain] [apps] [--count N] [--seed S] ...
 
-All breaks are built at once (see sites.py), in a copy of the tree under .build-mutation, and chosen one after the other by
-the environment variable RUGOSA_MUTANT. A break is caught when a test fails, crashes or takes far longer than it did.
+All breaks are built at once (sites.py), in a copy of the tree, and chosen one after the other by the environment variable
+RUGOSA_MUTANT. A first run of each test, alone and without a break, tells how long it takes and which breaks it comes by. A
+break is then tried on these tests alone: those of the mirrored folder first, the quick ones first, until one fails. It is
+caught when a test fails, crashes or takes far longer than it did.
 """
 
 import argparse
@@ -16,46 +18,51 @@ import pathlib
 import random
 import re
 import shutil
+import signal
 import subprocess
 import sys
-import time
+import tempfile
+import threading
 
 import sites
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WORK = ROOT / ".build-mutation"
-TREE, BUILD = WORK / "tree", WORK / "build"
-
-# Which test programs look at a folder, the quickest first; each skips what is slow and what no break could change.
-PROGRAMS = {"ga": ["tests_ga"], "domain": ["tests_domain", "tests_apps"], "apps": ["tests_apps"]}
-HOOK = """#pragma once
-#include <cstdlib>
-/// Whether this break is the one that is tried.
-inline bool rugosa_mutant(int id) {
-    static const char* const given = std::getenv("RUGOSA_MUTANT");
-    static const int active = given ? std::atoi(given) : 0;
-    return id == active;
-}
-"""
+HOOK = '#include "tests/mutation/mutant.hpp"\n#line 1\n'
+# Which test programs look at a folder; those without [long] and hidden tests.
+PROGRAMS = {"ga": ["tests_ga"], "domain": ["tests_domain"], "apps": ["tests_apps"]}
+SPEC = "~[long]~[.]"
+REMARK = re.compile(r"\bprogress\.|\.reserve\(")  # what a terminal shows for a moment; memory taken early
+MEMORY = 6 << 30  # bytes that a test may ask for
 
 
 def tracked():
     return subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.split()
 
 
-def sources(scopes):
-    """Files to break: what is compiled of domain and apps, every header of ga. Words of pages are no logic."""
+def sources(scopes, chosen):
+    """Files to break: what is compiled of domain and apps, every header of ga."""
     for name in tracked():
         top = name.split("/")[0]
-        if top in scopes and name.endswith(".hpp" if top == "ga" else ".cpp"):
+        if top in scopes and name.endswith(".hpp" if top == "ga" else ".cpp") and re.search(chosen, name):
             yield name
 
 
-def drawn(scopes, count, seed):
+def equivalents():
+    """Breaks known to change nothing: {(file, change): reason}, from lines `file | change | reason`."""
+    known = {}
+    for line in (ROOT / "tests/mutation/equivalent.txt").read_text().splitlines():
+        if line and not line.startswith("#"):
+            name, change, reason = (part.strip() for part in line.split(" | "))
+            known[name, change] = reason
+    return known
+
+
+def drawn(scopes, count, seed, known, files=""):
     """`count` breaks, from every file in proportion to its places, at least one a file while they last."""
     choose = random.Random(seed)
     by_file = {}
-    for name in sources(scopes):
+    for name in sources(scopes, files):
         found = sites.sites((ROOT / name).read_text(), random.Random(f"{seed} {name}"))
         if found:
             by_file[name] = found
@@ -65,37 +72,45 @@ def drawn(scopes, count, seed):
         share = min(len(found), max(1, round(count * len(found) / everything)))
         chosen += [(name, site) for site in choose.sample(found, share)]
     choose.shuffle(chosen)
-    return {number: place for number, place in enumerate(chosen, 1)}
+    for name, site in sorted(chosen):
+        if reason := known.get((name, site[3])):
+            print(f"not tried, the program does the same: {name}: {site[3]}: {reason}")
+    return {number: (name, site) for number, (name, site) in enumerate(chosen, 1)
+            if (name, site[3]) not in known and not REMARK.search(site[3])}
 
 
-def write_tree(mutants):
+def write_tree(tree, mutants):
     per_file = collections.defaultdict(list)
     for number, (name, site) in mutants.items():
         per_file[name].append((number, site))
     for name in tracked():
-        target = TREE / name
+        target = tree / name
         target.parent.mkdir(parents=True, exist_ok=True)
         text = (ROOT / name).read_bytes()
         if name in per_file:
-            text = sites.broken(text.decode(), per_file[name]).encode()
+            text = (HOOK + sites.broken(text.decode(), per_file[name])).encode()
         if not target.exists() or target.read_bytes() != text:
             target.write_bytes(text)
             shutil.copymode(ROOT / name, target)
 
 
-def build(targets, mutants, jobs):
+def line_of(name, site):
+    return (ROOT / name).read_text().count("\n", 0, site[0]) + 1
+
+
+def build(tree, folder, targets, mutants, jobs):
     """Builds; breaks that the compiler refuses are taken out until it is content."""
-    (WORK / "mutant.hpp").write_text(HOOK)
-    if not (BUILD / "CMakeCache.txt").exists():
-        subprocess.run(["cmake", "-S", TREE, "-B", BUILD, "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
-                        f"-DCMAKE_CXX_FLAGS=-include {WORK / 'mutant.hpp'} -w"], check=True, stdout=subprocess.DEVNULL)
+    if not (folder / "CMakeCache.txt").exists():
+        subprocess.run(["cmake", "-S", tree, "-B", folder, "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DCMAKE_CXX_FLAGS=-w"],
+                       check=True, stdout=subprocess.DEVNULL)
     while True:
-        done = subprocess.run(["cmake", "--build", BUILD, "--parallel", str(jobs), "--target", *targets, "--", "-k"] +
-                              (["0"] if (BUILD / "build.ninja").exists() else []), capture_output=True, text=True)
+        done = subprocess.run(["cmake", "--build", folder, "--parallel", str(jobs), "--target", *targets, "--", "-k"] +
+                              (["0"] if (folder / "build.ninja").exists() else []), capture_output=True, text=True)
         if done.returncode == 0:
             return mutants
         output = done.stdout + done.stderr
-        bad_lines = {(match[1], int(match[2])) for match in re.finditer(re.escape(str(TREE)) + r"/([\w/.]+):(\d+):", output)}
+        bad_lines = {(match[1], int(match[2]))
+                     for match in re.finditer(r"^(?:" + re.escape(str(tree)) + r"/|\.\./)([\w/.]+):(\d+):\d+: error", output, re.M)}
         refused = set()
         for number, (name, site) in mutants.items():
             text = (ROOT / name).read_text()
@@ -106,50 +121,65 @@ def build(targets, mutants, jobs):
             sys.exit("tests/mutation: the build fails without a break at fault:\n" + output[-3000:])
         print(f"{len(refused)} breaks do not compile and are left out", file=sys.stderr)
         mutants = {number: place for number, place in mutants.items() if number not in refused}
-        write_tree(mutants)
+        write_tree(tree, mutants)
 
 
-def run(program, spec, number, limit):
-    """Name of the test that fails, or None when all pass."""
-    environment = dict(os.environ, RUGOSA_MUTANT=str(number), OMP_NUM_THREADS="1")
-    try:
-        done = subprocess.run([BUILD / "tests" / program, "--abort", "-#", spec], env=environment, timeout=limit,
-                              capture_output=True, text=True, errors="replace", cwd=WORK)
-    except subprocess.TimeoutExpired:
-        return "too long"
-    if done.returncode == 0:
-        return None
-    names = re.search(r"-{79}\n(.+?)\n(?:  .*\n)*-{79}", done.stdout)
-    return names[1] if names else f"ended with {done.returncode}"
+class Test:
+    """A test case: its program, name and source file; once measured its processor time and the breaks it comes by."""
+
+    def __init__(self, program, name, file):
+        self.program, self.name, self.file, self.seconds, self.reached = program, name, file, 0.0, set()
+
+    def run(self, number, limit, reached=os.devnull):
+        """(why it fails or None, processor seconds), for one break."""
+        environment = dict(os.environ, RUGOSA_MUTANT=str(number), RUGOSA_MUTANTS_REACHED=reached, OMP_NUM_THREADS="1")
+        spec = re.sub(r"([\\,\[])", r"\\\1", self.name)
+        with tempfile.TemporaryDirectory() as folder:
+            process = subprocess.Popen(["prlimit", f"--cpu={int(limit) + 1}", f"--as={MEMORY}",
+                                        self.program, spec], env=environment, cwd=folder, start_new_session=True,
+                                       stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            stuck = threading.Timer(60 + 20 * limit, lambda: os.killpg(process.pid, signal.SIGKILL))
+            stuck.start()  # a break may also wait for ever
+            _, status, usage = os.wait4(process.pid, 0)
+            stuck.cancel()
+        code = os.waitstatus_to_exitcode(status)
+        why = None if code == 0 else "too long" if code in (-signal.SIGXCPU, -signal.SIGKILL) else f"code {code}"
+        return why, usage.ru_utime + usage.ru_stime
 
 
-def near_tests(name, program):
-    """The tests of the mirrored folder, as Catch2 names them by file, or nothing."""
+def measured(folder, program, jobs, chosen, limit):
+    """All tests of a program that take no longer than the limit, each run alone without a break."""
+    path, tests = folder / "tests" / program, []
+    for file in sorted((ROOT / "tests" / program.removeprefix("tests_")).rglob("*.cpp")):
+        listed = subprocess.run([path, "-#", "--list-test-names-only", f"[#{file.stem}]{SPEC}"], capture_output=True, text=True)
+        tests += [Test(path, name, file) for name in listed.stdout.splitlines() if name and re.search(chosen, file.stem)]
+
+    def measure(test):
+        with tempfile.NamedTemporaryFile("r") as log:
+            why, test.seconds = test.run(-1, limit, log.name)
+            test.reached = {int(line) for line in log}
+        if why:
+            print(f"without any break '{test.name}' fails ({why}); it is left out", file=sys.stderr, flush=True)
+        return None if why else test
+
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        return [test for test in pool.map(measure, tests) if test]
+
+
+def tried(number, name, tests, limit):
+    """The test that catches a break, or None, and by how many tests it was tried."""
     folder = ROOT / "tests" / pathlib.Path(name).parent
-    if program != "tests_" + name.split("/")[0]:
-        return None
-    files = sorted(folder.glob("*.cpp")) if folder.is_dir() else []
-    return ",".join(f"[#{file.stem}]~[long]~[.]" for file in files) or None
-
-
-def tried(number, name, limits):
-    for program in PROGRAMS[name.split("/")[0]]:
-        near = near_tests(name, program)
-        for spec in ([near] if near else []) + ["~[long]~[.]"]:
-            caught = run(program, spec, number, limits[program])
-            if caught:
-                return caught
-    return None
-
-
-def explained():
-    """Reasons why a break changes nothing that could be noticed, by file and change: tests/mutation/equivalent."""
-    reasons = {}
-    for line in (pathlib.Path(__file__).parent / "equivalent").read_text().splitlines():
-        if line and not line.startswith("#"):
-            name, change, reason = line.split(" | ")
-            reasons[name, change] = reason
-    return reasons
+    candidates = sorted((test for test in tests if number in test.reached),
+                        key=lambda test: (test.file.parent != folder, test.seconds))
+    spent, runs = 0.0, 0
+    for test in candidates:
+        if spent + test.seconds > limit:
+            continue
+        why, seconds = test.run(number, 5 + 5 * test.seconds)
+        spent, runs = spent + seconds, runs + 1
+        if why:
+            return f"{test.name} ({why})", runs
+    return None, runs
 
 
 def main():
@@ -157,42 +187,47 @@ def main():
     parser.add_argument("scopes", nargs="*", default=[], metavar="ga|domain|apps")
     parser.add_argument("--count", type=int, default=450, help="breaks to draw, over all scopes")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--limit", type=float, default=60, help="processor seconds of tests to spend on a break (60)")
     parser.add_argument("--out", type=pathlib.Path, default=WORK / "report.json")
+    parser.add_argument("--again", type=pathlib.Path, metavar="REPORT", help="try only what survived there, with the same draw")
+    parser.add_argument("--files", default="", metavar="REGEX", help="break only files whose name matches")
+    parser.add_argument("--tests", default="", metavar="REGEX", help="only tests of source files whose name matches")
+    parser.add_argument("--tree", type=pathlib.Path, default=WORK / "tree", help="a copy of the tree, to be broken")
+    parser.add_argument("--build", type=pathlib.Path, default=WORK / "build", help="its build")
     given = parser.parse_args()
     scopes = given.scopes or ["ga", "domain", "apps"]
     if unknown := set(scopes) - PROGRAMS.keys():
         sys.exit(f"tests/mutation: '{unknown.pop()}' given, expected ga, domain or apps")
 
-    mutants = drawn(scopes, given.count, given.seed)
-    write_tree(mutants)
+    mutants = drawn(scopes, given.count, given.seed, equivalents(), given.files)
+    write_tree(given.tree, mutants)
     targets = sorted({program for scope in scopes for program in PROGRAMS[scope]})
-    mutants = build(targets, mutants, given.jobs)
-    limits = {}
-    for program in targets:
-        start = time.monotonic()
-        if failed := run(program, "~[long]~[.]", 0, 3600):
-            sys.exit(f"tests/mutation: without any break '{failed}' fails")
-        limits[program] = 30 + 4 * given.jobs * (time.monotonic() - start)
+    mutants = build(given.tree, given.build, targets, mutants, given.jobs)
+    os.nice(max(0, 10 - os.nice(0)))
+    before = json.loads(given.again.read_text()) if given.again else []
+    survived = {(result["file"], result["change"]) for result in before if not result["caught_by"]}
+    waiting = {number: place for number, place in mutants.items() if not before or (place[0], place[1][3]) in survived}
+    tests = {program: measured(given.build, program, given.jobs, given.tests, given.limit) for program in targets}
+    for program, them in tests.items():
+        print(f"{program}: {len(them)} tests, {sum(test.seconds for test in them):.0f} s", flush=True)
 
-    results, reasons = [], explained()
+    results = [result for result in before if result["caught_by"]]
+
+    def one(number):
+        name, site = waiting[number]
+        caught, runs = tried(number, name, sum((tests[p] for p in PROGRAMS[name.split("/")[0]]), []), given.limit)
+        results.append({"file": name, "line": line_of(name, site), "change": site[3], "caught_by": caught, "tests": runs})
+        print(f"{len(results)} of {len(mutants)}: {name}:{results[-1]['line']}: {site[3][:120]}: "
+              f"{caught or f'SURVIVED {runs} tests'}", flush=True)
+        given.out.write_text(json.dumps(sorted(results, key=lambda one: (one["file"], one["line"])), indent=1))
+
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
-        waiting = {pool.submit(tried, number, name, limits): number for number, (name, _) in mutants.items()}
-        for done in concurrent.futures.as_completed(waiting):
-            number = waiting[done]
-            name, (start, _, _, change) = mutants[number]
-            line = (ROOT / name).read_text().count("\n", 0, start) + 1
-            reason = None if done.result() else reasons.get((name, change))
-            results.append({"file": name, "line": line, "change": change, "caught_by": done.result(), "equivalent": reason})
-            print(f"{len(results)} of {len(mutants)}: {name}:{line}: {change[:90]}: {done.result() or reason or 'SURVIVED'}",
-                  flush=True)
-    results.sort(key=lambda result: (result["file"], result["line"]))
-    given.out.write_text(json.dumps(results, indent=1))
+        list(pool.map(one, sorted(waiting, key=lambda number: waiting[number][0])))
     for scope in scopes:
         mine = [result for result in results if result["file"].startswith(scope + "/")]
         caught = sum(result["caught_by"] is not None for result in mine)
-        same = sum(result["equivalent"] is not None for result in mine)
-        print(f"{scope}: {caught} of {len(mine)} caught, {same} equivalent ({100 * (caught + same) / max(1, len(mine)):.1f} %)")
+        print(f"{scope}: {caught} of {len(mine)} caught ({100 * caught / max(1, len(mine)):.1f} %)")
 
 
 main()

@@ -29,7 +29,7 @@ OPERATORS = [
     (re.compile(r"\bmaxCoeff\b"), ["minCoeff"]),
     (re.compile(r"\btrue\b"), ["false"]),
     (re.compile(r"\bfalse\b"), ["true"]),
-    (re.compile(r"!(?=[\w(])"), [""]),
+    (re.compile(r"!(?=[\w(])"), ["!!"]),  # of the same type as before
     (re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:e-?\d+)?(?![\w.])"), ["number"]),
     (re.compile(r"(?<=\()-(?=[\w(])|(?<=[=,(?:] )-(?=[\w(])|^-(?=[\w(])"), [""]),
 ]
@@ -84,6 +84,11 @@ def changed(expression, mask, choose):
     return expression[:start] + other + expression[end:]
 
 
+def described(text, start, expression):
+    """The expression on one line, behind what stands before it on its own."""
+    return " ".join((text[text.rfind("\n", 0, start) + 1:start] + expression).split())
+
+
 def sites(text, choose):
     """All breaks of a file: (start, end, replacement with {id}, description)."""
     mask = masked(text)
@@ -98,13 +103,15 @@ def sites(text, choose):
         expression = text[start:end]
         if "\x01" in mask[start:end] and '"' in expression or not free(start, end) or "co_" in expression or "//" in expression:
             continue
+        if re.search(r", [\w*]+ = ", expression):  # the next of several declarations
+            continue
         other = changed(expression, mask[start:end], choose)
         if other is None:
             continue
         taken.append((start, end))
         other = other.replace("\n", " ")  # lines keep their numbers
         found.append((start, end, "(rugosa_mutant({id}) ? (" + other + ") : (" + expression + "))",
-                      " ".join(expression.split()) + "  ->  " + " ".join(other.split())))
+                      described(text, start, expression) + " -> " + " ".join(other.split())))
     for match in re.finditer(r"^([ \t]+)((?!return\b|throw\b|delete\b|using\b|const\b|auto\b|else\b|if\b)[\w:.\->\[\]]+\([^;{}]*\));$", mask, re.M):
         start, end = match.span(2)
         before = mask[:match.start()].rstrip()
