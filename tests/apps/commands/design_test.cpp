@@ -1,6 +1,7 @@
 #include "domain/design/search.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/problem/problem.hpp"
+#include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
@@ -8,6 +9,8 @@
 
 using app::testing::Ended;
 using app::testing::Folder;
+using app::testing::Outline;
+using app::testing::outline;
 using app::testing::result_in;
 using app::testing::rugosa;
 using app::testing::rugosa_stopped;
@@ -55,6 +58,10 @@ TEST_CASE("a design's similarities follow from its genome, amplitude free or by 
         CHECK(variant["trust"]["tenth_percentile"] <= variant["trust"]["median"]);
         if (setup.max_pressure) // the amplitude is in final form: full approach is at p_max
             CHECK(respond(genome, setup.model).pressure.tail(1)[0] == Approx(1.6e-4).epsilon(1e-9));
+        CHECK(outline(rough::read_whole(folder / "r/report.html")) ==
+              Outline{"# The answer", "figure goal-1", "table What can be made", "# Different answers",
+                      "figure profiles", "table ", "# How far to trust it", "table The same asked again",
+                      "table On other bodies, for comparison", "# How it was found"});
         const rough::Genome alone = rough::read_genome(folder / "r" / "genome.json");
         CHECK(rough::genes(alone) == rough::genes(genome));
     }

@@ -1,4 +1,5 @@
 #include "apps/experiments/accuracy/run.hpp"
+#include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
@@ -8,6 +9,8 @@
 
 using app::testing::Ended;
 using app::testing::Folder;
+using app::testing::Outline;
+using app::testing::outline;
 using app::testing::result_in;
 using app::testing::rugosa;
 using nlohmann::json;
@@ -47,6 +50,11 @@ TEST_CASE("the accuracy experiment charts every kind of scene, searches both way
           Approx(1 - design["similarity_refined"].get<double>()));
     for (const char* table : {"savings.csv", "searches.csv", "budget.csv"})
         CHECK(std::filesystem::exists(folder / "e" / table));
+    CHECK(outline(rough::read_whole(folder / "e" / "report.html")) ==
+          Outline{"# What accuracy costs", "figure figure-1", "figure figure-2",
+                  "table Is the error what it is said to be?",
+                  "# Searches that give up hopeless genomes on the way", "table ",
+                  "# The error budget of a designed surface", "figure figure-3", "table "});
 }
 
 TEST_CASE("an error is covered by an estimate that is no smaller, and the page counts how many are") {

@@ -1,5 +1,6 @@
 #include "apps/experiments/chart/course.hpp"
 #include "apps/experiments/chart/tables.hpp"
+#include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
@@ -181,6 +182,16 @@ TEST_CASE("the chart's page says which method to take, and its table has a row a
     CHECK_THAT(page, Catch::Contains("Fastest method for a curve of 20 steps"));
     CHECK_THAT(page, !Catch::Contains("ended early"));
     CHECK_THAT(page, Catch::Contains("<svg"));
+    CHECK(testing::outline(page) ==
+          testing::Outline{"# Which method when",
+                           "table Fastest method for a curve of 20 steps (tolerance 1e-6), and how much "
+                           "longer the next takes",
+                           "# How fine",
+                           "table Fastest setting for an error of the pressure of at most, of those with 20 "
+                           "load steps",
+                           "table Fastest setting for an error of the stiffness of at most",
+                           "# Error against time", "figure pressure", "figure stiffness", "figure contact",
+                           "figure time", "# What was left out", "# What was measured"});
 }
 
 TEST_CASE("rugosa chart ends in time, complete over its scenes, and says in one line what it left out") {

@@ -7,6 +7,8 @@
 
 using app::testing::Folder;
 using app::testing::found;
+using app::testing::Outline;
+using app::testing::outline;
 using app::testing::rugosa;
 
 namespace {
@@ -29,6 +31,13 @@ TEST_CASE("the report shows Figures 1 to 11, a verdict for every claim, and how 
     const std::string html = page_of(folder, "--set paper.sweep-points=2");
     for (int figure = 1; figure <= 11; ++figure)
         CHECK(found(html, "<figure (id=\"figure-" + std::to_string(figure) + "\")").size() == 1);
+    CHECK(outline(html) ==
+          Outline{"# The answers", "figure figure-9", "figure figure-10", "figure figure-11", "# The runs",
+                  "table Runs on the drawn target", "table Runs on the held-out target", "figure convergence", "# Every claim",
+                  "table ", "# The search", "figure figure-7", "figure figure-8", "# What it stands on",
+                  "figure figure-1", "figure figure-2", "figure figure-3", "figure figure-4",
+                  "figure figure-5", "figure figure-6", "# What rests on our reading", "table ",
+                  "# Repeat it"});
     CHECK(found(html, "(<svg )").size() >= 30);
     const auto verdicts = found(html, "class=\"badge ([a-z]*)\"");
     CHECK(verdicts.size() >= 30);

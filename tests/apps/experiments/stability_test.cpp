@@ -1,5 +1,6 @@
 #include "apps/experiments/stability/reference.hpp"
 #include "apps/prompt/model_settings.hpp"
+#include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"
 
 #include <catch2/catch.hpp>
@@ -166,7 +167,9 @@ TEST_CASE("rugosa stability writes its table and its page") {
     const std::string table = rough::read_whole(folder / "s" / "stability.csv");
     CHECK(table.rfind("scene,kernel,method,outcome,kkt_residual,iterations,seconds,message\n", 0) == 0);
     CHECK(std::count(table.begin(), table.end(), '\n') == 16);
-    CHECK_THAT(rough::read_whole(folder / "s" / "stability.html"), Catch::Contains("15 solved"));
+    const std::string page = rough::read_whole(folder / "s" / "stability.html");
+    CHECK_THAT(page, Catch::Contains("15 solved"));
+    CHECK(app::testing::outline(page) == app::testing::Outline{"table Each method over all scenes", "# Scene by scene", "table Every scene"});
     CHECK(rugosa("stability --scene spike --out s", folder.path()).code == 2);
     const auto unknown = rugosa("stability --scene spice", folder.path());
     CHECK(unknown.code == 2);
