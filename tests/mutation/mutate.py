@@ -58,7 +58,7 @@ def equivalents():
     return known
 
 
-def drawn(scopes, count, seed, known, files=""):
+def drawn(scopes, count, seed, files=""):
     """`count` breaks, from every file in proportion to its places, at least one a file while they last."""
     choose = random.Random(seed)
     by_file = {}
@@ -72,11 +72,7 @@ def drawn(scopes, count, seed, known, files=""):
         share = min(len(found), max(1, round(count * len(found) / everything)))
         chosen += [(name, site) for site in choose.sample(found, share)]
     choose.shuffle(chosen)
-    for name, site in sorted(chosen):
-        if reason := known.get((name, site[3])):
-            print(f"not tried, the program does the same: {name}: {site[3]}: {reason}")
-    return {number: (name, site) for number, (name, site) in enumerate(chosen, 1)
-            if (name, site[3]) not in known and not REMARK.search(site[3])}
+    return {number: (name, site) for number, (name, site) in enumerate(chosen, 1) if not REMARK.search(site[3])}
 
 
 def write_tree(tree, mutants):
@@ -200,10 +196,14 @@ def main():
     if unknown := set(scopes) - PROGRAMS.keys():
         sys.exit(f"tests/mutation: '{unknown.pop()}' given, expected ga, domain or apps")
 
-    mutants = drawn(scopes, given.count, given.seed, equivalents(), given.files)
+    mutants = drawn(scopes, given.count, given.seed, given.files)
     write_tree(given.tree, mutants)
     targets = sorted({program for scope in scopes for program in PROGRAMS[scope]})
     mutants = build(given.tree, given.build, targets, mutants, given.jobs)
+    known = equivalents()
+    same = [number for number, (name, site) in mutants.items() if (name, site[3]) in known]
+    for name, site in sorted(mutants.pop(number) for number in same):
+        print(f"not tried, the program does the same: {name}: {site[3]}: {known[name, site[3]]}")
     os.nice(max(0, 10 - os.nice(0)))
     before = json.loads(given.again.read_text()) if given.again else []
     survived = {(result["file"], result["change"]) for result in before if not result["caught_by"]}
@@ -212,7 +212,7 @@ def main():
     for program, them in tests.items():
         print(f"{program}: {len(them)} tests, {sum(test.seconds for test in them):.0f} s", flush=True)
 
-    results = [result for result in before if result["caught_by"]]
+    results = [result for result in before if result["caught_by"] and (result["file"], result["change"]) not in known]
 
     def one(number):
         name, site = waiting[number]

@@ -46,3 +46,20 @@ TEST_CASE("every variant's answer holds every limit, on a grid four times finer 
             }
         }
 }
+
+TEST_CASE("a design's genes keep to the bounds that were given") {
+    const Folder folder;
+    const Ended ended =
+        rugosa("design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 64 --shortest-wave 0.1 "
+               "--pictures off --pipeline 'sample 8 | score | refine lm 3 | best 1' --H-from 0.6 --H-to 0.65 "
+               "--gamma-from 1.75 --gamma-to 1.8 --lambda-from 0.5 --lambda-to 0.6 --out r",
+               folder.path());
+    INFO(ended.err << ended.out);
+    REQUIRE(ended.code != 2);
+    for (const json& series : result_in(folder / "r")["variants"]["pipeline"]["genome"]["series"])
+        for (const auto& [gene, from, to] :
+             {std::tuple("H", 0.6, 0.65), std::tuple("gamma", 1.75, 1.8), std::tuple("lambda", 0.5, 0.6)}) {
+            CHECK(series[gene].get<double>() >= from);
+            CHECK(series[gene].get<double>() <= to);
+        }
+}

@@ -163,7 +163,8 @@ TEST_CASE("however short the time, and when interrupted, the best so far is a va
     const Ended drawn_too =
         rugosa(drawn + " --nodes 128 --seconds 6 --reach-similarity 0.9 --out pictured", folder.path());
     CHECK(drawn_too.code == 0);
-    CHECK_THAT(rough::read_whole(folder / "pictured/report.html"), Catch::Contains("<svg"));
+    CHECK_THAT(rough::read_whole(folder / "pictured/report.html"),
+               Catch::Contains("<svg") && Catch::Contains("answer 1"));
     CHECK(rugosa_stopped(0.5, "stopped", drawn + " --variant esch --out stopped", folder.path()) == 130);
     CHECK(result_in(folder / "stopped")["interrupted"] == true);
     CHECK(result_in(folder / "stopped")["variants"]["esch"]["genome"]["series"].size() >= 1);

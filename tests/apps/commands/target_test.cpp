@@ -47,6 +47,7 @@ TEST_CASE("a target made of a formula, a genome or a scan is read back with its 
     CHECK(made.points() == 10);
     CHECK(made.y[9] == Approx(1.1));
     CHECK(made.upper[9] == Approx(1.122));
+    CHECK(made.lower[9] == Approx(1.078));
     CHECK(made.recorded.at("kernel") == "free");
 
     folder.write("g.json", R"({"series":[{"A":1e-3,"H":1,"gamma":1.6,"lambda":0.84942,"chromosomes":[)"

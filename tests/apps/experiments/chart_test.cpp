@@ -1,4 +1,5 @@
 #include "apps/experiments/chart/course.hpp"
+#include "apps/experiments/chart/plots.hpp"
 #include "apps/experiments/chart/tables.hpp"
 #include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"
@@ -177,6 +178,8 @@ TEST_CASE("the chart's page says which method to take, and its table has a row a
             "iterations,outcome\nhertz,free,nested,64,20,0,",
             0) == 0);
     CHECK(std::count(table.begin(), table.end(), '\n') == 5);
+    CHECK(fastest_by_grid(data).rows.size() == 1);
+    CHECK(fastest_by_error(data, error_kinds[1]).rows.size() == 1);
     const std::string page = chart_page(data);
     CHECK_THAT(page, Catch::Contains("<b>If in doubt take auto</b>"));
     CHECK_THAT(page, Catch::Contains("Fastest method for a curve of 20 steps"));

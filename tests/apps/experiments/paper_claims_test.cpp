@@ -150,6 +150,7 @@ TEST_CASE("curves are compared where both can be read") {
     const rough::Curve line{Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(1, 2, 3), 0, 3};
     const rough::Curve half{Eigen::Vector2d(0, 2), Eigen::Vector2d(0, 3), 0, 2};
     CHECK(relative_gap(line, half) == Approx(0.5));
+    CHECK(relative_gap(line, line) == 0);
     CHECK(gap(line, half) == Approx(1));
     CHECK(std::isnan(gap(line, {Eigen::Vector2d(4, 5), Eigen::Vector2d(1, 1), 4, 5})));
 }

@@ -159,6 +159,26 @@ TEST_CASE("the stability table names all its scenes") {
     CHECK(names.empty());
 }
 
+TEST_CASE("scenes of another scale, offset or spike are as high and as far off as their names say") {
+    const auto scenes = app::stability_scenes();
+    const auto heights = [&](const std::string& name) {
+        for (const auto& scene : scenes)
+            if (scene.name == name)
+                return scene.profile.heights;
+        FAIL("no scene " << name);
+        return Eigen::VectorXd();
+    };
+    const auto range = [](const Eigen::VectorXd& z) { return z.maxCoeff() - z.minCoeff(); };
+    CHECK(range(heights("heights-1e-12")) == Approx(1e-12));
+    CHECK(range(heights("heights-1e12")) == Approx(1e12));
+    CHECK(heights("offset-1e6").minCoeff() > 0.99e6);
+    Eigen::VectorXd spike = heights("spike");
+    Eigen::Index at = 0;
+    const double top = spike.maxCoeff(&at);
+    spike[at] = spike.minCoeff();
+    CHECK(top - spike.maxCoeff() == Approx(10 * range(spike)).epsilon(0.01));
+}
+
 TEST_CASE("rugosa stability writes its table and its page") {
     const Folder folder;
     const auto ended = rugosa("stability --scene spike --out s", folder.path());
@@ -168,8 +188,9 @@ TEST_CASE("rugosa stability writes its table and its page") {
     CHECK(table.rfind("scene,kernel,method,outcome,kkt_residual,iterations,seconds,message\n", 0) == 0);
     CHECK(std::count(table.begin(), table.end(), '\n') == 16);
     const std::string page = rough::read_whole(folder / "s" / "stability.html");
-    CHECK_THAT(page, Catch::Contains("15 solved"));
-    CHECK(app::testing::outline(page) == app::testing::Outline{"table Each method over all scenes", "# Scene by scene", "table Every scene"});
+    CHECK_THAT(page, Catch::Contains("15 solved") && Catch::Contains("an oracle in extended precision"));
+    CHECK(app::testing::outline(page) == app::testing::Outline{"table Each method over all scenes",
+                                                               "# Scene by scene", "table Every scene"});
     CHECK(rugosa("stability --scene spike --out s", folder.path()).code == 2);
     const auto unknown = rugosa("stability --scene spice", folder.path());
     CHECK(unknown.code == 2);

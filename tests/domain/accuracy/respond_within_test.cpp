@@ -190,6 +190,7 @@ TEST_CASE("an accuracy that is no accuracy is refused") {
     const Genome genome = smooth_scene();
     CHECK_THROWS_AS(respond_within(genome, model_on(Kernel::free, genome), 0), InputError);
     CHECK_THROWS_AS(respond_within(genome, model_on(Kernel::free, genome), 2), InputError);
+    CHECK(respond_within(genome, model_on(Kernel::free, genome), 1).account.accuracy == 1);
 }
 
 // The held-out scenes of README.md.

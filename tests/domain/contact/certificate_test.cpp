@@ -167,6 +167,8 @@ TEST_CASE("a residual is trusted up to a third of the least pressure and two thi
     CHECK(trusted() == 1); // at most
     pressure[1] = 0.3;
     CHECK(trusted() == Approx(0.1 / exact.approach));
+    pressure[0] = 0.12; // the ends count like the others
+    CHECK(trusted() == Approx(0.04 / exact.approach));
     displacement[3] = 0.2 + 0.03;
     CHECK(trusted() == Approx(0.02 / exact.approach));
     displacement[3] = 0.2 - 0.03;

@@ -189,3 +189,14 @@ TEST_CASE("the master integrals give the closed forms", "[contact]") {
              exact::quartic(3, a, half_plane));
     }
 }
+
+TEST_CASE("a wave closes under the pressure of its full contact, and bears that of its contact before",
+          "[contact]") {
+    constexpr double h = 0.02, wavelength = 0.7, E = 1.3;
+    const double full = exact::wave_full_contact(h, wavelength, E);
+    CHECK(full == Approx(pi * E * h / wavelength).epsilon(1e-14));
+    for (const double a : {0.05, 0.2, 0.35}) { // Westergaard: p = p_full sin^2(pi a/wavelength)
+        const double s = std::sin(pi * a / wavelength);
+        CHECK(exact::wave(h, wavelength, a, E).load / wavelength == Approx(full * s * s).epsilon(1e-12));
+    }
+}

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace rough;
 
 TEST_CASE("pressing to a pressure finds the displacement that gives it", "[contact]") {
@@ -28,4 +30,21 @@ TEST_CASE("a periodic profile bears no more than full contact under load control
         if (scene.body.kernel == Kernel::periodic)
             CHECK_THROWS_WITH(solve_contact_at_pressures(scene.profile, scene.body, {1e6}),
                               Catch::Contains("at most that of full contact"));
+}
+
+TEST_CASE("a solver's tolerance is between 1e-10 and 0.01, whatever is asked for and of whichever solver",
+          "[contact]") {
+    const Profile profile{Eigen::Vector4d(0, 1, 0.5, 0), 0.1};
+    for (const double tolerance : {0.0, 9e-11, 0.011, -1.0, std::nan("")}) {
+        ContactOptions options;
+        options.tolerance = tolerance;
+        CHECK_THROWS_WITH(solve_contact(profile, Body{}, {0.1}, options), Catch::Contains("tolerance"));
+        CHECK_THROWS_WITH(solve_contact_at_pressures(profile, Body{}, {0.1}, options),
+                          Catch::Contains("tolerance"));
+    }
+    for (const double tolerance : {1e-10, 0.01}) {
+        ContactOptions options;
+        options.tolerance = tolerance;
+        CHECK(solve_contact(profile, Body{}, {0.1}, options).steps[0].pressure > 0);
+    }
 }

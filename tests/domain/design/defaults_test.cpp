@@ -45,6 +45,7 @@ TEST_CASE("a design that its grid cannot show is refused by the name of the valu
     CHECK(about([](DesignSetup&) {}).empty());
     CHECK(about([](DesignSetup& s) { s.model.grid.nodes = 15; }) == "nodes");
     CHECK(about([](DesignSetup& s) { s.limits.shortest_wave = 0.9 * 2.0 / 64; }) == "shortest wave");
+    CHECK(about([](DesignSetup& s) { s.limits.shortest_wave = 2.0 / 64; }).empty()); // the grid's spacing
     CHECK(about([](DesignSetup& s) { s.limits.shortest_wave = 8.1; }) == "shortest wave");
     CHECK(about([](DesignSetup& s) { s.model.body.datum = 0.1; }) == "datum");
 }

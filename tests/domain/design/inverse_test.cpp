@@ -143,3 +143,21 @@ TEST_CASE("waves laid on a profile of just those waves give it back") {
                 CHECK(wave_length(series, chromosome.n) >= 0.03 * (1 - 1e-9));
     }
 }
+
+TEST_CASE("nodes come into contact where the target passes between their stiffnesses, on straight lines") {
+    Target target;
+    target.quantity = Quantity::stiffness;
+    target.x = Eigen::Vector2d(1, 2);
+    target.y = Eigen::Vector2d(2, 3);
+    const auto steps = advance_for(target, 4)(Eigen::Vector4d(1, 2, 3, 4));
+    // K = P + 1 passes 1.5, 2.5 and 3.5 at pressures of 0.5, 1.5 and 2.5.
+    REQUIRE(steps.size() == 4);
+    CHECK(steps[0] == Approx(0.5));
+    CHECK(steps[1] == Approx(1.0 / 2));
+    CHECK(steps[2] == Approx(1.0 / 3));
+    CHECK(steps[3] == 0);
+    target.y = Eigen::Vector2d(3, 2); // what falls is held at the highest before it
+    const auto held = advance_for(target, 4)(Eigen::Vector4d(2, 3, 3.5, 4));
+    CHECK(held[0] == 0);
+    CHECK(held[1] > 1);
+}

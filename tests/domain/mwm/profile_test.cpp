@@ -123,6 +123,7 @@ TEST_CASE("a malformed genome is refused with its place and what was expected") 
     const std::vector<std::array<std::string, 3>> cases{
         {"\"A\":1", "\"A\":0", "A is 0"},
         {"\"A\":1", "\"A\":\"x\"", "expected a number"},
+        {"\"A\":1", "\"A\":{\"b\":1}", "A is {\"b\":1}, expected a number"},
         {"\"A\":1", "\"a\":1", "unknown key \"a\""},
         {"\"A\":1,", "", "key \"A\" is missing"},
         {"1.5", "1", "gamma is 1"},

@@ -53,7 +53,11 @@ TEST_CASE("amplitudes fall with the wave number as the Hurst exponent says") {
         return slope(number, amplitude);
     };
     CHECK(slope_of(self_affine_waves(0.7, 0.05, 0.8, 1.5, 8)) == Approx(-0.8));
-    CHECK(slope_of(brownian_waves(0.7, 0.05, 0.8, 64)) == Approx(-1.3));
+    const auto brownian = brownian_waves(0.7, 0.05, 0.8, 64);
+    CHECK(slope_of(brownian) == Approx(-1.3));
+    CHECK(brownian.size() == 64);
+    CHECK(brownian.front().amplitude == -0.05);
+    CHECK(brownian.front().wave_number == Approx(2 * std::numbers::pi / 0.7));
 }
 
 TEST_CASE("a formula is sampled at the grid's nodes") {

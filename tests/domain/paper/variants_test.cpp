@@ -185,3 +185,17 @@ TEST_CASE("a genetic algorithm of one's own, written as text, improves on the da
     const auto again = run_on(coarse, mine, 5);
     CHECK(shape_key(again.population[0].genome) == shape_key(answer.population[0].genome));
 }
+
+TEST_CASE("the algorithms read as the paper prints them") {
+    const Coarse coarse;
+    CHECK(sog(coarse.words, Form::paper).text() ==
+          "score | best 3 | refine gcmma 5 genes=dominant | refine gcmma 2 genes=others | best 1");
+    const std::string parents = "score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, ";
+    CHECK(
+        gco(coarse.words, Form::paper).text() ==
+        "pair(" + parents +
+            "unite) | score | best 3 | refine gcmma 3 genes=dominant | refine gcmma 2 genes=others | best 1");
+    CHECK(cco(coarse.words, Form::paper).text() ==
+          "pair(score low | above 0.95 at_least=3 | reduce dominant, score high | above 0.95 at_least=3 | "
+          "reduce dominant, unite) | score | best 3 | refine gcmma 3 genes=phases | best 1");
+}

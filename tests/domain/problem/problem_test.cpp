@@ -1,6 +1,8 @@
+#include "domain/design/pipelines.hpp"
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/design/target_dominance.hpp"
+#include "domain/problem/drawn_start.hpp"
 #include "ga/pareto/ranking.hpp"
 #include "tests/domain/random_genome.hpp"
 
@@ -298,6 +300,44 @@ TEST_CASE("compromises are better than each other in one target or another, and 
     const auto few = compromises(setup, genomes, 2, 1);
     CHECK(few.front().similarity == front.front().similarity);
     CHECK(few.back().similarity == front.back().similarity);
+    const std::vector<Genome> ends{front.back().genome, front.front().genome};
+    CHECK(compromises(setup, ends, 100, 1).size() == 2); // in any order
     setup.limits.largest_height = 1e-9;
     CHECK(compromises(setup, genomes, 100, 1).empty());
+}
+
+TEST_CASE("each target has a word that reduces to it, counted from 1") {
+    const DesignSetup setup = drawn_with_area();
+    for (const char* word : {"reduce goal1", "reduce goal2"})
+        CHECK(design_pipeline(setup, word).text() == word);
+    CHECK_THROWS_AS(design_pipeline(setup, "reduce goal3"), std::exception);
+}
+
+TEST_CASE("a part of the target without points is met whatever the genome") {
+    DesignSetup setup = drawn_setup();
+    Target& target = setup.targets[0];
+    target.x = target.x.tail(3).eval();
+    target.y = target.y.tail(3).eval();
+    const DesignProblem problem(setup);
+    const auto outcome = problem.evaluate(shaped_start(setup, ga::Stream(3)));
+    REQUIRE(problem.objectives()[2].name == "low");
+    CHECK(problem.objectives()[2].fitness(outcome) == 1);
+    CHECK(problem.objectives()[3].fitness(outcome) == problem.objectives()[0].fitness(outcome));
+    CHECK(problem.objectives()[0].fitness(outcome) < 1);
+}
+
+TEST_CASE("a drawn start has a series of the length's own waves, and one of 0.6 to 1.6 times as long ones") {
+    const DesignSetup setup = completed(drawn_setup());
+    double least = 10, most = 0;
+    for (std::uint64_t key = 0; key < 200; ++key) {
+        const Genome genome = drawn_start(setup, ga::Stream(key));
+        REQUIRE(genome.series.size() == 2);
+        CHECK(genome.series[0].lambda == setup.model.grid.length);
+        const double times = genome.series[1].lambda / setup.model.grid.length;
+        least = std::min(least, times), most = std::max(most, times);
+    }
+    CHECK(least >= 0.6);
+    CHECK(least < 0.65);
+    CHECK(most <= 1.6);
+    CHECK(most > 1.55);
 }

@@ -159,6 +159,8 @@ TEST_CASE("points out of order are refused with their line") {
     CHECK_THAT(refusal("0 1\n1 2\n0.5 1\n2 0\n"),
                Catch::Contains("line 3") && Catch::Contains("does not grow"));
     CHECK_THAT(refusal("0.0 1\n1.0 2\n1.0 1\n2.0 0\n5.0 0\n"), Catch::Contains("line 3"));
+    CHECK_THAT(refusal("1 1\n0.25 2\n5 1\n7 0\n"),
+               Catch::Contains("line 2") && Catch::Contains("0.25 mm after 1 mm"));
 }
 
 TEST_CASE("what cannot be a line scan is refused in one line that says why") {
@@ -184,6 +186,8 @@ TEST_CASE("a layout of its own that is no profile, or ends early, is refused wit
     const std::string head = "aISO-1.0\nNumPoints = 3\nNumProfiles = 1\nXscale = 1e-6\nZscale = 1e-6\n";
     CHECK_THAT(refusal("aISO-1.0\nXscale = 1e-6\nNumProfiles = 4\n*\n1\n2\n1\n*\n"),
                Catch::Contains("line 3") && Catch::Contains("1 profile"));
+    CHECK_THAT(refusal("aISO-1.0\nNumProfiles = 1\n*\n1\n2\n1\n*\n"),
+               Catch::Contains("an Xscale before the heights"));
     CHECK_THAT(refusal(head + "*\n1\n2\n"), Catch::Contains("ends early"));
     CHECK_THAT(refusal(head + "*\n1\nx\n3\n*\n"), Catch::Contains("line 8") && Catch::Contains("'x'"));
     CHECK_THAT(refusal(head + "DataType = 5\n*\n1\n-32768\n3\n*\n"),

@@ -208,3 +208,19 @@ TEST_CASE("scored stiffness stays within its limits whatever rising secants, whi
             CHECK(most == Approx(limits.most).epsilon(1e-9));
         }
 }
+
+TEST_CASE("a load curve that bulges by a third is out of reach by the worst of its chords, to the digit") {
+    const Model model = model_on(Kernel::free, 128, 20);
+    const double unit = 0.25e-5 * stiffness_limits(model).most; // half of full contact's slope at most
+    Target target;
+    target.quantity = Quantity::load_at_displacement;
+    target.x = Eigen::Vector3d(1e-5, 2e-5, 3e-5);
+    target.y = unit * Eigen::Vector3d(1, 3, 4);
+    const auto found = out_of_reach({target}, model);
+    REQUIRE(found.size() == 1);
+    // P_2 (1 - e) = ((1 + e) P_1 + (1 + e) P_3)/2
+    CHECK(found[0].bound == Approx(1 - 0.5 / 5.5).epsilon(1e-12));
+    CHECK(found[0].at == std::vector<double>{2e-5});
+    target.y = unit * Eigen::Vector3d(1, 2.4, 4);
+    CHECK(out_of_reach({target}, model).empty());
+}

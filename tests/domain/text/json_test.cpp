@@ -18,6 +18,8 @@ TEST_CASE("JSON is read to a depth of 64 brackets, and deeper or broken text is 
     CHECK_THROWS_WITH(rough::parsed_json(nested(65), "g.json"), Catch::Contains("g.json: brackets"));
     CHECK_THROWS_AS(rough::parsed_json(std::string(1'000'000, '['), "g.json"), rough::InputError);
     CHECK(rough::parsed_json(R"(["[[\"[[", "]"])", "g.json").size() == 2); // brackets in words do not count
+    CHECK_THROWS_WITH(rough::parsed_json("[\"a\"," + nested(64) + "]", "g.json"),
+                      Catch::Contains("g.json: brackets")); // those behind a word do
     CHECK_THROWS_WITH(rough::parsed_json("{\"a\":\n", "g.json"),
                       Catch::Contains("g.json: not JSON") && !Catch::Contains("\n"));
 }
