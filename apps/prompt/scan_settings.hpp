@@ -5,7 +5,8 @@
 
 namespace app {
 
-/// The settings that say how to read a measured profile: unit, spacing, row, detrend, fill.
+/// The settings that say how to read a measured profile: unit, spacing, row, outliers, form,
+/// filters, fill.
 std::vector<Setting> scan_settings(const std::string& prefix = "");
 
 /// Opens the scan. `nodes` resamples it to that many; 0 keeps its own number.

@@ -2,35 +2,86 @@
 
 #include "domain/errors.hpp"
 
-namespace rough {
+#include <Eigen/QR>
 
-Detrend detrend_named(std::string_view name, const std::string& where) {
-    if (name == "none")
-        return Detrend::none;
-    if (name == "mean")
-        return Detrend::mean;
-    if (name == "line")
-        return Detrend::line;
-    if (name == "parabola")
-        return Detrend::parabola;
-    throw InputError(where + ": '" + std::string(name) + "', expected none, mean, line or parabola");
+#include <algorithm>
+#include <cmath>
+
+namespace rough {
+namespace {
+
+/// The circle through (0, c), there at angle theta and of curvature kappa: its height w over c holds
+/// kappa (x^2 + w^2)/2 + x sin(theta) - w cos(theta) = 0, which is a line for kappa = 0.
+double arc_height(double x, double theta, double kappa) {
+    const double part = kappa * x * x / 2 + x * std::sin(theta), cosine = std::cos(theta);
+    return 2 * part / (cosine + std::sqrt(cosine * cosine - 2 * kappa * part));
 }
 
-Eigen::VectorXd detrended(const Eigen::VectorXd& heights, Detrend form) {
-    const Index powers = static_cast<Index>(form);
-    if (powers == 0)
-        return heights;
-    // Gram-Schmidt over even nodes in [-1, 1]: powers up to 2 are far from dependent there.
-    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(heights.size(), -1, 1);
-    Eigen::VectorXd rest = heights.array() - heights.mean();
-    Eigen::VectorXd line = t.matrix();
-    if (powers >= 2 && line.squaredNorm() > 0)
-        rest -= line * (line.dot(rest) / line.squaredNorm());
-    if (powers >= 3 && heights.size() > 2) {
-        Eigen::VectorXd parabola = t.square() - t.square().mean();
-        parabola -= line * (line.dot(parabola) / line.squaredNorm());
-        if (parabola.squaredNorm() > 0)
-            rest -= parabola * (parabola.dot(rest) / parabola.squaredNorm());
+/// Gauss-Newton in c, theta and kappa, from the parabola's.
+Eigen::VectorXd without_arc(const Profile& profile) {
+    const Index nodes = profile.nodes();
+    const double half = profile.spacing * static_cast<double>(nodes - 1) / 2;
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(nodes, -half, half);
+    Eigen::Vector3d of = Eigen::Vector3d::Zero(); // c, theta, kappa
+    Eigen::MatrixXd slopes(nodes, 3);
+    Eigen::VectorXd rest = profile.heights;
+    constexpr int most_steps = 50;
+    for (int step = 0; step < most_steps; ++step) {
+        for (Index i = 0; i < nodes; ++i) {
+            const double w = arc_height(x[i], of[1], of[2]);
+            const double by_w = of[2] * w - std::cos(of[1]);
+            rest[i] = profile.heights[i] - of[0] - w;
+            slopes.row(i) << 1, -(w * std::sin(of[1]) + x[i] * std::cos(of[1])) / by_w,
+                -(x[i] * x[i] + w * w) / 2 / by_w;
+        }
+        if (!rest.allFinite())
+            refuse("detrend: no arc of a circle fits the heights, expected parabola or another form");
+        const Eigen::Vector3d scale(1, half, half * half);
+        const Eigen::Vector3d change =
+            (slopes * scale.cwiseInverse().asDiagonal()).colPivHouseholderQr().solve(rest);
+        of += change.cwiseQuotient(scale);
+        if (change.cwiseAbs().maxCoeff() <= 1e-14 * (of.cwiseProduct(scale)).cwiseAbs().maxCoeff())
+            break;
+    }
+    return rest;
+}
+
+} // namespace
+
+const std::vector<std::string>& detrend_names() {
+    static const std::vector<std::string> names{"none",  "mean",    "line", "parabola",
+                                                "cubic", "quartic", "arc"};
+    return names;
+}
+
+const std::string& name_of(Detrend form) { return detrend_names()[static_cast<std::size_t>(form)]; }
+
+Detrend detrend_named(std::string_view name, const std::string& where) {
+    const auto& names = detrend_names();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        refuse(where, ": '", name, "', expected none, mean, line, parabola, cubic, quartic or arc");
+    return static_cast<Detrend>(found - names.begin());
+}
+
+Eigen::VectorXd detrended(const Profile& profile, Detrend form) {
+    if (form == Detrend::none)
+        return profile.heights;
+    if (form == Detrend::arc)
+        return without_arc(profile);
+    // Gram-Schmidt over even nodes in [-1, 1]: low powers are far from dependent there.
+    const Index nodes = profile.nodes();
+    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(nodes, -1, 1);
+    Eigen::VectorXd rest = profile.heights.array() - profile.heights.mean();
+    std::vector<Eigen::VectorXd> basis{Eigen::VectorXd::Ones(nodes)};
+    for (Index power = 1; power < static_cast<Index>(form) && power < nodes; ++power) {
+        Eigen::VectorXd next = basis.back().array() * t;
+        for (const Eigen::VectorXd& one : basis)
+            next -= one * (one.dot(next) / one.squaredNorm());
+        if (!(next.squaredNorm() > 0))
+            break;
+        rest -= next * (next.dot(rest) / next.squaredNorm());
+        basis.push_back(std::move(next));
     }
     return rest;
 }

@@ -4,16 +4,22 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rough {
 
-/// What is taken off a measured profile's heights, by least squares over its even nodes.
-enum class Detrend { none, mean, line, parabola };
+/// What is taken off a measured profile's heights as its form, by least squares of the ordinates over its
+/// even nodes: polynomials of degree 0 to 4, or the arc of a circle.
+enum class Detrend { none, mean, line, parabola, cubic, quartic, arc };
 
-/// "none", "mean", "line" or "parabola"; anything else throws InputError naming `where`.
+/// The words for them, in their order.
+const std::vector<std::string>& detrend_names();
+/// The word for one.
+const std::string& name_of(Detrend form);
+/// One of detrend_names(); anything else throws InputError naming `where`.
 Detrend detrend_named(std::string_view name, const std::string& where);
 
-/// Heights (even nodes) less their least-squares mean, line or parabola; unchanged for Detrend::none.
-Eigen::VectorXd detrended(const Eigen::VectorXd& heights, Detrend form);
+/// Heights less their form; unchanged for Detrend::none. Throws InputError where no arc fits.
+Eigen::VectorXd detrended(const Profile& profile, Detrend form);
 
 } // namespace rough

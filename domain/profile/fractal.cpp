@@ -42,7 +42,8 @@ Profile fractal_profile(const Grid& grid, double hurst, double rms, std::uint64_
     }
     transform.backward();
     const Eigen::VectorXd heights =
-        detrended(Eigen::Map<const Eigen::VectorXd>(transform.real.data(), grid.nodes), Detrend::line);
+        detrended({Eigen::Map<const Eigen::VectorXd>(transform.real.data(), grid.nodes), grid.spacing()},
+                  Detrend::line);
     const double scale = rms / std::sqrt(heights.squaredNorm() / static_cast<double>(grid.nodes));
     return {scale * heights, grid.spacing()};
 }

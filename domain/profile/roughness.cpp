@@ -2,23 +2,31 @@
 
 #include "domain/errors.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 namespace rough {
 namespace {
 
-constexpr Index sections = 5; // ISO 21920-3, default number of section lengths
+constexpr Index fewest_nodes = 10;
 
-double mean_maximum_height(const Eigen::VectorXd& heights) {
-    double sum = 0;
-    for (Index s = 0; s < sections; ++s) {
-        const Index from = heights.size() * s / sections, to = heights.size() * (s + 1) / sections;
-        const auto section = heights.segment(from, to - from);
-        sum += section.maxCoeff() - section.minCoeff();
-    }
-    return sum / sections;
+/// The nodes of the evaluation length, about their mean line, and its sections.
+Profile evaluated(const Profile& profile, double section_length, Roughness& r) {
+    const double length = profile.spacing * static_cast<double>(profile.nodes() - 1);
+    r.section_length = section_length > 0 ? section_length : length;
+    const double sections = std::floor(length / r.section_length * (1 + 1e-9));
+    if (!(sections >= 1))
+        refuse("roughness: a profile of ", length, " mm, expected one section length of ", section_length,
+               " mm at least");
+    if (!(2 * sections <= static_cast<double>(profile.nodes())))
+        refuse("roughness: sections of ", section_length, " mm, expected two nodes or more in each");
+    r.sections = static_cast<Index>(sections);
+    const Index nodes =
+        std::min<Index>(profile.nodes(), std::lround(sections * r.section_length / profile.spacing) + 1);
+    Profile part{profile.heights.segment((profile.nodes() - nodes) / 2, nodes), profile.spacing};
+    part.heights.array() -= part.heights.mean();
+    return part;
 }
 
 /// Root mean square of a seven-point formula: weights of z_{i-3} .. z_{i+3} over the inner nodes.
@@ -35,13 +43,15 @@ double mean_square(const Eigen::VectorXd& heights, const std::array<double, 7>& 
 
 } // namespace
 
-Roughness roughness(const Profile& profile) {
-    if (profile.nodes() < 2 * sections)
-        throw InputError("roughness: a profile of " + std::to_string(profile.nodes()) +
-                         " nodes, expected at least " + std::to_string(2 * sections));
-    const Eigen::VectorXd heights = profile.heights.array() - profile.heights.mean();
-    const Eigen::ArrayXd z = heights.array();
+Roughness roughness(const Profile& profile, double section_length) {
+    if (profile.nodes() < fewest_nodes)
+        refuse("roughness: a profile of ", profile.nodes(), " nodes, expected at least ", fewest_nodes);
     Roughness r;
+    const Profile part = evaluated(profile, section_length, r);
+    if (part.nodes() < fewest_nodes)
+        refuse("roughness: ", part.nodes(), " nodes in whole sections, expected at least ", fewest_nodes);
+    const Eigen::VectorXd& heights = part.heights;
+    const Eigen::ArrayXd z = heights.array();
     r.Ra = z.abs().mean();
     r.m0 = z.square().mean();
     r.Rq = std::sqrt(r.m0);
@@ -49,8 +59,16 @@ Roughness roughness(const Profile& profile) {
         throw InputError("roughness: the profile is constant, expected a rough one");
     r.Rsk = z.cube().mean() / (r.Rq * r.m0);
     r.Rku = z.square().square().mean() / (r.m0 * r.m0);
-    r.Rz = mean_maximum_height(heights);
+    for (Index s = 0; s < r.sections; ++s) {
+        const Index from = heights.size() * s / r.sections, to = heights.size() * (s + 1) / r.sections;
+        r.Rp += heights.segment(from, to - from).maxCoeff() / static_cast<double>(r.sections);
+        r.Rv -= heights.segment(from, to - from).minCoeff() / static_cast<double>(r.sections);
+    }
+    r.Rz = r.Rp + r.Rv;
     r.Rt = z.maxCoeff() - z.minCoeff();
+    r.Rmr = material_ratio(part, 0);
+    r.elements = profile_elements(part);
+    r.core = core_heights(heights);
     const double step = profile.spacing;
     r.m2 = mean_square(heights, {-1, 9, -45, 0, 45, -9, 1}, 60 * step); // ISO 21920-2, local gradient
     r.m4 = mean_square(heights, {2, -27, 270, -490, 270, -27, 2}, 180 * step * step);

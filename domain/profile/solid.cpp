@@ -1,55 +1,19 @@
 #include "domain/profile/solid.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/text/bytes.hpp"
+#include "domain/text/zip.hpp"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <bit>
+#include <charconv>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 
 namespace rough {
 namespace {
 
 using Vertex = Eigen::Vector3f;
-
-/// Facets as STL's records of normal, three vertices and an empty attribute.
-class Facets {
-  public:
-    void add(const Vertex& a, const Vertex& b, const Vertex& c) {
-        const Eigen::Vector3d u = (b - a).cast<double>(), v = (c - a).cast<double>();
-        append(u.cross(v).normalized().cast<float>());
-        append(a), append(b), append(c);
-        bytes_.append(2, '\0');
-        ++count_;
-    }
-    /// Corners in the order that turns left seen from outside.
-    void add(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) {
-        add(a, b, c);
-        add(a, c, d);
-    }
-    std::string file() const {
-        std::string header = "rugosa: extruded profile, lengths in mm";
-        header.resize(80, ' ');
-        append(header, count_);
-        return header + bytes_;
-    }
-
-  private:
-    void append(const Vertex& vertex) {
-        for (int i = 0; i < 3; ++i)
-            append(bytes_, std::bit_cast<std::uint32_t>(vertex[i]));
-    }
-    static void append(std::string& bytes, std::uint32_t word) {
-        for (int shift = 0; shift < 32; shift += 8)
-            bytes += static_cast<char>(word >> shift & 0xFF); // STL is little endian
-    }
-
-    std::string bytes_;
-    std::uint32_t count_ = 0;
-};
 
 void expect_positive(double value, const char* what) {
     if (!(value > 0) || !std::isfinite(value))
@@ -67,7 +31,7 @@ constexpr double fewest_levels = 256, levels = 16777216;
 
 } // namespace
 
-std::string binary_stl(const Profile& profile, const Extrusion& extrusion) {
+Mesh extruded(const Profile& profile, const Extrusion& extrusion) {
     const Index nodes = profile.nodes();
     const double lowest = profile.heights.minCoeff(), range = profile.heights.maxCoeff() - lowest;
     const double length = profile.spacing * static_cast<double>(nodes - 1);
@@ -87,34 +51,91 @@ std::string binary_stl(const Profile& profile, const Extrusion& extrusion) {
         refuse("solid: base ", base, " mm, expected at most ", thickest,
                " mm: beside a thicker one single precision loses the heights, ", range, " mm");
 
-    Facets facets;
-    const auto vertex = [&](Index i, bool back, bool top) {
-        const double height = base + profile.heights[i] - lowest;
-        return Vertex(static_cast<float>(m * profile.spacing * static_cast<double>(i)),
-                      static_cast<float>(back ? m * width : 0), static_cast<float>(top ? m * height : 0));
+    Mesh mesh;
+    mesh.vertices.reserve(static_cast<std::size_t>(4 * nodes));
+    mesh.facets.reserve(static_cast<std::size_t>(8 * (nodes - 1) + 4));
+    using Corner = std::uint32_t;
+    const auto face = [&](Corner a, Corner b, Corner c, Corner d) {
+        mesh.facets.push_back({a, b, c});
+        mesh.facets.push_back({a, c, d});
     };
-    struct Section {
-        Vertex front_low, front_top, back_low, back_top;
-    };
-    const auto section = [&](Index i) {
-        return Section{vertex(i, false, false), vertex(i, false, true), vertex(i, true, false),
-                       vertex(i, true, true)};
-    };
-    Section left = section(0);
-    facets.add(left.front_low, left.front_top, left.back_top, left.back_low);
-    for (Index i = 1; i < nodes; ++i) {
-        const Section right = section(i);
-        if (!(right.front_low.x() > left.front_low.x()))
+    // Of every node: front low, front top, back low, back top.
+    for (Index i = 0; i < nodes; ++i) {
+        const auto x = static_cast<float>(m * profile.spacing * static_cast<double>(i));
+        const auto top = static_cast<float>(m * (base + profile.heights[i] - lowest));
+        const auto back = static_cast<float>(m * width);
+        if (i > 0 && !(x > mesh.vertices.back().x()))
             throw InputError("solid: " + std::to_string(nodes) +
                              " nodes, more than single precision tells apart");
-        facets.add(left.front_low, right.front_low, right.front_top, left.front_top);
-        facets.add(right.back_low, left.back_low, left.back_top, right.back_top);
-        facets.add(left.front_top, right.front_top, right.back_top, left.back_top);
-        facets.add(left.back_low, right.back_low, right.front_low, left.front_low);
-        left = right;
+        for (const Vertex& vertex :
+             {Vertex(x, 0, 0), Vertex(x, 0, top), Vertex(x, back, 0), Vertex(x, back, top)})
+            mesh.vertices.push_back(vertex);
+        const auto right = static_cast<Corner>(4 * i), left = right - 4;
+        if (i == 0) {
+            face(0, 1, 3, 2);
+            continue;
+        }
+        face(left, right, right + 1, left + 1);
+        face(right + 2, left + 2, left + 3, right + 3);
+        face(left + 1, right + 1, right + 3, left + 3);
+        face(left + 2, right + 2, right, left);
     }
-    facets.add(left.front_low, left.back_low, left.back_top, left.front_top);
-    return facets.file();
+    const auto last = static_cast<Corner>(4 * (nodes - 1));
+    face(last, last + 2, last + 3, last + 1);
+    return mesh;
+}
+
+std::string binary_stl(const Profile& profile, const Extrusion& extrusion) {
+    const Mesh mesh = extruded(profile, extrusion);
+    std::string bytes = "rugosa: extruded profile, lengths in mm";
+    bytes.resize(80, ' ');
+    append_little_endian(bytes, static_cast<std::uint32_t>(mesh.facets.size()));
+    const auto append = [&](const Vertex& vertex) {
+        for (int i = 0; i < 3; ++i)
+            append_little_endian(bytes, vertex[i]);
+    };
+    for (const auto& [a, b, c] : mesh.facets) { // its normal, three corners, an empty attribute
+        const auto corner = [&](std::uint32_t i) { return mesh.vertices[i]; };
+        const Eigen::Vector3d u = (corner(b) - corner(a)).cast<double>(),
+                              v = (corner(c) - corner(a)).cast<double>();
+        append(u.cross(v).normalized().cast<float>());
+        append(corner(a)), append(corner(b)), append(corner(c));
+        bytes.append(2, '\0');
+    }
+    return bytes;
+}
+
+std::string three_mf(const Profile& profile, const Extrusion& extrusion) {
+    const Mesh mesh = extruded(profile, extrusion);
+    const auto number = [](auto value) {
+        char text[32];
+        return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+    };
+    const std::string head = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+    std::string model =
+        head +
+        "<model unit=\"millimeter\" xml:lang=\"en-US\" "
+        "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+        "<resources><object id=\"1\" type=\"model\" name=\"rugosa: extruded profile\"><mesh>\n<vertices>\n";
+    for (const Vertex& vertex : mesh.vertices)
+        model += "<vertex x=\"" + number(vertex.x()) + "\" y=\"" + number(vertex.y()) + "\" z=\"" +
+                 number(vertex.z()) + "\"/>\n";
+    model += "</vertices>\n<triangles>\n";
+    for (const auto& [a, b, c] : mesh.facets)
+        model += "<triangle v1=\"" + number(a) + "\" v2=\"" + number(b) + "\" v3=\"" + number(c) + "\"/>\n";
+    model += "</triangles>\n</mesh></object></resources>\n<build><item objectid=\"1\"/></build>\n</model>\n";
+    return zipped(
+        {{"[Content_Types].xml",
+          head + "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"
+                 "<Default Extension=\"rels\" "
+                 "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
+                 "<Default Extension=\"model\" "
+                 "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n"},
+         {"_rels/.rels",
+          head + "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
+                 "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
+                 "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n"},
+         {"3D/3dmodel.model", model}});
 }
 
 } // namespace rough

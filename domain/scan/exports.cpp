@@ -71,7 +71,7 @@ std::string_view after(std::string_view text, char mark) {
 }
 
 /// Numbers until a line that begins with `end`.
-void read_heights(NamedProfile& profile, Reader& in, std::string_view end) {
+void read_heights(HeightMap& profile, Reader& in, std::string_view end) {
     for (; !in.done() && !(in.starts(end) && !end.empty()); in.next())
         for (const std::string_view word : in.words()) {
             const auto height = number(word, Dialect{});
@@ -84,9 +84,10 @@ void read_heights(NamedProfile& profile, Reader& in, std::string_view end) {
         in.refuse(end == "\x03" ? "an end of record (ETX)" : "'" + std::string(end) + "' after the heights");
 }
 
-/// ISO 25178-71: "Xscale = 5E-07" in metres, the heights between two lines of '*', a trailer behind.
-NamedProfile surface_data_file(Reader in) {
-    NamedProfile profile{"ISO 25178-71 (SDF)", 0, {"m", 1e3}, 1, {}, {}, -1};
+/// ISO 25178-71, ASCII: "Xscale = 5E-07" in metres, the heights between two lines of '*', a trailer behind.
+HeightMap surface_data_file(Reader in, const std::string& file) {
+    HeightMap profile{"ISO 25178-71 (SDF)"};
+    profile.height_unit = {"m", 1e3};
     double missing = std::nan("");
     for (in.next(); !in.starts("*"); in.next()) {
         if (in.done())
@@ -99,19 +100,23 @@ NamedProfile surface_data_file(Reader in) {
             profile.height_factor = in.positive(value, "a factor");
         else if (key == "numpoints")
             profile.announced = in.count(value);
-        else if (key == "numprofiles" && in.count(value) != 1)
-            in.refuse("a line scan of 1 profile");
-        else if (key == "datatype") // 16 and 32 bit integers keep one value for "not measured"
-            for (const auto& [type, mark] : {std::pair("1", 65535.), std::pair("2", 4294967295.),
-                                             std::pair("5", -32768.), std::pair("6", -2147483648.)})
-                if (value == type)
-                    missing = mark;
+        else if (key == "yscale" && value != "0" && value != "0.0")
+            profile.row_spacing = in.positive(value, "a spacing") * 1e3;
+        else if (key == "numprofiles")
+            profile.rows = in.count(value);
+        else if (key == "datatype" && value.size() == 1)
+            missing = missing_mark(value[0] - '0');
     }
     if (!(profile.spacing > 0))
         in.refuse("an Xscale before the heights");
     in.next();
     read_heights(profile, in, "*");
     std::replace(profile.heights.begin(), profile.heights.end(), missing, std::nan(""));
+    if (profile.rows > 1 &&
+        static_cast<Index>(profile.heights.size()) != profile.rows * std::max<Index>(profile.announced, 1))
+        throw InputError(file + ": " + std::to_string(profile.heights.size()) +
+                         " heights, expected NumProfiles times NumPoints");
+    profile.announced = profile.rows > 1 ? -1 : profile.announced;
     return profile;
 }
 
@@ -132,7 +137,7 @@ Axis axis(const Reader& in, std::string_view name) {
 }
 
 /// ISO 5436-2: four records that each end with ETX: what it is and its axes, notes, the heights, a check sum.
-NamedProfile softgauge(Reader in) {
+HeightMap softgauge(Reader in) {
     in.next();
     if (!in.starts("PRF"))
         in.refuse("a profile (PRF)");
@@ -140,7 +145,7 @@ NamedProfile softgauge(Reader in) {
     const Axis x = axis(in, "CX");
     if (x.words[1] != "I" || x.words.size() < 7)
         in.refuse("an incremental axis CX (I) with its spacing");
-    NamedProfile profile{"ISO 5436-2 (SMD)", 0, {}, 1, {}, {}, -1};
+    HeightMap profile{"ISO 5436-2 (SMD)"};
     profile.spacing = in.positive(x.words[6], "a spacing") * x.factor * x.unit.in_mm;
     in.next();
     const Axis z = axis(in, "CZ");
@@ -158,10 +163,10 @@ NamedProfile softgauge(Reader in) {
 }
 
 /// Talysurf's PRF: axes, EOR, "SPACING CX 2.5e-4" in the unit of CX and other notes, EOR, heights, EOR.
-NamedProfile talysurf(Reader in) {
+HeightMap talysurf(Reader in) {
     in.next(), in.next();
     const Axis x = axis(in, "CX");
-    NamedProfile profile{"Talysurf PRF", 0, {}, 1, {}, {}, -1};
+    HeightMap profile{"Talysurf PRF"};
     const double x_unit = x.factor * x.unit.in_mm;
     in.next();
     const Axis z = axis(in, "CZ");
@@ -192,7 +197,7 @@ bool ptb_axis(std::string_view text) {
            (line.find("x-aufl") != line.npos && line.find("punkte/zeile") != line.npos);
 }
 
-NamedProfile ptb(Reader in) {
+HeightMap ptb(Reader in) {
     in.next();
     const auto words = in.words();
     const auto name = std::find_if(words.begin(), words.end(), [](auto word) {
@@ -201,7 +206,8 @@ NamedProfile ptb(Reader in) {
     });
     if (words.end() - name < 2)
         in.refuse("a resolution");
-    NamedProfile profile{"PTB's PR", 0, {"µm", 1e-3}, 1, {}, {}, -1};
+    HeightMap profile{"PTB's PR"};
+    profile.height_unit = {"µm", 1e-3};
     profile.spacing = 1 / in.positive(name[1], "a resolution");
     profile.announced = in.count(words.back());
     in.next();
@@ -210,8 +216,9 @@ NamedProfile ptb(Reader in) {
 }
 
 /// SigmaSurf: "SPACING_UM: 0.25", other keys, "PROFILE_UM:", heights.
-NamedProfile sigma_surf(Reader in) {
-    NamedProfile profile{"SigmaSurf", 0, {"µm", 1e-3}, 1, {}, {}, -1};
+HeightMap sigma_surf(Reader in) {
+    HeightMap profile{"SigmaSurf"};
+    profile.height_unit = {"µm", 1e-3};
     for (in.next(); !in.starts("PROFILE_UM"); in.next()) {
         if (in.done())
             in.refuse("PROFILE_UM before the heights");
@@ -229,7 +236,7 @@ NamedProfile sigma_surf(Reader in) {
 
 } // namespace
 
-std::optional<NamedProfile> named_profile(const std::vector<std::string>& lines, const std::string& file) {
+std::optional<HeightMap> named_map(const std::vector<std::string>& lines, const std::string& file) {
     const Reader in(lines, file);
     if (in.done())
         return std::nullopt;
@@ -240,7 +247,7 @@ std::optional<NamedProfile> named_profile(const std::vector<std::string>& lines,
     const auto is_x_scale = [](const std::string& line) { return lower(trim(line)).starts_with("xscale"); };
     const std::size_t head = std::min<std::size_t>(lines.size(), 30);
     if (in.starts("a") && std::any_of(lines.begin(), lines.begin() + static_cast<long>(head), is_x_scale))
-        return surface_data_file(in);
+        return surface_data_file(in, file);
     Reader second = in;
     second.next();
     if (!second.done() && ptb_axis(second.text()))

@@ -1,5 +1,7 @@
 #include "domain/errors.hpp"
 #include "domain/profile/detrend.hpp"
+#include "domain/profile/filter.hpp"
+#include "domain/profile/outliers.hpp"
 #include "domain/scan/even.hpp"
 #include "domain/scan/exports.hpp"
 #include "domain/scan/header.hpp"
@@ -100,6 +102,16 @@ struct Units {
     LengthUnit x, height;
 };
 
+/// The unit or the two that were given; nothing where none was.
+std::optional<Units> given_units(const ScanOptions& options) {
+    if (options.unit.empty())
+        return std::nullopt;
+    const std::size_t comma = options.unit.find(',');
+    const LengthUnit x = length_unit_named(options.unit.substr(0, comma), "unit");
+    return Units{x,
+                 comma == std::string::npos ? x : length_unit_named(options.unit.substr(comma + 1), "unit")};
+}
+
 void agree(const LengthUnit& named, const LengthUnit& given, const char* what, const std::string& file) {
     if (named.in_mm != given.in_mm)
         throw InputError(file + ": its header gives " + what + " in " + named.name +
@@ -115,12 +127,11 @@ Units units_of(const Header& header, const Layout& layout, const ScanOptions& op
     };
     const bool has_x = layout.x != no_column;
     const auto x = named(layout.x, header.x_unit), height = named(layout.height, header.height_unit);
-    std::optional<LengthUnit> given;
-    if (!options.unit.empty())
-        given = length_unit_named(options.unit, "unit");
+    const std::optional<Units> given = given_units(options);
     if (given && height && (!has_x || x)) {
-        agree(has_x ? *x : *height, *given, "x", file);
-        agree(*height, *given, "heights", file);
+        if (has_x)
+            agree(*x, given->x, "x", file);
+        agree(*height, given->height, "heights", file);
     }
     const auto expect_known = [&](std::size_t column, bool is_known) {
         if (!given && !is_known && column < header.unknown_units.size() &&
@@ -131,9 +142,9 @@ Units units_of(const Header& header, const Layout& layout, const ScanOptions& op
     };
     expect_known(layout.x, x.has_value());
     expect_known(layout.height, height.has_value());
-    const LengthUnit rest = given.value_or(LengthUnit{"mm", 1});
+    const Units rest = given.value_or(Units{{"mm", 1}, {"mm", 1}});
     const std::string source = given ? " (given)" : " (assumed)";
-    const Units units{x.value_or(rest), height.value_or(rest)};
+    const Units units{x.value_or(rest.x), height.value_or(rest.height)};
     std::string said = has_x ? "x in " + units.x.name + (x ? "" : source) + ", " : "";
     said += "heights in " + units.height.name + (height ? "" : source);
     account.say(said);
@@ -142,7 +153,8 @@ Units units_of(const Header& header, const Layout& layout, const ScanOptions& op
 
 /// mm; 0: none
 double spacing_given(const ScanOptions& options) {
-    return options.spacing * (options.unit.empty() ? 1 : length_unit_named(options.unit, "unit").in_mm);
+    const auto units = given_units(options);
+    return options.spacing * (units ? units->x.in_mm : 1);
 }
 
 void agree(double from_header, double given, const std::string& file) {
@@ -191,23 +203,31 @@ void say_announced(long announced, std::size_t found, Account& account) {
         account.say("the file announces " + std::to_string(announced) + " points");
 }
 
-Points points_of(const NamedProfile& profile, const ScanOptions& options, const std::string& file,
+/// The row of a map that is asked for, or its only one.
+Points points_of(const HeightMap& map, const ScanOptions& options, const std::string& file,
                  Account& account) {
-    if (!options.unit.empty())
-        agree(profile.height_unit, length_unit_named(options.unit, "unit"), "heights", file);
-    agree(profile.spacing, spacing_given(options), file);
-    if (options.row > 0)
-        throw InputError(file + ": a row given, expected none: " + profile.format + " holds one profile",
+    if (const auto units = given_units(options))
+        agree(map.height_unit, units->height, "heights", file);
+    agree(map.spacing, spacing_given(options), file);
+    const std::string size =
+        std::to_string(map.rows) + " rows of " + std::to_string(map.columns()) + " heights";
+    if (map.rows == 1 && options.row > 0)
+        throw InputError(file + ": a row given, expected none: " + map.format + " holds one profile", "row");
+    if (map.rows > 1 && (options.row < 1 || options.row > map.rows))
+        throw InputError(file + ": an areal map of " + size + ", expected the row to take, 1 to " +
+                             std::to_string(map.rows),
                          "row");
-    account.say(profile.format + ", heights in " + profile.height_unit.name);
+    account.say(map.format + ", heights in " + map.height_unit.name +
+                (map.rows > 1 ? "; row " + std::to_string(options.row) + " of " + size : ""));
+    const std::size_t first = static_cast<std::size_t>(map.columns() * std::max<Index>(options.row - 1, 0));
     Points points;
-    points.line = profile.line;
-    points.last_digit.assign(profile.heights.size(), 0);
-    for (std::size_t i = 0; i < profile.heights.size(); ++i) {
-        points.x.push_back(static_cast<double>(i) * profile.spacing);
-        points.heights.push_back(profile.heights[i] * profile.height_factor * profile.height_unit.in_mm);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(map.columns()); ++i) {
+        points.x.push_back(static_cast<double>(i) * map.spacing);
+        points.heights.push_back(map.heights[first + i] * map.height_factor * map.height_unit.in_mm);
+        points.line.push_back(map.line.empty() ? 0 : map.line[first + i]);
     }
-    say_announced(profile.announced, points.size(), account);
+    points.last_digit.assign(points.size(), 0);
+    say_announced(map.announced, points.size(), account);
     return points;
 }
 
@@ -278,23 +298,47 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
     return resampled(x, points.heights, count);
 }
 
-const char* what_was_removed(Detrend form) {
-    switch (form) {
-    case Detrend::none:
-        return "nothing removed";
-    case Detrend::mean:
-        return "mean removed";
-    case Detrend::line:
-        return "line removed";
-    case Detrend::parabola:
-        return "parabola removed";
+std::string what_was_removed(Detrend form) {
+    return form == Detrend::none ? "nothing removed" : std::string(name_of(form)) + " removed";
+}
+
+/// Finds what stands out, says so, and takes it away where asked to.
+Profile without_outliers(Profile profile, bool remove, Account& account) {
+    const std::vector<Index> found = outliers(profile.heights);
+    if (found.empty())
+        return profile;
+    account.say(std::to_string(found.size()) + (found.size() == 1 ? " outlier" : " outliers") +
+                " (at x = " + short_number(profile.spacing * static_cast<double>(found.front())) +
+                (found.size() == 1 ? " mm" : " mm and on") + ") " + (remove ? "replaced linearly" : "kept"));
+    if (remove)
+        profile.heights = interpolated(profile.heights, found);
+    return profile;
+}
+
+Profile filtered(Profile profile, const ScanOptions& options, Account& account) {
+    if (options.lambda_s > 0) {
+        profile.heights = low_passed(profile, options.lambda_s);
+        account.say("waves under lambda_s = " + short_number(options.lambda_s) + " mm taken off");
     }
-    return "";
+    if (options.lambda_c > 0) {
+        profile.heights -= low_passed(profile, options.lambda_c);
+        account.say("waves over lambda_c = " + short_number(options.lambda_c) + " mm taken off");
+    }
+    return profile;
 }
 
 void check(const ScanOptions& options) {
     if (!(options.spacing >= 0) || !std::isfinite(options.spacing))
         throw InputError("spacing: " + short_number(options.spacing) + ", expected a length above 0");
+    for (const auto& [cut_off, name] :
+         {std::pair(options.lambda_s, "lambda-s"), std::pair(options.lambda_c, "lambda-c")})
+        if (!(cut_off >= 0) || !std::isfinite(cut_off))
+            throw InputError(std::string(name) + ": " + short_number(cut_off) + ", expected a length above 0",
+                             name);
+    if (options.lambda_c > 0 && options.lambda_s >= options.lambda_c)
+        throw InputError("lambda-s: " + short_number(options.lambda_s) +
+                             " mm, expected less than lambda-c, " + short_number(options.lambda_c) + " mm",
+                         "lambda-s");
     if (options.row < 0)
         throw InputError("row: " + std::to_string(options.row) + ", expected 1 or more");
     if (options.nodes != 0 && (options.nodes < 2 || options.nodes > 10'000'000))
@@ -306,28 +350,37 @@ void check(const ScanOptions& options) {
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
     check(options);
     const std::string file = path.string();
-    const auto lines = text_lines(
-        read_whole(path, most_bytes, [&](std::string_view head) { expect_text(head, file); }), file);
+    const std::string bytes = read_whole(path, most_bytes, [&](std::string_view head) {
+        if (!is_binary_map(head))
+            expect_text(head, file);
+    });
     Account account;
-    const auto named = named_profile(lines, file);
-    Points points =
-        named ? points_of(*named, options, file, account) : points_of(lines, options, file, account);
+    Points points;
+    if (const auto map = binary_map(bytes, file)) {
+        points = points_of(*map, options, file, account);
+    } else {
+        const auto lines = text_lines(bytes, file);
+        const auto named = named_map(lines, file);
+        points = named ? points_of(*named, options, file, account) : points_of(lines, options, file, account);
+    }
     const std::size_t read = points.size();
     points = in_order(std::move(points), options.fill, file, account);
 
     Profile profile = evenly_spaced(points, options.nodes, file, account);
     const double size = profile.heights.cwiseAbs().maxCoeff();
-    profile.heights = detrended(profile.heights, options.detrend);
+    const double length = profile.spacing * static_cast<double>(profile.nodes() - 1);
+    if (!std::isfinite(size * size) || !std::isfinite(length))
+        throw InputError(file + ": heights up to " + short_number(size) + " mm over " + short_number(length) +
+                         " mm, expected lengths whose squares fit double precision");
+    profile = without_outliers(std::move(profile), options.remove_outliers, account);
+    profile.heights = detrended(profile, options.detrend);
     account.say(what_was_removed(options.detrend));
+    profile = filtered(std::move(profile), options, account);
     const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
     if (!(range > 1e-12 * size))
         throw InputError(file + ": the heights are constant (" + what_was_removed(options.detrend) +
                          "), expected a rough profile");
     const double rms = std::sqrt((profile.heights.array() - profile.heights.mean()).square().mean());
-    const double length = profile.spacing * static_cast<double>(profile.nodes() - 1);
-    if (!std::isfinite(rms) || !std::isfinite(length))
-        throw InputError(file + ": heights up to " + short_number(size) + " mm over " + short_number(length) +
-                         " mm, expected lengths whose squares fit double precision");
     return {std::move(profile), file + ": " + points_text(read) + ", length " + short_number(length) +
                                     " mm, height range " + short_number(range) + " mm, rms " +
                                     short_number(rms) + " mm; " + account.text};

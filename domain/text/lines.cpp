@@ -96,16 +96,12 @@ std::string to_utf8(const std::string& bytes) {
 /// What a binary file says it is, in brackets.
 std::string kind_of(std::string_view bytes) {
     using namespace std::string_view_literals;
-    constexpr std::array<std::pair<std::string_view, const char*>, 9> kinds{
-        {{"PK\x03\x04"sv, "a zip archive, as Excel workbooks and X3P are"},
+    constexpr std::array<std::pair<std::string_view, const char*>, 5> kinds{
+        {{"PK\x03\x04"sv, "a zip archive, as Excel workbooks are"},
          {"\xD0\xCF\x11\xE0"sv, "an old Office document"},
-         {"DSCOMPRESSED"sv, "a Digital Surf file"},
-         {"DIGITAL SURF"sv, "a Digital Surf file"},
          {"GWYP"sv, "a Gwyddion file"},
          {"\x89HDF"sv, "an HDF5 file"},
-         {"CDF"sv, "a NetCDF file"},
-         {"bISO"sv, "a binary surface data file"},
-         {"bBCR"sv, "a binary surface data file"}}};
+         {"CDF"sv, "a NetCDF file"}}};
     for (const auto& [start, kind] : kinds)
         if (bytes.starts_with(start))
             return std::string(" (") + kind + ")";
@@ -119,7 +115,9 @@ std::string kind_of(std::string_view bytes) {
 
 } // namespace
 
-std::string at(const std::string& file, int line) { return file + ", line " + std::to_string(line); }
+std::string at(const std::string& file, int line) {
+    return line > 0 ? file + ", line " + std::to_string(line) : file;
+}
 
 void expect_text(std::string_view head, const std::string& file) {
     if (!is_utf16(head) && !head.starts_with("ISO 5436") && head.find('\0') != head.npos)

@@ -16,7 +16,7 @@ std::vector<std::string> text_lines(const std::string& bytes, const std::string&
 /// read.
 void expect_text(std::string_view head, const std::string& file);
 
-/// Where a message finds fault: "scan.txt, line 7".
+/// Where a message finds fault: "scan.txt, line 7"; the file alone where it has no lines (0).
 std::string at(const std::string& file, int line);
 
 } // namespace rough

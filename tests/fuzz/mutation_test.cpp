@@ -58,7 +58,7 @@ std::string mutant(std::string bytes, ga::Stream& random) {
 } // namespace
 
 TEST_CASE("a reader takes altered bytes or says what is wrong with them, nothing else") {
-    REQUIRE(fuzz::readers().size() == 9);
+    REQUIRE(fuzz::readers().size() == 11);
     for (const fuzz::Reader& reader : fuzz::readers()) {
         std::vector<fs::path> seeds;
         for (const auto& entry : fs::directory_iterator(RUGOSA_SOURCE "/tests/fuzz/corpus/" + reader.name))

@@ -23,6 +23,12 @@ TEST_CASE("a cosine has the roughness of textbooks") {
     const double a = 0.003, length = 2;
     const int waves = 10;
     const Roughness r = roughness(cosine(a, waves, length, 4000));
+    CHECK(r.sections == 1);
+    CHECK(r.Rp == Approx(a).epsilon(1e-12));
+    CHECK(r.Rv == Approx(a).epsilon(1e-12));
+    CHECK(r.elements.RSm == Approx(length / waves).epsilon(1e-9));
+    CHECK(r.elements.Rc == Approx(2 * a).epsilon(1e-12));
+    CHECK(r.Rmr == Approx(0.5).margin(1e-3));
     const double k = 2 * pi * waves / length;
     CHECK(r.Ra == Approx(2 * a / pi).epsilon(1e-4));
     CHECK(r.Rq == Approx(a / std::sqrt(2)).epsilon(1e-12));
@@ -36,16 +42,107 @@ TEST_CASE("a cosine has the roughness of textbooks") {
     CHECK(r.bandwidth == Approx(1).epsilon(1e-2)); // three nodes at either end have no derivative
 }
 
-TEST_CASE("Rz is the mean of five sections' heights and Rt the height of the whole") {
-    Profile profile{Eigen::VectorXd::Zero(50), 0.1};
+TEST_CASE("Rz is the mean of the sections' heights and Rt the height of the whole") {
+    Profile profile{Eigen::VectorXd::Zero(51), 0.1};
     for (Index s = 0; s < 5; ++s) {
         profile.heights[10 * s + 3] = double(s + 1);
         profile.heights[10 * s + 7] = -0.5;
     }
-    const Roughness r = roughness(profile);
+    const Roughness r = roughness(profile, 1), whole = roughness(profile);
+    const double mean = profile.heights.mean();
+    CHECK(r.sections == 5);
+    CHECK(r.Rp == Approx(3 - mean));
+    CHECK(r.Rv == Approx(0.5 + mean));
     CHECK(r.Rz == Approx(3.5));
     CHECK(r.Rt == Approx(5.5));
     CHECK(r.Rsk > 0);
+    CHECK(whole.Rz == Approx(5.5));
+    CHECK(roughness(profile, 1.6).sections == 3); // 4.8 mm in the middle of 5 mm
+    CHECK_THROWS_WITH(roughness(profile, 5.1), Catch::Contains("section length"));
+    CHECK_THROWS_WITH(roughness(profile, 0.1), Catch::Contains("two nodes"));
+}
+
+TEST_CASE("a triangle wave's bearing curve is straight: all core, no peaks, no valleys") {
+    Profile profile{Eigen::VectorXd(4000), 0.001};
+    for (Index i = 0; i < 4000; ++i)
+        profile.heights[i] = 0.004 * std::abs(double(i % 400) + 0.5 - 200) / 200;
+    const Roughness r = roughness(profile);
+    CHECK(r.core.Rk == Approx(0.004).epsilon(1e-2));
+    CHECK(r.core.Rpk < 4e-5);
+    CHECK(r.core.Rvk < 4e-5);
+    CHECK(r.Ra == Approx(0.001).epsilon(1e-3));
+    CHECK(r.Rq == Approx(0.002 / std::sqrt(3)).epsilon(1e-3));
+    CHECK(r.Rku == Approx(1.8).epsilon(1e-3));
+    CHECK(r.Rdq == Approx(0.02).epsilon(2e-2)); // but for the corners
+    CHECK(r.elements.RSm == Approx(0.4).epsilon(1e-6));
+    for (const double level : {-0.0015, -0.001, 0.0005}) // of a triangle the ratio falls evenly
+        CHECK(material_ratio({profile.heights.array() - 0.002, 0.001}, level) ==
+              Approx(0.5 - level / 0.004).margin(2e-3));
+}
+
+TEST_CASE("a square wave is two levels: Ra, Rq and its bearing curve's step") {
+    Profile profile{Eigen::VectorXd(1000), 0.001};
+    for (Index i = 0; i < 1000; ++i)
+        profile.heights[i] = i / 50 % 2 ? 0.001 : -0.001;
+    const Roughness r = roughness(profile);
+    CHECK(r.Ra == Approx(0.001));
+    CHECK(r.Rq == Approx(0.001));
+    CHECK(r.Rku == Approx(1));
+    CHECK(r.core.Rk == Approx(0).margin(1e-12));
+    CHECK(r.elements.RSm == Approx(0.1));
+    CHECK(r.elements.Rc == Approx(0.002));
+}
+
+TEST_CASE("Gaussian heights have the core, peaks and valleys of the normal distribution") {
+    // Quantiles by bisection of erfc, in another order than theirs; the line by sums in closed form.
+    const Index n = 20001;
+    const double sigma = 0.7e-3;
+    const auto quantile = [](double p) { // p above it
+        double low = -10, high = 10;
+        for (int i = 0; i < 80; ++i) {
+            const double middle = (low + high) / 2;
+            (std::erfc(middle / std::sqrt(2)) / 2 > p ? low : high) = middle;
+        }
+        return low;
+    };
+    Eigen::VectorXd z(n);
+    for (Index i = 0; i < n; ++i)
+        z[i * 7919 % n] = sigma * quantile((double(i) + 0.5) / double(n));
+    const CoreHeights core = core_heights(z);
+    // slope of least squares of the quantile q(s) over s = 0.3 .. 0.7: 12/0.4^3 int (s - 1/2) q(s) ds, by
+    // parts with t = q(s), ds = -phi dt: the integral of (s - 1/2) t phi(t) over |t| <= q(0.3)
+    double integral = 0;
+    const double end = quantile(0.3);
+    const int steps = 100000;
+    for (int k = 0; k < steps; ++k) {
+        const double t = end * (2 * (k + 0.5) / steps - 1);
+        integral += (std::erfc(t / std::sqrt(2)) / 2 - 0.5) * t * std::exp(-t * t / 2) / std::sqrt(2 * pi) *
+                    2 * end / steps;
+    }
+    const double slope = -12 / 0.064 * integral, t = slope / 2;
+    const double above = std::erfc(t / std::sqrt(2)) / 2;
+    const double peaks = std::exp(-t * t / 2) / std::sqrt(2 * pi) - t * above; // int_t (u - t) phi
+    CHECK(core.Rk == Approx(slope * sigma).epsilon(1e-3));
+    CHECK(core.Mr1 == Approx(above).epsilon(1e-2));
+    CHECK(core.Mr2 == Approx(1 - above).epsilon(1e-2));
+    CHECK(core.Rpk == Approx(2 * peaks / above * sigma).epsilon(2e-2));
+    CHECK(core.Rvk == Approx(core.Rpk).epsilon(1e-6));
+}
+
+TEST_CASE("elements are told from wiggles about the mean line by a tenth of the largest height and depth") {
+    Profile profile = cosine(1, 8, 2, 1600);
+    profile.heights.array() -= 7;
+    const double plain = profile_elements(profile).RSm;
+    CHECK(plain == Approx(0.25));
+    for (Index i = 0; i < 1600; ++i)
+        profile.heights[i] += 0.04 * std::cos(1.7 * double(i)); // crosses the mean line more than once
+    const ProfileElements rough_ones = profile_elements(profile);
+    CHECK(rough_ones.RSm == Approx(plain).epsilon(0.02));
+    CHECK(rough_ones.Rc == Approx(2).epsilon(0.05));
+    profile.heights *= 3;
+    CHECK(profile_elements(profile).Rc == Approx(3 * rough_ones.Rc));
+    CHECK(profile_elements(profile).RSm == rough_ones.RSm);
+    CHECK(std::isnan(profile_elements({Eigen::VectorXd::LinSpaced(50, -1, 1), 0.1}).RSm));
 }
 
 TEST_CASE("spectral moments of a finely sampled profile are those of its cosines") {
@@ -77,6 +174,7 @@ TEST_CASE("roughness does not change when a profile is lifted, and scales with i
     CHECK(three.Ra == Approx(3 * one.Ra));
     CHECK(three.Rz == Approx(3 * one.Rz));
     CHECK(three.Rdq == Approx(3 * one.Rdq));
+    CHECK(three.core.Rpk == Approx(3 * one.core.Rpk));
     CHECK(three.Rsk == Approx(one.Rsk).margin(1e-9));
     CHECK(three.Rku == Approx(one.Rku));
     CHECK(three.bandwidth == Approx(one.bandwidth));

@@ -1,5 +1,6 @@
 #include "domain/mwm/sampling.hpp"
 #include "domain/profile/solid.hpp"
+#include "domain/text/zip.hpp"
 #include "tests/domain/random_genome.hpp"
 #include "tests/folder.hpp"
 
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <map>
+#include <pugixml.hpp>
 #include <set>
 
 using namespace rough;
@@ -17,16 +19,16 @@ using namespace rough;
 namespace {
 
 using Corner = std::array<float, 3>;
-struct Mesh {
+struct Facets {
     std::vector<std::array<Corner, 3>> facets;
     std::vector<Corner> normals;
 };
 
-Mesh parsed(const std::string& stl) {
+Facets parsed(const std::string& stl) {
     std::uint32_t count = 0;
     std::memcpy(&count, stl.data() + 80, 4);
     REQUIRE(stl.size() == 84 + 50 * std::size_t(count));
-    Mesh mesh;
+    Facets mesh;
     for (std::uint32_t f = 0; f < count; ++f) {
         std::array<Corner, 4> record;
         std::memcpy(&record, stl.data() + 84 + 50 * std::size_t(f), 48);
@@ -38,7 +40,7 @@ Mesh parsed(const std::string& stl) {
 
 Eigen::Vector3d vector(const Corner& corner) { return {corner[0], corner[1], corner[2]}; }
 
-double volume(const Mesh& mesh) {
+double volume(const Facets& mesh) {
     double six = 0;
     for (const auto& [a, b, c] : mesh.facets)
         six += vector(a).dot(vector(b).cross(vector(c)));
@@ -63,7 +65,7 @@ Profile rough_profile(unsigned seed, Index nodes) {
 } // namespace
 
 TEST_CASE("an extruded profile is closed: every edge is walked once each way") {
-    const Mesh mesh = parsed(binary_stl(rough_profile(1, 257)));
+    const Facets mesh = parsed(binary_stl(rough_profile(1, 257)));
     CHECK(mesh.facets.size() == 8 * 256 + 4);
     std::map<std::pair<Corner, Corner>, int> edges;
     for (const auto& facet : mesh.facets)
@@ -78,7 +80,7 @@ TEST_CASE("an extruded profile is closed: every edge is walked once each way") {
 TEST_CASE("an extruded profile's volume is its area times the width, its normals point outwards") {
     const Profile profile = rough_profile(2, 400);
     for (const double magnify : {1.0, 50.0}) {
-        const Mesh mesh = parsed(binary_stl(profile, {.width = 0.3, .base = 0.2, .magnify = magnify}));
+        const Facets mesh = parsed(binary_stl(profile, {.width = 0.3, .base = 0.2, .magnify = magnify}));
         const Eigen::ArrayXd z = profile.heights.array() - profile.heights.minCoeff() + 0.2;
         const double area = (z.sum() - (z[0] + z[z.size() - 1]) / 2) * profile.spacing;
         CHECK(volume(mesh) == Approx(area * 0.3 * std::pow(magnify, 3)).epsilon(1e-5));
@@ -125,10 +127,44 @@ TEST_CASE("a solid that single precision cannot hold is refused, and heights are
     CHECK_THROWS_WITH(binary_stl(profile, {.base = 1e7}), Catch::Contains("base 10000000 mm"));
     Profile smooth = profile;
     smooth.heights *= 1e-9;
-    const Mesh mesh = parsed(binary_stl(smooth));
+    const Facets mesh = parsed(binary_stl(smooth));
     std::set<float> levels;
     for (const auto& facet : mesh.facets)
         for (const Corner& corner : facet)
             levels.insert(corner[2]);
     CHECK(levels.size() >= 45); // of 50 nodes
+}
+
+TEST_CASE("a 3MF file is the STL's solid in millimetres, in the parts that the format asks for") {
+    const Profile profile = rough_profile(6, 120);
+    const Extrusion extrusion{.width = 0.3, .base = 0.2, .magnify = 10};
+    const std::string bytes = three_mf(profile, extrusion);
+    CHECK(bytes == three_mf(profile, extrusion)); // no clock in it
+    const Zip zip(bytes, "solid.3mf");
+    for (const auto& [name, part] : {std::pair("[Content_Types].xml", "3dmanufacturing-3dmodel+xml"),
+                                     std::pair("_rels/.rels", "/3D/3dmodel.model")}) {
+        pugi::xml_document document;
+        const std::string xml = zip.entry(name, 10000).value();
+        CHECK(document.load_string(xml.c_str()));
+        CHECK_THAT(xml, Catch::Contains(part));
+    }
+    pugi::xml_document document;
+    REQUIRE(document.load_string(zip.entry("3D/3dmodel.model", 10'000'000).value().c_str()));
+    const auto model = document.child("model");
+    CHECK(std::string(model.attribute("unit").value()) == "millimeter");
+    const auto mesh = model.child("resources").child("object").child("mesh");
+    CHECK(std::string(model.child("build").child("item").attribute("objectid").value()) ==
+          model.child("resources").child("object").attribute("id").value());
+    std::vector<Corner> vertices;
+    for (const auto& vertex : mesh.child("vertices").children())
+        vertices.push_back({vertex.attribute("x").as_float(), vertex.attribute("y").as_float(),
+                            vertex.attribute("z").as_float()});
+    const Facets stl = parsed(binary_stl(profile, extrusion));
+    std::size_t f = 0;
+    for (const auto& triangle : mesh.child("triangles").children()) {
+        const auto corner = [&](const char* name) { return vertices.at(triangle.attribute(name).as_uint()); };
+        REQUIRE(stl.facets.at(f++) == std::array{corner("v1"), corner("v2"), corner("v3")});
+    }
+    CHECK(f == stl.facets.size());
+    CHECK_FALSE(zip.entry("3D/other.model", 10));
 }

@@ -185,7 +185,7 @@ TEST_CASE("what cannot be a line scan is refused in one line that says why") {
 TEST_CASE("a layout of its own that is no profile, or ends early, is refused with its line") {
     const std::string head = "aISO-1.0\nNumPoints = 3\nNumProfiles = 1\nXscale = 1e-6\nZscale = 1e-6\n";
     CHECK_THAT(refusal("aISO-1.0\nXscale = 1e-6\nNumProfiles = 4\n*\n1\n2\n1\n*\n"),
-               Catch::Contains("line 3") && Catch::Contains("1 profile"));
+               Catch::Contains("3 heights") && Catch::Contains("NumProfiles times"));
     CHECK_THAT(refusal("aISO-1.0\nNumProfiles = 1\n*\n1\n2\n1\n*\n"),
                Catch::Contains("an Xscale before the heights"));
     CHECK_THAT(refusal(head + "*\n1\n2\n"), Catch::Contains("ends early"));
@@ -206,7 +206,7 @@ TEST_CASE("a layout of its own that is no profile, or ends early, is refused wit
     CHECK_THAT(refusal("1 2\na 0 PRF\nCX M 3 MM 1 D\nCZ M 3 UM 1 L\nEOR\nEOR\n1\n2\n1\nEOR\n"),
                Catch::Contains("line 6") && Catch::Contains("SPACING CX"));
     CHECK_THAT(refusal("SigmaSurf_Data 1.0\nPROFILE_UM:\n1\n2\n"), Catch::Contains("SPACING_UM"));
-    CHECK_THAT(refusal(std::string("PK\3\4\0\0", 6)), Catch::Contains("Excel") && Catch::Contains("CSV"));
+    CHECK_THAT(refusal(std::string("PK\3\4\0\0", 6)), Catch::Contains("zip archive"));
 }
 
 TEST_CASE("a damaged file is read or refused in one line, whatever is cut out of it or put into it") {
@@ -252,4 +252,70 @@ TEST_CASE("mean, line and parabola are removed exactly and only they") {
     }
     CHECK(read(rows(5, polynomial)).profile.heights[2] == Approx(polynomial(2)));
     CHECK_THROWS_WITH(detrend_named("plane", "--detrend"), Catch::Contains("parabola"));
+    for (const auto& name : detrend_names())
+        CHECK(name_of(detrend_named(name, "")) == name);
+}
+
+TEST_CASE("the form of a polynomial or an arc is removed exactly, and the rest is left") {
+    Profile profile{Eigen::VectorXd(301), 0.01};
+    Eigen::VectorXd quartic(301), rest(301);
+    const double radius = 20, steep = 0.05; // mm; an arc that is no parabola any more at 1e-12
+    for (Index i = 0; i < 301; ++i) {
+        const double x = 0.01 * double(i) - 1.5;
+        profile.heights[i] = 3 - std::sqrt(radius * radius - std::pow(x - radius * steep, 2));
+        quartic[i] = 1 - x + 0.3 * x * x + 0.2 * x * x * x - 0.1 * x * x * x * x;
+        rest[i] = 1e-5 * std::cos(31 * x);
+    }
+    CHECK(detrended(profile, Detrend::arc).cwiseAbs().maxCoeff() < 1e-12);
+    CHECK(detrended(profile, Detrend::parabola).cwiseAbs().maxCoeff() > 1e-8);
+    CHECK(detrended({-profile.heights, 0.01}, Detrend::arc).cwiseAbs().maxCoeff() < 1e-12);
+    CHECK(detrended({quartic, 0.01}, Detrend::quartic).cwiseAbs().maxCoeff() < 1e-13);
+    CHECK(detrended({quartic, 0.01}, Detrend::cubic).cwiseAbs().maxCoeff() > 1e-3);
+    CHECK((detrended({profile.heights + rest, 0.01}, Detrend::arc) - rest).cwiseAbs().maxCoeff() < 3e-6);
+    // a profile without curvature is its line
+    const Eigen::VectorXd line = Eigen::VectorXd::LinSpaced(301, 0, 1);
+    CHECK(detrended({line, 0.01}, Detrend::arc).cwiseAbs().maxCoeff() < 1e-12);
+    CHECK_THROWS_WITH(detrended({1e3 * Eigen::VectorXd::Random(301), 1e-9}, Detrend::arc),
+                      Catch::Contains("no arc"));
+}
+
+TEST_CASE("outliers are told, and replaced where that is asked for") {
+    const auto wave = [](int i) { return std::cos(0.1 * i) + (i == 40 ? 3 : 0); };
+    const Scan kept = read(rows(90, wave)),
+               removed = read(rows(90, wave), {.detrend = Detrend::none, .remove_outliers = true});
+    CHECK_THAT(kept.account, Catch::Contains("1 outlier (at x = 40 mm) kept"));
+    CHECK_THAT(removed.account, Catch::Contains("1 outlier (at x = 40 mm) replaced"));
+    CHECK(kept.profile.heights[40] > 2);
+    CHECK(removed.profile.heights[40] == Approx(std::cos(4.)).margin(0.01));
+    CHECK(removed.profile.heights[41] == kept.profile.heights[41]);
+}
+
+TEST_CASE("filters take off short and long waves, after the form, and the account says so") {
+    const auto waves = [](double x) {
+        return std::cos(2 * M_PI * x / 40) + 0.1 * std::cos(2 * M_PI * x / 4);
+    };
+    const auto text = rows(800, [&](int i) { return waves(0.1 * i); });
+    ScanOptions options{.detrend = Detrend::none};
+    options.lambda_c = 80, options.spacing = 0; // in mm, of a spacing of 1 mm
+    const Scan scan = read(text, options);
+    CHECK_THAT(scan.account, Catch::Contains("waves over lambda_c = 80 mm taken off"));
+    CHECK(scan.profile.heights[400] == Approx(waves(40.) - std::pow(2, -std::pow(80. / 400, 2)) * 1 -
+                                              0.1 * std::pow(2, -std::pow(80. / 40, 2)))
+                                           .margin(1e-4));
+    options.lambda_s = 80;
+    CHECK_THAT(refusal(text, options), Catch::Contains("less than lambda-c"));
+    options.lambda_s = -1;
+    CHECK_THAT(refusal(text, options), Catch::Contains("lambda-s: -1"));
+}
+
+TEST_CASE("x and heights may be given units of their own") {
+    const Scan scan = read("0 1\n1 3\n2 1\n", {.unit = "um,nm", .detrend = Detrend::none});
+    CHECK(scan.profile.spacing == Approx(1e-3));
+    CHECK(scan.profile.heights[1] == Approx(3e-6));
+    CHECK_THAT(scan.account, Catch::Contains("x in µm (given), heights in nm (given)"));
+    CHECK(read("1\n3\n1\n", {.unit = "um,nm", .spacing = 2, .detrend = Detrend::none}).profile.spacing ==
+          Approx(2e-3));
+    CHECK_THAT(refusal("0 1\n1 3\n2 1\n", {.unit = "um,parsec"}), Catch::Contains("parsec"));
+    CHECK_THAT(refusal("x [um] z [nm]\n0 1\n1 3\n2 1\n", {.unit = "um,um"}),
+               Catch::Contains("heights in nm"));
 }

@@ -1,0 +1,180 @@
+#include "domain/errors.hpp"
+#include "domain/scan/stored_heights.hpp"
+#include "domain/scan/x3p.hpp"
+#include "domain/text/cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace rough {
+namespace {
+
+void expect_spacing(double spacing, const std::string& what, const std::string& file) {
+    if (!(spacing > 0) || !std::isfinite(spacing))
+        refuse(file, ": ", what, " ", spacing, ", expected a number above 0");
+}
+
+void expect_header(const std::string& bytes, std::size_t size, const std::string& file) {
+    if (bytes.size() < size)
+        refuse(file, ": ", bytes.size(), " bytes, expected a header of ", size);
+}
+
+/// ISO 25178-71, binary: 81 bytes of header, lengths in metres.
+HeightMap surface_data_file(const std::string& bytes, const std::string& file) {
+    constexpr std::size_t header = 81;
+    expect_header(bytes, header, file);
+    const auto columns = little_endian<std::uint16_t>(bytes, 42);
+    HeightMap map{"ISO 25178-71 (SDF)"};
+    map.height_unit = {"m", 1e3};
+    map.rows = little_endian<std::uint16_t>(bytes, 44);
+    map.spacing = 1e3 * little_endian<double>(bytes, 46);
+    map.row_spacing = 1e3 * little_endian<double>(bytes, 54);
+    map.height_factor = little_endian<double>(bytes, 62);
+    expect_spacing(map.spacing, "Xscale", file);
+    expect_spacing(map.height_factor, "Zscale", file);
+    if (map.rows > 1)
+        expect_spacing(map.row_spacing, "Yscale", file);
+    if (bytes[78] != 0)
+        refuse(file, ": compressed, expected a file without compression");
+    const int type = static_cast<unsigned char>(bytes[79]);
+    map.heights = stored_heights(bytes, header, columns, map.rows, type, missing_mark(type), file);
+    return map;
+}
+
+/// A unit's field of 16 bytes, Latin-1, its µ a byte of its own.
+LengthUnit unit_field(const std::string& bytes, std::size_t at, const std::string& file) {
+    std::string word = bytes.substr(at, 16);
+    word.resize(std::min(word.find('\0'), word.size()));
+    if (const auto micro = word.find('\xB5'); micro != std::string::npos)
+        word.replace(micro, 1, "u");
+    return length_unit_named(trim(word), file);
+}
+
+/// Digital Surf's SUR and PRO: 512 bytes of header, a comment, a private zone, integers.
+HeightMap digital_surf(const std::string& bytes, const std::string& file) {
+    constexpr std::size_t header = 512;
+    expect_header(bytes, header, file);
+    const auto half = [&](std::size_t at) { return little_endian<std::int16_t>(bytes, at); };
+    const auto whole = [&](std::size_t at) { return little_endian<std::int32_t>(bytes, at); };
+    if (bytes.starts_with("DSCOMPRESSED"))
+        refuse(file, ": a compressed Digital Surf file, expected one saved without compression");
+    if (half(12) != 0)
+        refuse(file, ": a Digital Surf file of format ", half(12), ", expected 0, lowest byte first");
+    if (half(18) != 1 && half(18) != 2)
+        refuse(file, ": a Digital Surf object of type ", half(18), ", expected a profile (1) or surface (2)");
+    if (half(98) != 16 && half(98) != 32)
+        refuse(file, ": heights of ", half(98), " bits, expected 16 or 32");
+    HeightMap map{half(18) == 1 ? "Digital Surf (PRO)" : "Digital Surf (SUR)"};
+    const std::int64_t columns = whole(108);
+    map.rows = whole(112);
+    map.spacing = little_endian<float>(bytes, 120) * unit_field(bytes, 180, file).in_mm;
+    map.height_factor = little_endian<float>(bytes, 128);
+    map.height_unit = unit_field(bytes, 212, file);
+    expect_spacing(map.spacing, "spacing", file);
+    expect_spacing(map.height_factor, "height step", file);
+    if (map.rows > 1) {
+        map.row_spacing = little_endian<float>(bytes, 124) * unit_field(bytes, 196, file).in_mm;
+        expect_spacing(map.row_spacing, "spacing of rows", file);
+    }
+    const double missing = half(86) != 0 ? whole(100) - 2. : std::nan(""); // two below the least
+    const std::size_t data =
+        header + little_endian<std::uint16_t>(bytes, 334) + little_endian<std::uint16_t>(bytes, 336);
+    map.heights = stored_heights(bytes, data, columns, map.rows, half(98) == 16 ? 5 : 6, missing, file);
+    return map;
+}
+
+/// Gwyddion's simple field: lines "key = value", one to four zero bytes up to a multiple of four, floats.
+HeightMap simple_field(const std::string& bytes, const std::string& file) {
+    const std::size_t end = bytes.find('\0');
+    if (end == std::string::npos || end > 1'000'000)
+        refuse(file, ": a Gwyddion simple field without an end of its header");
+    HeightMap map{"Gwyddion simple field"};
+    map.height_unit = {"m", 1e3};
+    double columns = 0, rows = 0, width = 0, height = 0, unit = 1e3;
+    std::string_view rest(bytes.data(), end);
+    while (!rest.empty()) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        const std::size_t mark = line.find('=');
+        if (mark == std::string_view::npos)
+            continue;
+        const std::string key = lower(trim(line.substr(0, mark)));
+        const std::string_view value = trim(line.substr(mark + 1));
+        const auto take = [&](double& of) {
+            const auto read = number(value, Dialect{});
+            if (!read || !(read->value > 0))
+                refuse(file, ": ", key, " is '", value.substr(0, 60), "', expected a number above 0");
+            of = read->value;
+        };
+        if (key == "xres")
+            take(columns);
+        else if (key == "yres")
+            take(rows);
+        else if (key == "xreal")
+            take(width);
+        else if (key == "yreal")
+            take(height);
+        else if (key == "xyunits")
+            unit = length_unit_named(value, file).in_mm;
+        else if (key == "zunits")
+            map.height_unit = length_unit_named(value, file);
+    }
+    constexpr double most = 1e9;
+    if (!(columns >= 1 && rows >= 1 && columns < most && rows < most) || columns != std::floor(columns) ||
+        rows != std::floor(rows))
+        refuse(file, ": ", columns, " x ", rows, " points, expected XRes and YRes");
+    map.rows = static_cast<Index>(rows);
+    map.spacing = (width > 0 ? width : columns) / columns * unit;
+    map.row_spacing = (height > 0 ? height : rows) / rows * unit;
+    map.heights = stored_heights(bytes, end + 4 - end % 4, static_cast<std::int64_t>(columns), map.rows, 3,
+                                 std::nan(""), file);
+    return map;
+}
+
+} // namespace
+
+double missing_mark(int type) {
+    switch (type) {
+    case 1:
+        return 65535;
+    case 2:
+        return 4294967295;
+    case 5:
+        return -32768;
+    case 6:
+        return -2147483648.;
+    default:
+        return std::nan("");
+    }
+}
+
+namespace {
+
+/// The first bytes of a format, and its reader.
+struct Format {
+    std::string_view begins;
+    HeightMap (*read)(const std::string& bytes, const std::string& file);
+};
+const Format formats[] = {{"bISO-", surface_data_file},
+                          {"bBCR-", surface_data_file},
+                          {"DIGITAL SURF", digital_surf},
+                          {"DSCOMPRESSED", digital_surf},
+                          {"Gwyddion Simple Field 1.", simple_field},
+                          {"PK\x03\x04", read_x3p}};
+
+} // namespace
+
+bool is_binary_map(std::string_view head) {
+    return std::any_of(std::begin(formats), std::end(formats),
+                       [&](const Format& format) { return head.starts_with(format.begins); });
+}
+
+std::optional<HeightMap> binary_map(const std::string& bytes, const std::string& file) {
+    for (const Format& format : formats)
+        if (bytes.starts_with(format.begins))
+            return format.read(bytes, file);
+    return std::nullopt;
+}
+
+} // namespace rough

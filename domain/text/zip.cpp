@@ -1,0 +1,88 @@
+#include "domain/text/zip.hpp"
+
+#include "domain/errors.hpp"
+
+#include <stdexcept>
+#include <zip.h>
+
+namespace rough {
+namespace {
+
+struct Discard {
+    void operator()(zip_t* archive) const { zip_discard(archive); }
+    void operator()(zip_file_t* entry) const { zip_fclose(entry); }
+    void operator()(zip_source_t* source) const { zip_source_free(source); }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Discard>;
+
+void expect(bool done, const char* what) {
+    if (!done)
+        throw std::runtime_error(std::string("zip archive: cannot ") + what);
+}
+
+} // namespace
+
+struct Zip::Archive {
+    Owned<zip_t> zip;
+};
+
+Zip::Zip(const std::string& bytes, std::string file)
+    : archive_(std::make_unique<Archive>()), file_(std::move(file)) {
+    zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, nullptr);
+    expect(source != nullptr, "be opened");
+    archive_->zip.reset(zip_open_from_source(source, ZIP_RDONLY, nullptr));
+    if (!archive_->zip) {
+        zip_source_free(source);
+        throw InputError(file_ + ": a damaged zip archive, expected X3P");
+    }
+}
+
+Zip::~Zip() = default;
+
+std::optional<std::string> Zip::entry(const std::string& name, std::size_t most) const {
+    zip_t* const zip = archive_->zip.get();
+    zip_stat_t found;
+    if (zip_stat(zip, name.c_str(), ZIP_FL_NOCASE, &found) != 0)
+        return std::nullopt;
+    if (found.size > most)
+        throw InputError(file_ + ": its entry " + name + " is too large, expected at most " +
+                         std::to_string(most) + " bytes");
+    if (found.size / 1100 > found.comp_size) // deflate packs 1032 to 1 at best
+        throw InputError(file_ + ": its entry " + name + " is damaged");
+    const Owned<zip_file_t> opened(zip_fopen_index(zip, found.index, 0));
+    std::string bytes(found.size, '\0');
+    if (!opened || zip_fread(opened.get(), bytes.data(), found.size) != static_cast<zip_int64_t>(found.size))
+        throw InputError(file_ + ": its entry " + name + " is damaged");
+    return bytes;
+}
+
+std::string zipped(const std::vector<std::pair<std::string, std::string>>& entries) {
+    const Owned<zip_source_t> memory(zip_source_buffer_create(nullptr, 0, 0, nullptr));
+    expect(memory != nullptr, "be made");
+    zip_source_keep(memory.get()); // one for the archive, one to read what it wrote
+    Owned<zip_t> zip(zip_open_from_source(memory.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr));
+    if (!zip)
+        zip_source_free(memory.get());
+    expect(zip != nullptr, "be made");
+    for (const auto& [name, content] : entries) {
+        zip_source_t* source = zip_source_buffer(zip.get(), content.data(), content.size(), 0);
+        const auto index = zip_file_add(zip.get(), name.c_str(), source, ZIP_FL_ENC_UTF_8);
+        constexpr zip_uint16_t first_day = 1 << 5 | 1; // month 1, day 1 of 1980
+        expect(index >= 0 &&
+                   zip_file_set_dostime(zip.get(), static_cast<zip_uint64_t>(index), 0, first_day, 0) == 0,
+               "take an entry");
+    }
+    expect(zip_close(zip.get()) == 0, "be written");
+    zip.release();
+    expect(zip_source_open(memory.get()) == 0 && zip_source_seek(memory.get(), 0, SEEK_END) == 0, "be read");
+    std::string bytes(static_cast<std::size_t>(zip_source_tell(memory.get())), '\0');
+    expect(zip_source_seek(memory.get(), 0, SEEK_SET) == 0 &&
+               zip_source_read(memory.get(), bytes.data(), bytes.size()) ==
+                   static_cast<zip_int64_t>(bytes.size()) &&
+               zip_source_close(memory.get()) == 0,
+           "be read");
+    return bytes;
+}
+
+} // namespace rough

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rough {
+
+/// A zip archive in memory, to be read.
+class Zip {
+  public:
+    /// `bytes` must outlive it; `file` begins the messages. Throws InputError on what is no zip archive.
+    Zip(const std::string& bytes, std::string file);
+    ~Zip();
+    Zip(const Zip&) = delete;
+    Zip& operator=(const Zip&) = delete;
+
+    /// An entry's bytes; nothing where there is no such entry. Throws InputError on one of more than `most`
+    /// bytes, before they are unpacked, and on one that is damaged.
+    std::optional<std::string> entry(const std::string& name, std::size_t most) const;
+
+  private:
+    struct Archive;
+    std::unique_ptr<Archive> archive_;
+    std::string file_;
+};
+
+/// The bytes of a zip archive of these entries, name and content each, dated 1980-01-01 so that the same
+/// entries give the same bytes.
+std::string zipped(const std::vector<std::pair<std::string, std::string>>& entries);
+
+} // namespace rough

@@ -1,0 +1,78 @@
+#include "domain/profile/filter.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <Eigen/LU>
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+Profile made(Index nodes, double spacing, auto height) {
+    Profile profile{Eigen::VectorXd(nodes), spacing};
+    for (Index i = 0; i < nodes; ++i)
+        profile.heights[i] = height(double(i) * spacing);
+    return profile;
+}
+
+} // namespace
+
+TEST_CASE("the Gaussian filter halves a cosine of the cut-off's length, and others by the standard's law") {
+    const double cut_off = 0.8, spacing = 0.002, pi = std::numbers::pi;
+    for (const double length : {0.25, 0.4, 0.8, 1.6, 2.5, 8.0})
+        for (const double phase : {0.0, 1.1}) {
+            const auto wave = [&](double x) { return 3e-3 * std::cos(2 * pi * x / length + phase); };
+            const Profile profile = made(4001, spacing, wave);
+            const Eigen::VectorXd passed = low_passed(profile, cut_off);
+            const double share = std::pow(2, -std::pow(cut_off / length, 2)); // ISO 16610-21, eq. (4)
+            for (Index i = 401; i < 3600; ++i)                                // a window away from the ends
+                REQUIRE(passed[i] == Approx(share * profile.heights[i]).margin(3e-3 * 2e-6));
+        }
+}
+
+TEST_CASE("the weights are the Gaussian's: an impulse shows them, and they sum to one") {
+    const double cut_off = 0.25, spacing = 0.001, alpha = std::sqrt(std::log(2.0) / std::numbers::pi);
+    const Profile impulse = made(1001, spacing, [](double x) { return std::abs(x - 0.5) < 1e-9; });
+    const Eigen::VectorXd answer = low_passed(impulse, cut_off);
+    CHECK(answer.sum() == Approx(1).epsilon(1e-9));
+    for (const Index off : {0, 10, 100, 249})
+        CHECK(answer[500 + off] ==
+              Approx(spacing / (alpha * cut_off) *
+                     std::exp(-std::numbers::pi * std::pow(double(off) * spacing / (alpha * cut_off), 2)))
+                  .epsilon(1e-5));
+    CHECK(std::abs(answer[751]) < 1e-15);
+}
+
+TEST_CASE("a line passes the filter to its very ends, whatever the cut-off") {
+    const Profile line = made(700, 0.003, [](double x) { return 5 - 0.3 * x; });
+    for (const double cut_off : {0.0001, 0.003, 0.01, 0.8, 2.5, 100.0})
+        CHECK((low_passed(line, cut_off) - line.heights).cwiseAbs().maxCoeff() < 1e-12);
+}
+
+TEST_CASE("the filter agrees with weighted least squares at every node, ends included") {
+    std::mt19937_64 random(3);
+    const Profile profile =
+        sample(testing::random_genome(random, 2, 3, 0.84942, 0.84942 / 30), {.nodes = 150});
+    const double cut_off = 0.2, alpha = std::sqrt(std::log(2.0) / std::numbers::pi);
+    const Eigen::VectorXd passed = low_passed(profile, cut_off);
+    for (const Index i : {0, 1, 17, 80, 149}) {
+        Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+        Eigen::Vector2d right = Eigen::Vector2d::Zero();
+        for (Index j = 0; j < 150; ++j) {
+            const double x = double(j - i) * profile.spacing;
+            if (std::abs(x) > cut_off)
+                continue;
+            const double weight = std::exp(-std::numbers::pi * std::pow(x / (alpha * cut_off), 2));
+            const Eigen::Vector2d row(1, x);
+            normal += weight * row * row.transpose();
+            right += weight * row * profile.heights[j];
+        }
+        CHECK(passed[i] == Approx(normal.inverse().row(0) * right).epsilon(1e-10));
+    }
+}
+
+TEST_CASE("a cut-off that is no length is refused") {
+    const Profile line = made(20, 0.1, [](double x) { return x; });
+    for (const double cut_off : {0.0, -1.0, std::nan("")})
+        CHECK_THROWS_WITH(low_passed(line, cut_off), Catch::Contains("cut-off"));
+}

@@ -1,0 +1,93 @@
+#include "domain/profile/outliers.hpp"
+#include "tests/domain/accuracy/scans.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+Eigen::VectorXd made(Index nodes, auto height) {
+    Eigen::VectorXd heights(nodes);
+    for (Index i = 0; i < nodes; ++i)
+        heights[i] = height(double(i));
+    return heights;
+}
+
+double cycle(double x) { return x - std::floor(x); }
+
+} // namespace
+
+TEST_CASE("a raised node and one that dips are found, and nothing beside them") {
+    const double pi = std::numbers::pi;
+    Eigen::VectorXd z = made(4096, [&](double i) {
+        const double x = i / 4096;
+        return std::cos(2 * pi * x) + 0.3 * std::cos(10 * pi * x + 1);
+    });
+    CHECK(outliers(z).empty());
+    const Eigen::VectorXd clean = z;
+    z[1364] += 1;
+    z[2000] -= 0.2, z[2001] -= 0.25;
+    CHECK(outliers(z) == std::vector<Index>{1364, 2000, 2001});
+    CHECK((interpolated(z, outliers(z)) - clean).cwiseAbs().maxCoeff() < 1e-4);
+}
+
+TEST_CASE("a sharp honest profile has no outlier, however it lies on the nodes") {
+    for (const Index nodes : {40, 400, 3001})
+        for (const double shift : {0.0, 0.3, 0.77}) {
+            const double n = double(nodes);
+            INFO(nodes << " nodes, shift " << shift);
+            CHECK(outliers(made(nodes, [&](double i) { return -std::abs(i - n / 2 - shift); })).empty());
+            CHECK(outliers(made(nodes, [&](double i) {
+                      return std::max(0., 9 - std::abs(i - n / 2 - shift));
+                  })).empty());
+            CHECK(outliers(made(nodes, [&](double i) { return i > n / 2 + shift ? 1. : 0.; })).empty());
+            CHECK(outliers(made(nodes, [&](double i) { return i > 2 + shift ? 1. : 0.; })).empty());
+            CHECK(outliers(made(nodes, [&](double i) { return cycle(i / 19 + shift); })).empty());
+            CHECK(outliers(made(nodes, [&](double i) { return -cycle(i / 23 + shift); })).empty());
+            CHECK(outliers(made(nodes, [&](double i) {
+                      return cycle(i / 20 + shift) < 0.4 ? 1. : 0.;
+                  })).empty());
+            CHECK(
+                outliers(made(nodes, [&](double i) { return std::abs(std::cos(i / 30 + shift)); })).empty());
+            CHECK(outliers(made(nodes, [&](double i) {
+                      return std::round(3 * std::sin(i / 40 + shift));
+                  })).empty());
+        }
+}
+
+TEST_CASE("spikes put into scans of workshops are found, and the scans have none of their own") {
+    int planted = 0, found = 0, beside = 0, nodes = 0;
+    for (unsigned seed = 9300; seed < 9380; ++seed) {
+        const int kind = std::array{0, 1, 2, 3, 6}[seed % 5]; // those without spikes or burrs
+        std::mt19937_64 random(seed);
+        Eigen::VectorXd z = testing::random_scan(random, kind, 500, 3000).profile.heights;
+        nodes += int(z.size());
+        beside += int(outliers(z).size());
+        const double step = (z.tail(z.size() - 1) - z.head(z.size() - 1)).cwiseAbs().mean();
+        std::vector<Index> at;
+        for (Index i = 60; i + 60 < z.size(); i += 97) {
+            z[i] += (i % 2 ? 1 : -1) * (20 * step + 0.2 * (z.maxCoeff() - z.minCoeff()));
+            at.push_back(i);
+        }
+        const auto told = outliers(z);
+        planted += int(at.size());
+        for (const Index i : at)
+            found += std::binary_search(told.begin(), told.end(), i);
+    }
+    INFO(found << " of " << planted << " found, " << beside << " beside them among " << nodes << " nodes");
+    CHECK(found >= 0.98 * planted);
+    CHECK(beside <= nodes / 20000);
+}
+
+TEST_CASE("outliers at the ends take their only neighbour's height, and a short profile has none") {
+    const Eigen::VectorXd z = made(20, [](double i) { return i; });
+    CHECK(interpolated(z, {0, 1, 10, 19}) == [&] {
+        Eigen::VectorXd w = z;
+        w[0] = w[1] = 2, w[19] = 18;
+        return w;
+    }());
+    const auto spiked = [](double i) { return 0.01 * i + (i == 7); };
+    CHECK(outliers(made(15, spiked)).empty());
+    CHECK(outliers(made(16, spiked)) == std::vector<Index>{7});
+}

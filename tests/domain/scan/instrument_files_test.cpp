@@ -1,0 +1,152 @@
+#include "domain/errors.hpp"
+#include "domain/scan/x3p.hpp"
+#include "tests/domain/scan/instrument_files.hpp"
+#include "tests/folder.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+Scan read(const std::string& bytes, ScanOptions options) {
+    const tests::Folder folder;
+    options.detrend = Detrend::none;
+    return read_scan(folder.write("scan.bin", bytes), options);
+}
+
+std::string refusal(const std::string& bytes, ScanOptions options = {.row = 1}) {
+    try {
+        return "read as " + read(bytes, options).account;
+    } catch (const InputError& error) {
+        CHECK(std::string(error.what()).find('\n') == std::string::npos);
+        return error.what();
+    }
+}
+
+std::string changed(std::string bytes, const std::string& what, const std::string& to) {
+    const auto at = bytes.find(what);
+    REQUIRE(at != std::string::npos);
+    return bytes.replace(at, what.size(), to);
+}
+
+std::string x3p_of(const std::string& xml, const std::string& data = testing::x3p_data()) {
+    return zipped({{"main.xml", xml}, {"bindata/data.bin", data}});
+}
+
+} // namespace
+
+TEST_CASE("every instrument's format holds the same map, in millimetres, rows along x") {
+    for (const auto& [name, bytes] : {std::pair("SDF of integers", testing::sdf_file()),
+                                      {"SDF of doubles", testing::sdf_file(7)},
+                                      {"SUR of 32 bits", testing::sur_file()},
+                                      {"SUR of 16 bits", testing::sur_file(16)},
+                                      {"GSF", testing::gsf_file()},
+                                      {"GSF, padded by 4", testing::gsf_file("four")},
+                                      {"GSF, padded by 2", testing::gsf_file("of")},
+                                      {"X3P", testing::x3p_file()}}) {
+        INFO(name);
+        const auto map = binary_map(bytes, "map");
+        REQUIRE(map);
+        CHECK(map->rows == 2);
+        CHECK(map->columns() == 9);
+        CHECK(map->spacing == Approx(2e-3));
+        CHECK(map->row_spacing == Approx(3e-3));
+        for (std::size_t i = 0; i < map->heights.size(); ++i) {
+            INFO(i);
+            const double height = map->heights[i] * map->height_factor * map->height_unit.in_mm;
+            if (i == testing::map_gap)
+                CHECK(std::isnan(height));
+            else
+                CHECK(height == Approx(1e-5 * testing::map_heights[i]).epsilon(1e-6));
+        }
+        const Scan scan = read(bytes, {.row = 1});
+        CHECK(scan.profile.nodes() == 9);
+        CHECK(scan.profile.heights[5] == Approx(9e-5).epsilon(1e-6));
+        CHECK_THAT(scan.account, Catch::Contains("row 1 of 2 rows of 9 heights"));
+        CHECK(read(bytes, {.fill = true, .row = 2}).profile.heights[7] == Approx(3e-5).epsilon(1e-6));
+        CHECK_THAT(refusal(bytes, {.row = 2}), Catch::Contains("missing value"));
+        for (const Index row : {0, 3})
+            CHECK_THAT(refusal(bytes, {.row = row}), Catch::Contains("the row to take, 1 to 2"));
+        CHECK_THAT(refusal(bytes, {.spacing = 7, .row = 1}), Catch::Contains("spacing"));
+    }
+}
+
+TEST_CASE("an ASCII surface data file of several profiles is a map as well") {
+    const std::string text = "aISO-1.0\nNumPoints = 3\nNumProfiles = 2\nXscale = 1e-6\nYscale = 2e-6\n"
+                             "Zscale = 1e-6\nDataType = 5\n*\n1 2 1\n4 -32768 5\n*\n";
+    CHECK(read(text, {.row = 1}).profile.heights == Eigen::Vector3d(1e-3, 2e-3, 1e-3));
+    CHECK(read(text, {.fill = true, .row = 2}).profile.heights[1] == Approx(4.5e-3));
+    CHECK_THAT(refusal(text, {.row = 2}), Catch::Contains("line 10") && Catch::Contains("missing"));
+    CHECK_THAT(refusal(text, {}), Catch::Contains("the row to take"));
+}
+
+TEST_CASE("a profile written as X3P is read back to the last bit") {
+    Profile profile{1e-3 * Eigen::VectorXd::Random(500), 0.84942 / 511};
+    const std::string bytes = x3p(profile);
+    CHECK(bytes == x3p(profile)); // no clock in it
+    const Scan scan = read(bytes, {});
+    CHECK(scan.profile.spacing == Approx(profile.spacing).epsilon(1e-15));
+    CHECK((scan.profile.heights - profile.heights).cwiseAbs().maxCoeff() < 1e-18);
+    CHECK_THAT(scan.account, Catch::Contains("X3P"));
+    const Zip zip(bytes, "x");
+    // MD5 of the parts, as md5sum tells it
+    const tests::Folder folder;
+    folder.write("main.xml", zip.entry("main.xml", 10000).value());
+    folder.write("md5checksum.hex", zip.entry("md5checksum.hex", 1000).value());
+    CHECK(std::system(
+              ("cd '" + folder.path().string() + "' && md5sum --status -c md5checksum.hex").c_str()) == 0);
+}
+
+TEST_CASE("X3P lists heights in its XML, too, and names of spaces do not matter") {
+    std::string list =
+        "<q:Record3 xmlns:q='u'><q:ListDimension>4</q:ListDimension><q:DataList><q:Datum>1;0;3</q:Datum>"
+        "<q:Datum>2;0;4.5</q:Datum><q:Datum/><q:Datum>-1</q:Datum></q:DataList></q:Record3>";
+    std::string xml = testing::x3p_xml();
+    const auto from = xml.find("<Record3>"), to = xml.find("</Record3>") + 10;
+    xml.replace(from, to - from, list);
+    const auto map = binary_map(x3p_of(xml), "map");
+    REQUIRE(map->heights.size() == 4);
+    CHECK(map->heights[1] == 4.5);
+    CHECK(std::isnan(map->heights[2]));
+    CHECK_THAT(refusal(x3p_of(changed(xml, "<q:Datum>-1</q:Datum>", ""))), Catch::Contains("other than 4"));
+    CHECK_THAT(refusal(x3p_of(changed(xml, "4.5", "high"))), Catch::Contains("'high'"));
+}
+
+TEST_CASE("a damaged file of an instrument is refused in one line that says what is wrong") {
+    const std::string sdf = testing::sdf_file(), sur = testing::sur_file(), gsf = testing::gsf_file(),
+                      xml = testing::x3p_xml();
+    const auto with = [](std::string bytes, std::size_t at, auto value) {
+        testing::put(bytes, at, value);
+        return bytes;
+    };
+    CHECK_THAT(refusal(sdf.substr(0, 60)), Catch::Contains("header of 81"));
+    CHECK_THAT(refusal(sdf.substr(0, 100)), Catch::Contains("ends early, expected 36 bytes"));
+    CHECK_THAT(refusal(with(sdf, 46, std::nan(""))), Catch::Contains("Xscale"));
+    CHECK_THAT(refusal(with(sdf, 78, '\1')), Catch::Contains("compressed"));
+    CHECK_THAT(refusal(with(sdf, 79, '\x9')), Catch::Contains("type 9"));
+    CHECK_THAT(refusal(with(sdf, 42, std::uint16_t(0))), Catch::Contains("rows of 0 heights"));
+    CHECK_THAT(refusal(with(sur, 108, 2'000'000'000)), Catch::Contains("2000000000 heights"));
+    CHECK_THAT(refusal(with(sur, 108, 20'000'000)), Catch::Contains("ends early"));
+    CHECK_THAT(refusal(with(sur, 112, -2)), Catch::Contains("-2 rows"));
+    CHECK_THAT(refusal(with(sur, 98, std::int16_t(24))), Catch::Contains("24 bits"));
+    CHECK_THAT(refusal(with(sur, 18, std::int16_t(12))), Catch::Contains("type 12"));
+    CHECK_THAT(refusal(with(sur, 12, std::int16_t(257))), Catch::Contains("format 257"));
+    CHECK_THAT(refusal(with(sur, 180, 'q')), Catch::Contains("no length unit"));
+    CHECK_THAT(refusal("DSCOMPRESSED" + sur.substr(12)), Catch::Contains("without compression"));
+    CHECK_THAT(refusal(changed(gsf, "XRes = 9", "XRes = x")), Catch::Contains("xres is 'x'"));
+    CHECK_THAT(refusal(changed(gsf, "XRes = 9", "XRes = 9999999")), Catch::Contains("ends early"));
+    CHECK_THAT(refusal(changed(gsf, "YRes = 2", "YRes2 = 2")), Catch::Contains("expected XRes and YRes"));
+    CHECK_THAT(refusal(changed(gsf, "ZUnits = m", "ZUnits = V")), Catch::Contains("'V'"));
+    CHECK_THAT(refusal(testing::x3p_file().substr(0, 300)), Catch::Contains("damaged zip"));
+    CHECK_THAT(refusal(zipped({{"xl/workbook.xml", "<a/>"}})), Catch::Contains("Excel"));
+    CHECK_THAT(refusal(x3p_of("<a")), Catch::Contains("no XML"));
+    CHECK_THAT(refusal(x3p_of("<a/>")), Catch::Contains("no axes"));
+    CHECK_THAT(refusal(x3p_of(changed(xml, "<SizeX>9", "<SizeX>1e9"))), Catch::Contains("SizeX"));
+    CHECK_THAT(refusal(x3p_of(changed(xml, "<SizeZ>1", "<SizeZ>2"))), Catch::Contains("several layers"));
+    CHECK_THAT(refusal(x3p_of(changed(xml, "<AxisType>I", "<AxisType>A"))), Catch::Contains("incremental"));
+    CHECK_THAT(refusal(x3p_of(changed(xml, "<DataType>I", "<DataType>Q"))), Catch::Contains("type 'Q'"));
+    CHECK_THAT(refusal(x3p_of(changed(xml, "data.bin", "none.bin"))), Catch::Contains("not in the archive"));
+    CHECK_THAT(refusal(x3p_of(xml, "short")), Catch::Contains("ends early"));
+    CHECK_THAT(refusal(x3p_of(xml, std::string(1000, ' '))), Catch::Contains("too large"));
+}

@@ -1,0 +1,4 @@
+#include "domain/scan/height_map.hpp"
+#include "tests/fuzz/reader.hpp"
+
+FUZZ(map) { rough::binary_map(std::string(bytes), "map"); }
