@@ -4,6 +4,7 @@
 #include "apps/prompt/scan_settings.hpp"
 #include "apps/prompt/voice.hpp"
 #include "apps/report/account.hpp"
+#include "apps/report/contact_page.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/shape_notes.hpp"
@@ -24,9 +25,11 @@ namespace {
 std::vector<Setting> contact_settings() {
     const std::vector<Setting> settings{
         {"genome", "", "genome file (JSON) of the profile"},
-        {"profile", "", "measured profile in place of a genome: a text file of one or two columns"},
+        {"profile", "", "measured profile in place of a genome: text, SDF, SUR, GSF or X3P"},
         {"out", "", "curve file to write (CSV)"},
-        {"force", "", "write over an existing curve file", true},
+        {"report", "",
+         "page to write beside it (HTML): the curve, pressure and gap along the profile [none]"},
+        {"force", "", "write over existing files", true},
         {"threads", "0", "taken as design and run take it; a curve needs one thread"},
         {"seed", "1", "taken as design and run take it; nothing here is random"},
         accuracy_setting("",
@@ -105,17 +108,16 @@ void expect_common(const Settings& settings) {
     settings.seed("seed");
 }
 
-/// What strains the model of a genome, a line each.
-void say_strains(const rough::Genome& genome, const rough::Model& model, double range) {
-    if (model.grid.wraps)
-        if (const std::string jump = jump_note(genome, model.grid.length, range); !jump.empty())
-            say(jump);
-    if (const std::string waves = wave_note(genome, model.grid); !waves.empty())
-        say(waves);
-}
+/// What was pressed, and how it answered.
+struct Pressed {
+    rough::Source source;
+    rough::Model model;
+    rough::AccountedResponse result;
+    std::vector<std::string> notes; ///< what was read, and what strains the model
+};
 
-rough::AccountedResponse pressed(const Settings& settings) {
-    const rough::Source source = source_from(settings, nodes_from(settings, 0));
+Pressed pressed(const Settings& settings) {
+    rough::Source source = source_from(settings, nodes_from(settings, 0));
     rough::Model model = loaded(model_from(settings, source), settings);
     model.accuracy = accuracy_from(settings);
     if (model.accuracy > 0) {
@@ -124,13 +126,25 @@ rough::AccountedResponse pressed(const Settings& settings) {
         model = within_accuracy(model, settings);
     }
     rough::AccountedResponse result = respond_accounted(source, model);
+    std::vector<std::string> notes;
     if (!source.account.empty())
-        say(source.account);
+        notes.push_back(source.account);
     if (source.genome) {
         const rough::Profile profile = source.on(model.grid);
-        say_strains(*source.genome, model, profile.heights.maxCoeff() - profile.heights.minCoeff());
+        const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
+        for (const std::string& note :
+             {model.grid.wraps ? jump_note(*source.genome, model.grid.length, range) : "",
+              wave_note(*source.genome, model.grid)})
+            if (!note.empty())
+                notes.push_back(note);
     }
-    return result;
+    return {std::move(source), std::move(model), std::move(result), std::move(notes)};
+}
+
+/// What is written beside the curve, as the page links to it.
+std::string from_page(const std::filesystem::path& file, const std::filesystem::path& page) {
+    const auto folder = std::filesystem::absolute(page).parent_path();
+    return std::filesystem::absolute(file).lexically_proximate(folder).string();
 }
 
 } // namespace
@@ -148,7 +162,8 @@ int contact(const Words& words) {
              "contact --genome surface.json --accuracy 1e-3 --out curve.csv",
              "contact --genome surface.json --pressures 0.01,0.02,0.05 --out curve.csv",
              "contact --genome surface.json --to-pressure 0.05 --friction 0.3 --out curve.csv",
-             "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv"}))
+             "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv "
+             "--report curve.html"}))
         return 0;
     const Settings settings = read_command_line(words, contact_settings());
     if (settings.has("genome") == settings.has("profile"))
@@ -176,7 +191,12 @@ int contact(const Words& words) {
                                     " is no file, expected one that another can stand beside");
         slip_file = expect_writable(slip_file, settings);
     }
-    const rough::AccountedResponse result = pressed(settings);
+    std::filesystem::path page;
+    if (settings.has("report"))
+        page = expect_writable(settings.text("report"), settings);
+    const auto [source, model, result, notes] = pressed(settings);
+    for (const std::string& note : notes)
+        say(note);
     const rough::Response& response = result.response;
     rough::write_atomically(out, csv(response));
     if (has_account)
@@ -187,6 +207,25 @@ int contact(const Words& words) {
         tell(slip_file.string() + ": partial slip under the last load, f = " + readable(friction) +
              "; assumed: plane strain, a constant normal load, bodies that do not couple (equal ones, or "
              "Dundurs' beta = 0; a rigid profile at nu = 0.5 only)");
+    }
+    if (settings.has("report")) {
+        ContactShown shown{settings.text(source.genome ? "genome" : "profile"),
+                           notes,
+                           source.on(model.grid),
+                           completed(model),
+                           response,
+                           {}};
+        shown.notes.push_back(in_words(result.account));
+        if (!settings.given("modulus"))
+            shown.notes.push_back(modulus_note);
+        std::vector<std::filesystem::path> files{out};
+        if (has_account)
+            files.push_back(account);
+        if (settings.has("friction"))
+            files.push_back(slip_file);
+        for (const auto& file : files)
+            shown.files.push_back(from_page(file, page));
+        rough::write_atomically(page, contact_page(shown));
     }
     for (const auto& note : without_effect(settings))
         say(note);

@@ -4,7 +4,7 @@
 #include "apps/prompt/voice.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
-#include "apps/report/plot.hpp"
+#include "apps/report/profile_page.hpp"
 #include "apps/report/shape_notes.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
@@ -12,6 +12,7 @@
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/solid.hpp"
 #include "domain/profile/spectrum.hpp"
+#include "domain/scan/x3p.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <nlohmann/json.hpp>
@@ -25,12 +26,12 @@ namespace {
 
 constexpr const char* numbers_file = "profile.json";
 constexpr rough::Index fewest_nodes = 10; ///< that roughness can be told of
-constexpr rough::Index most_solid_nodes = 1'000'000;
+constexpr rough::Index most_solid_nodes = 1'000'000, most_3mf_nodes = 100'000;
 
 std::vector<Setting> profile_settings() {
     const std::vector<Setting> settings{
         {"genome", "", "genome file (JSON) of the profile (may be given without the flag)"},
-        {"profile", "", "measured profile in place of a genome: a text file of one or two columns"},
+        {"profile", "", "measured profile in place of a genome: text, SDF, SUR, GSF or X3P"},
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
         {"force", "", "write over existing results", true},
         {"nodes", "", "nodes of the grid, 10 to 1e7 [512; a scan: its points]"},
@@ -39,7 +40,7 @@ std::vector<Setting> profile_settings() {
         {"base", "",
          "thickness of the solid below its lowest node, mm [the larger of height range and L/10]"},
         {"magnify", "1", "factor on all lengths of the solid, for printing"},
-        {"pictures", "on", "off leaves out the pictures"},
+        {"pictures", "on", "off leaves out the page and the pictures"},
     };
     return joined({settings, scan_settings()});
 }
@@ -87,23 +88,23 @@ rough::Extrusion extrusion_from(const Settings& settings) {
     return extrusion;
 }
 
-nlohmann::json numbers_of(const Shape& shape, const rough::Roughness& r) {
+/// Parameters of roughness have their name only where the long waves were taken off.
+nlohmann::json numbers_of(const Shape& shape, const rough::Roughness& r, const Settings& settings) {
     nlohmann::json numbers{
         {"nodes", shape.profile.nodes()},
         {"length_mm", shape.profile.spacing * static_cast<double>(shape.profile.nodes() - 1)},
-        {"Ra_mm", r.Ra},
-        {"Rq_mm", r.Rq},
-        {"Rsk", r.Rsk},
-        {"Rku", r.Rku},
-        {"Rz_mm", r.Rz},
-        {"Rt_mm", r.Rt},
-        {"rms_slope", r.Rdq},
+        {"lambda_s_mm", settings.has("lambda-s") ? nlohmann::json(settings.positive("lambda-s")) : nullptr},
+        {"lambda_c_mm", settings.has("lambda-c") ? nlohmann::json(settings.positive("lambda-c")) : nullptr},
+        {"section_length_mm", r.section_length},
+        {"sections", r.sections},
         {"rms_curvature_per_mm", r.rms_curvature},
         {"m0_mm2", r.m0},
         {"m2", r.m2},
         {"m4_per_mm2", r.m4},
         {"bandwidth", r.bandwidth},
         {"version", RUGOSA_VERSION}};
+    for (const Parameter& one : parameters(r, settings.has("lambda-c")))
+        numbers[one.key] = one.value;
     if (!shape.lines.empty()) { // exact, over lengths that all waves divide
         double m0 = 0, m2 = 0, m4 = 0;
         for (const auto& [k, power] : shape.lines)
@@ -127,44 +128,18 @@ std::pair<Eigen::VectorXd, Eigen::VectorXd> columns(const std::vector<rough::Spe
     return {k, power};
 }
 
-Plot profile_plot(const rough::Profile& profile) {
-    const Eigen::VectorXd heights = profile.heights.array() - profile.heights.mean();
-    const Unit across = length_unit(profile.spacing * static_cast<double>(profile.nodes() - 1));
-    const Unit up = length_unit(heights.cwiseAbs().maxCoeff());
-    Plot plot;
-    plot.alt = "Height of the profile along its length";
-    plot.x = {"Position x (" + across.name + ")"};
-    plot.y = {"Height z (" + up.name + ")"};
-    plot.series.push_back({"", across.factor * positions(profile), up.factor * heights});
-    plot.series.back().width = 1.2;
-    plot.height = 220;
-    return plot;
-}
-
-Plot spectrum_plot(const rough::Spectrum& spectrum) {
-    Plot plot;
-    plot.alt = "Power spectral density of the profile against wave number";
-    plot.x = {"Wave number q (rad/mm)", true};
-    plot.y = {"Power spectral density C (mm³)", true};
-    plot.series.push_back({"", spectrum.wave_number, spectrum.density});
-    plot.series.back().width = 1.2;
-    return plot;
-}
-
-void tell_roughness(const rough::Roughness& r) {
+void tell_roughness(const rough::Roughness& r, bool is_roughness) {
     const Unit height = length_unit(r.Rt);
-    const auto row = [](const char* name, double value, const std::string& unit, const char* meaning) {
-        char line[120];
-        std::snprintf(line, sizeof line, "  %-14s %12.6g %-5s %s", name, value, unit.c_str(), meaning);
+    const auto row = [](const std::string& name, double value, const std::string& unit,
+                        const std::string& meaning) {
+        char line[160];
+        std::snprintf(line, sizeof line, "  %-14s %12.6g %-5s %s", name.c_str(), value, unit.c_str(),
+                      meaning.c_str());
         say(line);
     };
-    row("Ra", r.Ra * height.factor, height.name, "arithmetic mean height");
-    row("Rq", r.Rq * height.factor, height.name, "root mean square height");
-    row("Rsk", r.Rsk, "", "skewness");
-    row("Rku", r.Rku, "", "kurtosis");
-    row("Rz", r.Rz * height.factor, height.name, "maximum height, mean of five sections");
-    row("Rt", r.Rt * height.factor, height.name, "total height");
-    row("rms slope", r.Rdq, "", "");
+    for (const Parameter& one : parameters(r, is_roughness))
+        row(one.name, one.value * (one.is_height ? height.factor : 1), one.is_height ? height.name : one.unit,
+            one.meaning);
     row("rms curvature", r.rms_curvature, "1/mm", "");
     row("m0", r.m0, "mm²", "spectral moments, from the nodes");
     row("m2", r.m2, "", "");
@@ -175,13 +150,17 @@ void tell_roughness(const rough::Roughness& r) {
 } // namespace
 
 int profile(const Words& words) {
-    if (shows_help(words, "profile (GENOME.json | --profile SCAN.txt) [--out DIR] [flags]",
-                   "Writes what a rough profile is: its heights (heights.csv), a solid to print or mesh "
-                   "(profile.stl), a picture (profile.svg), its roughness (profile.json) and its power "
-                   "spectrum (spectrum.csv, spectrum.svg; lines.csv holds a genome's waves).",
-                   profile_settings(),
-                   {"profile surface.json", "profile surface.json --nodes 2048 --magnify 100 --out surface",
-                    "profile --profile scan.txt --unit um --detrend parabola"}))
+    if (shows_help(
+            words, "profile (GENOME.json | --profile SCAN.txt) [--out DIR] [flags]",
+            "Writes what a rough profile is: a page to look at (report.html), its heights (heights.csv, "
+            "profile.x3p), a solid to print or mesh (profile.3mf in mm, profile.stl), a picture "
+            "(profile.svg), its parameters (profile.json: Pa, Pq and so on, or Ra, Rq and so on with "
+            "--lambda-c), its material ratio curve (bearing.csv) and its power spectrum "
+            "(spectrum.csv, spectrum.svg; lines.csv holds a genome's waves).",
+            profile_settings(),
+            {"profile surface.json", "profile surface.json --nodes 2048 --magnify 100 --out surface",
+             "profile --profile scan.txt --unit um --lambda-s 0.0025 --lambda-c 0.8",
+             "profile --profile map.sur --row 12 --detrend arc --outliers remove"}))
         return 0;
     const Settings settings = read_command_line(words, profile_settings(), {"genome"});
     if (settings.has("genome") == settings.has("profile"))
@@ -190,25 +169,38 @@ int profile(const Words& words) {
     const bool pictures = settings.is_on("pictures");
 
     const Shape shape = shape_from(settings);
-    const rough::Roughness roughness = rough::roughness(shape.profile);
+    const bool is_roughness = settings.has("lambda-c");
+    const rough::Roughness roughness =
+        rough::roughness(shape.profile, is_roughness ? settings.positive("lambda-c") : 0);
     const rough::Spectrum spectrum = continuous_spectrum(shape.profile);
     const bool has_solid = shape.profile.nodes() <= most_solid_nodes;
+    const bool has_3mf = shape.profile.nodes() <= most_3mf_nodes;
     const std::string solid = has_solid ? binary_stl(shape.profile, extrusion) : "";
+    const std::string unit_solid = has_3mf ? three_mf(shape.profile, extrusion) : "";
 
     const std::filesystem::path source = settings.text(settings.has("genome") ? "genome" : "profile");
-    const OutputFolder out(settings.text("out"), source.stem().string(),
-                           {{numbers_file, "heights.csv", "profile.stl", "spectrum.csv", "lines.csv",
-                             "profile.svg", "spectrum.svg"},
-                            settings.files(),
-                            settings.is_on("force")});
+    const OutputFolder out(
+        settings.text("out"), source.stem().string(),
+        {{numbers_file, "heights.csv", "profile.x3p", "profile.stl", "profile.3mf", "spectrum.csv",
+          "lines.csv", "bearing.csv", "profile.svg", "spectrum.svg", "report.html"},
+         settings.files(),
+         settings.is_on("force")});
     const auto write = [&](const char* name, const std::string& content) {
         rough::write_atomically(out.path() / name, content);
     };
     write("heights.csv", csv({"x_mm", "height_mm"}, {positions(shape.profile), shape.profile.heights}));
+    write("profile.x3p", x3p(shape.profile));
     if (has_solid)
         write("profile.stl", solid);
     else
         say("note: profile.stl is left out, as a solid of more than 1e6 nodes is of no use to any printer");
+    if (has_3mf)
+        write("profile.3mf", unit_solid);
+    else
+        say("note: profile.3mf is left out, as its text would have 500 bytes for each of more than 1e5 "
+            "nodes");
+    const auto [ratio, level] = bearing_curve(shape.profile.heights);
+    write("bearing.csv", csv({"material_ratio", "height_mm"}, {ratio, level}));
     write("spectrum.csv",
           csv({"wave_number_rad_per_mm", "density_mm3"}, {spectrum.wave_number, spectrum.density}));
     if (!shape.lines.empty()) {
@@ -218,12 +210,20 @@ int profile(const Words& words) {
     if (pictures) {
         write_picture(out.path() / "profile.svg", profile_plot(shape.profile));
         write_picture(out.path() / "spectrum.svg", spectrum_plot(spectrum));
+        std::vector<std::string> files{numbers_file, "heights.csv", "bearing.csv", "spectrum.csv",
+                                       "profile.x3p"};
+        if (has_solid)
+            files.push_back("profile.stl");
+        if (has_3mf)
+            files.push_back("profile.3mf");
+        write("report.html", profile_page({source.filename().string(), shape.account, shape.profile,
+                                           roughness, is_roughness, spectrum, files}));
     }
-    write_json(out.path() / numbers_file, numbers_of(shape, roughness));
+    write_json(out.path() / numbers_file, numbers_of(shape, roughness, settings));
     say(shape.account);
     if (!shape.jump.empty())
         say(shape.jump);
-    tell_roughness(roughness);
+    tell_roughness(roughness, is_roughness);
     say("written to " + out.path().string());
     return 0;
 }

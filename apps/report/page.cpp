@@ -3,6 +3,8 @@
 #include "apps/report/page_style.hpp"
 #include "apps/report/plot_svg.hpp"
 
+#include <cctype>
+#include <cstdio>
 #include <stdexcept>
 
 namespace app {
@@ -27,6 +29,22 @@ std::string with_panels(const Figure& figure, const Drawing& drawing, std::size_
            "</figcaption></figure>\n";
 }
 
+/// A path as an address from the page: what means something else there is written by its number.
+std::string address(const std::string& path) {
+    std::string text = path.find(':') < path.find('/') ? "./" : "";
+    for (const char c : path)
+        if (std::isalnum(static_cast<unsigned char>(c)) ||
+            std::string_view("-._~/:").find(c) != std::string_view::npos) {
+            text += c;
+        } else {
+            char number[4];
+            std::snprintf(number, sizeof number, "%%%02X",
+                          static_cast<unsigned>(static_cast<unsigned char>(c)));
+            text += number;
+        }
+    return text;
+}
+
 } // namespace
 
 void Page::section(const std::string& heading) {
@@ -39,6 +57,13 @@ void Page::prose(const Html& text) { blocks_.push_back("<p>" + text.markup() + "
 
 void Page::code(const std::string& text) {
     blocks_.push_back("<pre><code>" + escaped(text) + "</code></pre>\n");
+}
+
+void Page::links(const std::vector<std::string>& files) {
+    std::string html;
+    for (const std::string& file : files)
+        html += "<li><a href=\"" + address(file) + "\">" + escaped(file) + "</a></li>\n";
+    blocks_.push_back("<ul>" + html + "</ul>\n");
 }
 
 void Page::figure(Figure figure) {

@@ -34,7 +34,8 @@ class Page {
     void prose(const Html& text); ///< one paragraph
     void figure(Figure figure);
     void table(const Table& table);
-    void code(const std::string& text); ///< plain text, e.g. a command
+    void code(const std::string& text);                ///< plain text, e.g. a command
+    void links(const std::vector<std::string>& files); ///< to files, by their path from the page
     /// Figures at a glance: what it is, and its value.
     void tiles(const std::vector<std::pair<std::string, std::string>>& tiles);
 

@@ -39,8 +39,8 @@ void write_axis(std::ostream& out, const char* which, const Axis& axis) {
 }
 
 std::string drawn(const Series& series) {
-    static constexpr std::array<int, 8> points = {7, 7,  7, 5,
-                                                  9, 13, 7, 5}; // circle, square, triangle, diamond
+    static constexpr std::array<int, 9> points = {7,  7, 7, 5, 9,
+                                                  13, 7, 5, 7}; // circle, square, triangle, diamond
     const auto colour = static_cast<std::size_t>(series.colour);
     std::ostringstream out;
     const std::string ink = " lc rgb '" + gnuplot_colour(series.colour) + "'";
@@ -117,6 +117,16 @@ void write_block(std::ostream& out, const Series& series, const std::string& blo
     out << "EOD\n";
 }
 
+/// Points that only a pointer finds, with what stands under it: the series' number, x and y, which tidy_svg
+/// puts into words. gnuplot makes them hypertext.
+std::string under_pointer(const Series& series, const std::string& block, std::size_t number) {
+    constexpr Eigen::Index most = 60;
+    const auto every = std::max<Eigen::Index>(1, (series.x.size() + most - 1) / most);
+    return ", " + block + " every " + std::to_string(every) + " using 1:2:(sprintf('" +
+           std::to_string(number) + " %.4g %.4g',$1,$2)) with labels hypertext point pt 7 ps 1.2 lc rgb '" +
+           gnuplot_colour(Colour::unseen) + "' notitle";
+}
+
 void write_plot(std::ostream& out, const Plot& plot) {
     std::string drawings;
     for (std::size_t s = 0; s < plot.series.size(); ++s) {
@@ -124,10 +134,12 @@ void write_plot(std::ostream& out, const Plot& plot) {
         if (!is_drawable(series))
             continue;
         const std::string block = "$d" + std::to_string(s);
-        write_block(out, thinned(series, plot.x.logarithmic), block);
+        const Series seen = thinned(series, plot.x.logarithmic);
+        write_block(out, seen, block);
         drawings += (drawings.empty() ? "" : ", ") + block + " using 1:2" +
                     (series.style == Style::bars ? ":3" : "") + " with " + drawn(series) +
-                    (series.label.empty() ? " notitle" : " title " + gnuplot_text(series.label));
+                    (series.label.empty() ? " notitle" : " title " + gnuplot_text(series.label)) +
+                    (series.style == Style::bars ? "" : under_pointer(seen, block, s));
     }
     out << "set terminal svg size 480," << plot.height << " dynamic rounded enhanced font 'Arial,14'\n";
     write_axis(out, "x", plot.x);

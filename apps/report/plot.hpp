@@ -23,8 +23,8 @@ enum class Style { line, points, line_points, steps, bars };
 
 /// Colours by meaning: `text` is that of the page's own letters and `faint` a quiet one; the rest are the
 /// eight colours of Okabe and Ito's set that people who see colours differently can tell apart, as the page
-/// shows them.
-enum class Colour { text, faint, blue, orange, green, purple, sky, red };
+/// shows them. `unseen` is what only a pointer finds.
+enum class Colour { text, faint, blue, orange, green, purple, sky, red, unseen };
 
 /// For series without a meaning of their own, in the order in which they are told apart best.
 constexpr std::array<Colour, 6> line_colours{Colour::blue,   Colour::orange, Colour::green,

@@ -20,7 +20,7 @@ struct Ink {
     int red, green, blue;
     const char *light, *dark;
 };
-constexpr std::array<Ink, 8> inks{{
+constexpr std::array<Ink, 9> inks{{
     {"text", "#010203", 1, 2, 3, "#22262b", "#e4e6e8"},
     {"faint", "#808182", 128, 129, 130, "#868e96", "#7d868e"},
     {"blue", "#0072b2", 0, 114, 178, "#0072b2", "#4da3d9"},
@@ -29,6 +29,7 @@ constexpr std::array<Ink, 8> inks{{
     {"purple", "#cc79a7", 204, 121, 167, "#b8558c", "#dd8fba"},
     {"sky", "#56b4e9", 86, 180, 233, "#2f8fc9", "#7cc8f2"},
     {"red", "#d55e00", 213, 94, 0, "#d55e00", "#f2803a"},
+    {"unseen", "#040506", 4, 5, 6, "#22262b", "#e4e6e8"},
 }};
 
 /// The class for a colour as gnuplot writes it; its own black and grey are the axes and the grid.
@@ -85,7 +86,7 @@ std::string given(const Tree& element, const std::string& name) {
 /// gnuplot nests a group for every change of pen: the marks are told what their groups say, and groups go.
 class Tidy {
   public:
-    explicit Tidy(std::string id) : id_(std::move(id)) {}
+    Tidy(std::string id, const Plot& plot) : id_(std::move(id)), plot_(plot) {}
 
     std::string children(const Tree& element, const Tree& pen) {
         std::string result;
@@ -127,10 +128,24 @@ class Tidy {
 
     std::string group(const Tree& element, const Tree& pen) {
         const std::string inside = children(element, element.count("<xmlattr>") ? element : pen);
-        const std::string title = element.get("title", std::string());
+        std::string title = element.get("title", std::string());
+        // gnuplot's hypertext is the argument of a script: "…(evt,'2 0.1 3.5')".
+        if (const std::string script = given(element, "onmousemove"); !script.empty())
+            title = told(script.substr(std::min(script.find('\'') + 1, script.size())));
         return inside.empty() || title.empty() || title.starts_with("gnuplot_plot")
                    ? inside
                    : "<g><title>" + escaped(title) + "</title>" + inside + "</g>";
+    }
+
+    /// "2 0.1 3.5'…" as "label of series 2: 0.1, 3.5".
+    std::string told(const std::string& hypertext) const {
+        std::istringstream in(hypertext.substr(0, hypertext.find('\'')));
+        std::size_t series = 0;
+        std::string x, y;
+        if (!(in >> series >> x >> y) || series >= plot_.series.size())
+            return "";
+        const std::string& label = plot_.series[series].label;
+        return (label.empty() ? "" : label + ": ") + x + ", " + y;
     }
 
     static std::string path(const Tree& element, const Tree& pen) {
@@ -170,6 +185,7 @@ class Tidy {
     }
 
     std::string id_;
+    const Plot& plot_;
     std::set<std::string> used_;
 };
 
@@ -203,7 +219,7 @@ std::string tidy_svg(const std::string& raw, const Plot& plot, const std::string
     std::istringstream in(raw);
     Tree tree;
     boost::property_tree::read_xml(in, tree);
-    Tidy tidy(id);
+    Tidy tidy(id, plot);
     const std::string body = tidy.children(tree.get_child("svg"), {});
     return "<svg class=\"plot\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 480 " +
            short_number(plot.height) + "\" role=\"img\" aria-label=\"" + escaped(plot.alt) + "\">" +
@@ -221,7 +237,8 @@ const std::string& plot_style() {
         }
         return ".plot{font:14px system-ui,sans-serif}"
                ".plot path{fill:none;stroke:currentColor;stroke-linecap:round;stroke-linejoin:round}"
-               ".plot use,.plot polygon,.plot circle{fill:currentColor;stroke:none}" +
+               ".plot use,.plot polygon,.plot circle{fill:currentColor;stroke:none}"
+               ".plot .unseen{opacity:0}.plot .unseen:hover{opacity:.4}" +
                light + "@media screen and (prefers-color-scheme:dark){" + dark + "}";
     }();
     return style;

@@ -1,0 +1,134 @@
+#include "apps/report/profile_page.hpp"
+
+#include "apps/report/page.hpp"
+#include "apps/report/units.hpp"
+
+#include <algorithm>
+
+namespace app {
+
+std::vector<Parameter> parameters(const rough::Roughness& r, bool is_roughness) {
+    const std::string letter = is_roughness ? "R" : "P";
+    std::vector<Parameter> all;
+    const auto height = [&](const char* name, double value, const char* meaning) {
+        all.push_back({letter + name, letter + name + "_mm", value, true, "", meaning});
+    };
+    const auto number = [&](const char* name, double value, const char* meaning) {
+        all.push_back({letter + name, letter + name, value, false, "", meaning});
+    };
+    height("a", r.Ra, "arithmetic mean height");
+    height("q", r.Rq, "root mean square height");
+    number("sk", r.Rsk, "skewness");
+    number("ku", r.Rku, "kurtosis");
+    const std::string of = r.sections > 1 ? ", mean of " + std::to_string(r.sections) + " sections" : "";
+    height("p", r.Rp, ("highest peak" + of).c_str());
+    height("v", r.Rv, ("deepest pit" + of).c_str());
+    height("z", r.Rz, ("maximum height" + of).c_str());
+    height("t", r.Rt, "total height");
+    height("c", r.elements.Rc, "mean height of the profile elements");
+    height("Sm", r.elements.RSm, "mean width of the profile elements");
+    number("dq", r.Rdq, "root mean square slope");
+    number("mr", r.Rmr, "material ratio at the mean line");
+    height("k", r.core.Rk, "core height");
+    height("pk", r.core.Rpk, "reduced peak height");
+    height("vk", r.core.Rvk, "reduced valley depth");
+    all.push_back({letter + "mrk1", letter + "mrk1", r.core.Mr1, false, "", "material ratio above the core"});
+    all.push_back(
+        {letter + "mrk2", letter + "mrk2", r.core.Mr2, false, "", "material ratio above the valleys"});
+    return all;
+}
+
+std::pair<Eigen::VectorXd, Eigen::VectorXd> bearing_curve(const Eigen::VectorXd& heights) {
+    constexpr Eigen::Index most = 1001;
+    Eigen::VectorXd z = heights;
+    std::sort(z.begin(), z.end(), std::greater<>());
+    const Eigen::Index count = std::min(most, z.size());
+    Eigen::VectorXd share(count), level(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Eigen::Index at = count > 1 ? i * (z.size() - 1) / (count - 1) : 0;
+        share[i] = (static_cast<double>(at) + 0.5) / static_cast<double>(z.size());
+        level[i] = z[at];
+    }
+    return {share, level};
+}
+
+Plot profile_plot(const rough::Profile& profile) {
+    const double length = profile.spacing * static_cast<double>(profile.nodes() - 1);
+    const Eigen::VectorXd heights = profile.heights.array() - profile.heights.mean();
+    const Unit across = length_unit(length), up = length_unit(heights.cwiseAbs().maxCoeff());
+    Plot plot;
+    plot.alt = "Height of the profile along its length";
+    plot.x = {"Position x (" + across.name + ")"};
+    plot.y = {"Height z (" + up.name + ")"};
+    plot.series.push_back(
+        {"", Eigen::VectorXd::LinSpaced(heights.size(), 0, across.factor * length), up.factor * heights});
+    plot.series.back().width = 1.2;
+    plot.height = 220;
+    return plot;
+}
+
+Plot spectrum_plot(const rough::Spectrum& spectrum) {
+    Plot plot;
+    plot.alt = "Power spectral density of the profile against wave number";
+    plot.x = {"Wave number q (rad/mm)", true};
+    plot.y = {"Power spectral density C (mm³)", true};
+    plot.series.push_back({"", spectrum.wave_number, spectrum.density});
+    plot.series.back().width = 1.2;
+    return plot;
+}
+
+Plot bearing_plot(const Eigen::VectorXd& heights) {
+    const auto [share, level] = bearing_curve(heights.array() - heights.mean());
+    const Unit up = length_unit(level.cwiseAbs().maxCoeff());
+    Plot plot;
+    plot.alt = "Material ratio curve: height against the share of the length that is higher";
+    plot.x = {"Material ratio (%)", false, 0, 100};
+    plot.y = {"Height z (" + up.name + ")"};
+    plot.series.push_back({"", 100 * share, up.factor * level});
+    return plot;
+}
+
+std::string profile_page(const ProfileShown& shown) {
+    const rough::Roughness& r = shown.roughness;
+    const auto all = parameters(r, shown.is_roughness);
+    const auto in_words = [](const Parameter& one) {
+        if (!one.is_height)
+            return readable(one.value);
+        const Unit unit = length_unit(one.value);
+        return readable(unit.factor * one.value) + " " + unit.name;
+    };
+    Page page("Profile: " + shown.name, shown.account);
+    std::vector<std::pair<std::string, std::string>> tiles;
+    for (const std::size_t i : {0, 1, 6, 10})
+        tiles.emplace_back(all[i].name + ", " + all[i].meaning, in_words(all[i]));
+    page.tiles(tiles);
+    page.section("Heights");
+    page.figure({"profile", "Heights", "Counted from their mean.", {profile_plot(shown.profile)}});
+    page.figure(
+        {"curves",
+         "Material ratio and spectrum.",
+         "Left, how much of the length is higher than a height; right, the power spectral density under "
+         "a Hann window.",
+         {bearing_plot(shown.profile.heights), spectrum_plot(shown.spectrum)}});
+    page.section("Parameters");
+    page.prose(
+        shown.is_roughness
+            ? "A roughness profile: waves over the cut-off are taken off by a Gaussian filter (ISO "
+              "16610-21). "
+              "Parameters by ISO 21920-2 over " +
+                  std::to_string(r.sections) + " sections of " + readable(r.section_length) + " mm."
+            : std::string("A primary profile: no long waves are taken off, so its parameters are Pa, Pq and "
+                          "so on (ISO 21920-2), over its whole length."));
+    Table table{"", {"Parameter", "Value", "What it is"}, {}, {false, true, false}};
+    for (const Parameter& one : all)
+        table.rows.push_back({one.name, in_words(one), one.meaning});
+    table.rows.push_back(
+        {"rms curvature", readable(r.rms_curvature) + " 1/mm", "by the seven-point formula"});
+    table.rows.push_back({"bandwidth", readable(r.bandwidth), "Nayak's alpha, m0 m4/m2²"});
+    page.table(table);
+    page.section("Files");
+    page.links(shown.files);
+    return page.html();
+}
+
+} // namespace app

@@ -1,0 +1,38 @@
+#include "domain/contact/spots.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+TEST_CASE("along the profile pressure and gap exclude each other, and the pressures make up the load") {
+    std::mt19937_64 random(4);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
+        const bool wraps = kernel == Kernel::periodic;
+        const Profile profile = sample(testing::random_genome(random, 2, 3, 0.84942, 0.84942 / 40),
+                                       {.nodes = 400, .wraps = wraps});
+        const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
+        const Body body{.kernel = kernel, .effective_modulus = 7};
+        const auto curve = solve_contact(profile, body, {0.05 * range, 0.3 * range}, {.states = true});
+        for (std::size_t j = 0; j < 2; ++j) {
+            const Interface at = interface_at(profile, body, curve.steps[j], curve.states[j]);
+            CHECK((at.pressure.array() * at.gap.array()).abs().maxCoeff() <
+                  1e-9 * at.pressure.maxCoeff() * range);
+            CHECK(at.pressure.minCoeff() >= 0);
+            CHECK(at.gap.minCoeff() > -1e-9 * range);
+            CHECK(at.pressure.sum() / (wraps ? 400 : 399) == Approx(curve.steps[j].pressure));
+            CHECK((at.pressure.array() > 0).count() == curve.steps[j].contact_nodes);
+        }
+    }
+}
+
+TEST_CASE("two equal waves touch in two spots, which a periodic body joins across the ends") {
+    Profile profile{Eigen::VectorXd(200), 0.01};
+    for (Index i = 0; i < 200; ++i)
+        profile.heights[i] = 0.01 * std::cos(2 * 3.14159265358979 * double(i) / 100);
+    const Body body{.kernel = Kernel::periodic};
+    const auto curve = solve_contact(profile, body, {0.004}, {.states = true});
+    const Interface at = interface_at(profile, body, curve.steps[0], curve.states[0]);
+    CHECK(at.spots == 2); // one of them about x = 0
+    CHECK(2 * at.widest == Approx(0.01 * double(curve.steps[0].contact_nodes)));
+}
