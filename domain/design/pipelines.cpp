@@ -1,5 +1,6 @@
 #include "domain/design/pipelines.hpp"
 
+#include "domain/design/own_waves.hpp"
 #include "domain/design/search.hpp"
 #include "domain/design/target_dominance.hpp"
 
@@ -15,10 +16,22 @@ ga::Population<Genome> Shape::operator()(ga::Population<Genome>, ga::Context<Des
     return fresh;
 }
 
+ga::Population<Genome> Own::operator()(ga::Population<Genome>, ga::Context<DesignProblem>& context) const {
+    ga::Population<Genome> fresh(n);
+    ga::parallel_for(n, context.threads(), [&](std::size_t i) {
+        const DesignSetup& setup = context.problem().setup();
+        fresh[i].genome = own_waves(setup, most_own_waves(setup) >> i);
+    });
+    for (auto& individual : fresh)
+        individual.identity = context.new_identity();
+    return fresh;
+}
+
 ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
     auto registry = engine_words();
     add_words(registry, Vocabulary{std::make_shared<DominanceRule>(setup.model)});
     registry.add<Shape>();
+    registry.add<Own>();
     registry.add("fit", "roughness",
                  "each genome in the amplitude at which it meets the first target best; nothing under Eq. 11",
                  ga::transform(
@@ -69,6 +82,8 @@ const ga::Variants& design_variants() {
                        "generations 8 { sample 60 | score | best 12 | refine lm 12 | best 4 | refine lm 60 "
                        "sharpen=1 | plus 4 }" +
                            polish},
+        // A scan's own waves, brought back to what the scan answers: stiffness and area together.
+        {"like", "own 2 | fit | score | refine lm 30 sharpen=8 | score judged | refine lm 30 sharpen=4"},
         // Selection, cross-over of length scales and mutation, no derivative.
         {"plain",
          "score | best 50 | repeat 100 { tournament 2 | cross uniform rate=0.8 | mutate 0.1 gaussian 0.05 | "

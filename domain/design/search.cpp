@@ -129,7 +129,10 @@ bool makes_its_own_starts(const std::string& pipeline) {
     auto first = pipeline.find_first_not_of(" \t\n");
     if (pipeline.compare(first, begun.size(), begun) == 0)
         first += begun.size();
-    return pipeline.compare(first, 6, "shape ") == 0 || pipeline.compare(first, 7, "sample ") == 0;
+    for (const std::string word : {"shape ", "sample ", "own "})
+        if (pipeline.compare(first, word.size(), word) == 0)
+            return true;
+    return false;
 }
 
 } // namespace

@@ -162,8 +162,13 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
             break;
         }
         // On a periodic body every wave stays a harmonic of its length.
-        const bool fixed = setup_->model.grid.wraps && (places[g].kind == GenePlace::Kind::gamma ||
-                                                        places[g].kind == GenePlace::Kind::lambda);
+        const GenePlace::Kind kind = places[g].kind;
+        const bool harmonic =
+            setup_->model.grid.wraps && (kind == GenePlace::Kind::gamma || kind == GenePlace::Kind::lambda);
+        // Of a single chromosome A does what H would; so does lambda what gamma would.
+        const bool doubled =
+            series.chromosomes.size() == 1 && (kind == GenePlace::Kind::H || kind == GenePlace::Kind::gamma);
+        const bool fixed = harmonic || doubled;
         if (!fixed && from <= values[g] && values[g] <= to)
             variables.push_back({g, from, to});
     }
