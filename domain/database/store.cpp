@@ -338,10 +338,4 @@ Response GenomeStore::response(std::uint64_t index) const {
     return response;
 }
 
-void expect_model(const GenomeStore& store, const Model& model) {
-    const std::string differs = difference(fields(store.setup().model), fields(model));
-    if (!differs.empty())
-        throw InputError(store.file().string() + ": a database of another set-up: its " + differs);
-}
-
 } // namespace rough

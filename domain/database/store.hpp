@@ -70,7 +70,4 @@ class GenomeStore {
     std::string version_;
 };
 
-/// Throws InputError naming the first difference where the database's responses are another model's.
-void expect_model(const GenomeStore& store, const Model& model);
-
 } // namespace rough

@@ -3,6 +3,7 @@
 #include "apps/report/output.hpp"
 #include "domain/accuracy/respond.hpp"
 #include "domain/database/screen.hpp"
+#include "domain/database/starts.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/target/similarity.hpp"
@@ -30,13 +31,12 @@ std::vector<Setting> query_settings() {
     return joined({settings, model_settings()});
 }
 
-/// Flags that name a set-up must name the file's.
-void expect_set_up(const rough::GenomeStore& store, const Settings& settings) {
+/// Flags that name a set-up must name the file's, but for length and modulus.
+rough::DatabaseScale scale_asked(const rough::GenomeStore& store, const Settings& settings) {
     bool given = false;
     for (const Setting& setting : model_settings())
         given |= settings.given(setting.name);
-    if (given)
-        rough::expect_model(store, model_from(settings));
+    return given ? rough::scale_to(store, model_from(settings)) : rough::DatabaseScale();
 }
 
 /// The match's similarity at 4(N-1)+1 nodes; Eq. 11 anew where it applies.
@@ -55,7 +55,8 @@ int database_query(const Words& words) {
     if (shows_help(words,
                    "database query FILE --target T.csv [--max-pressure P] [--best K] [--out GENOME.json]",
                    "Scores every stored curve against a target (Eq. 12) and names the nearest genomes, each "
-                   "also on a grid four times finer. Flags of a set-up are compared with the file's.",
+                   "also on a grid four times finer. Flags of a set-up are compared with the file's; another "
+                   "length or modulus is scaled to exactly.",
                    query_settings(),
                    {"database query genomes.db --target target.csv --best 5",
                     "database query genomes.db --target target.csv --max-pressure 1.6e-4 --out best.json"}))
@@ -71,11 +72,13 @@ int database_query(const Words& words) {
         options.max_pressure = settings.pressure("max-pressure");
     options.best = static_cast<std::size_t>(settings.whole("best", 1, 10000));
     options.threads = settings.threads("threads");
-    const rough::Target goal = rough::read_target(settings.text("target"));
+    rough::Target goal = rough::read_target(settings.text("target"));
 
     const ga::Stopwatch clock;
     const rough::GenomeStore store = rough::GenomeStore::open(settings.text("file"));
-    expect_set_up(store, settings);
+    const rough::DatabaseScale scale = scale_asked(store, settings);
+    goal = unscaled(std::move(goal), scale);
+    options.max_pressure /= scale.pressure;
     const rough::StoredCurves curves = store.curves(rough::need_fractions({goal}));
     const auto matches = screen(curves, store.setup().model, {goal}, options);
     const double seconds = clock.seconds();
@@ -90,8 +93,10 @@ int database_query(const Words& words) {
         std::printf("%4zu %12llu %12.6f %12.6f %14.6g\n", rank + 1,
                     static_cast<unsigned long long>(match.index), match.similarity, finer, match.scale);
         if (rank == 0 && settings.has("out")) {
+            genome = rough::drawn_out(std::move(genome), scale.length);
             genome.scale *= match.scale;
-            rough::write_atomically(out, rough::genome_file_text(genome, store.setup().model.grid.length));
+            rough::write_atomically(
+                out, rough::genome_file_text(genome, scale.length * store.setup().model.grid.length));
         }
     }
     return 0;

@@ -318,6 +318,44 @@ TEST_CASE("stored starts meet a design's targets at their amplitude, and another
     CHECK_THROWS_WITH(stored_starts(store, design, 4), Catch::Contains("steps is 8, not 9"));
 }
 
+TEST_CASE("a database answers for every length and modulus, exactly as the drawn-out genomes do") {
+    const Folder folder;
+    for (const Kernel kernel : {Kernel::free, Kernel::strip, Kernel::periodic}) {
+        DatabaseSetup setup = small_setup();
+        setup.model.body.kernel = kernel;
+        setup.model = completed(setup.model);
+        GenomeStore store =
+            GenomeStore::create(folder / (std::to_string(static_cast<int>(kernel)) + ".db"), setup);
+        build(store, {.genomes = 40});
+        DesignSetup design;
+        design.model.body.kernel = kernel;
+        design.model.body.effective_modulus = 210;
+        design.model.grid = {64, 2.5, kernel == Kernel::periodic};
+        if (kernel == Kernel::strip)
+            design.model.body.strip_width = setup.model.body.strip_width * 2.5 / setup.model.grid.length;
+        design.model.loading.steps = 8;
+        design.model = completed(design.model);
+        const Response own = respond(drawn_out(store.genome(7), 2.5 / setup.model.grid.length), design.model);
+        const double scale = scale_to(store, design.model).pressure;
+        CHECK(scale == Approx(210 * setup.model.grid.length / 2.5));
+        for (Index j = 0; j < 8; ++j) {
+            CHECK(own.pressure[j] == Approx(scale * store.response(7).pressure[j]).epsilon(1e-9));
+            CHECK(own.contact_fraction[j] == store.response(7).contact_fraction[j]);
+        }
+        design.targets = {goal_of(own, 0.02, 0.9), goal_of(own, 0.02, 0.9, Quantity::area_at_pressure)};
+        const auto starts = stored_starts(store, design, 1);
+        REQUIRE(starts.size() == 1);
+        CHECK(similarity(design, starts[0]) > 0.999);
+        design.max_pressure = 0.02 * own.pressure[7];
+        CHECK(respond(stored_starts(store, design, 1)[0], design.model).pressure[7] ==
+              Approx(*design.max_pressure));
+        if (kernel == Kernel::free) {
+            design.model.body.datum *= 2;
+            CHECK_THROWS_WITH(stored_starts(store, design, 1), Catch::Contains("datum_mm"));
+        }
+    }
+}
+
 namespace {
 
 /// Everything that a database is asked for.
