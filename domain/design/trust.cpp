@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <sstream>
@@ -85,6 +86,7 @@ void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOp
 struct Job {
     std::string name;
     std::function<double()> similarity;
+    bool decides = false;
 
     double answer() const {
         try {
@@ -99,7 +101,8 @@ Job under(const DesignSetup& setup, const Genome& genome, const std::string& nam
     return {name, [&setup, &genome, model] { return similarity(setup, respond(setup, genome, model)); }};
 }
 
-std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const TrustOptions& options) {
+std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
+                           const Trust& trust) {
     std::vector<Job> jobs{under(setup, genome, as_designed, setup.model)};
     for (const Index finer : {2, 4})
         jobs.push_back(
@@ -122,7 +125,8 @@ std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const
     }
     if (options.noise > 0)
         for (int draw = 0; draw < options.noise_draws; ++draw)
-            jobs.push_back({"height noise, draw " + std::to_string(draw + 1), [&, draw] {
+            jobs.push_back({"height noise, draw " + std::to_string(draw + 1),
+                            [&, draw] {
                                 ga::Stream random(ga::fold(ga::fold(options.seed, "height noise"),
                                                            static_cast<std::uint64_t>(draw)));
                                 Profile noisy = sample(genome, setup.model.grid);
@@ -130,7 +134,21 @@ std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const
                                     z += options.noise * random.normal();
                                 const DesignSetup final = in_final_amplitude(setup);
                                 return similarity(final, respond(final, noisy, final.model));
-                            }});
+                            },
+                            true});
+    if (trust.peak_pressure > options.hardness && options.hardness > 0)
+        jobs.push_back({"nodes held at the hardness",
+                        [&setup, &genome, &options] {
+                            DesignSetup yields = in_final_amplitude(setup);
+                            yields.model.body.hardness = options.hardness;
+                            for (const Target& target : setup.targets)
+                                if (target.against_pressure())
+                                    yields.model.loading.to_pressure =
+                                        std::max(yields.model.loading.to_pressure, target.last());
+                            yields = in_finer_steps(std::move(yields), 1); // a measured target's nodes, too
+                            return similarity(yields, respond(yields, genome, yields.model));
+                        },
+                        true});
     return jobs;
 }
 
@@ -190,7 +208,7 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
     const auto late = [clock = ga::Stopwatch(), limit = options.seconds] { return clock.seconds() > limit; };
     if (std::isfinite(options.seconds))
         setup.model.contact.stop = late;
-    std::vector<Job> jobs = checks_of(setup, genome, options);
+    std::vector<Job> jobs = checks_of(setup, genome, options, trust);
     const std::size_t checks = jobs.size();
     for (Job& job : kernels_of(setup, genome))
         jobs.push_back(std::move(job));
@@ -207,10 +225,20 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
     });
     std::vector<double> checked, redrawn;
     for (std::size_t i = 0; i < kernels; ++i)
-        if (!done[i])
+        if (!done[i]) {
             trust.left_out.push_back(jobs[i].name);
-        else
-            (i < checks ? trust.checks : trust.kernels).push_back({jobs[i].name, values[i]});
+            trust.all_decided = trust.all_decided && !jobs[i].decides;
+        } else {
+            (i < checks ? trust.checks : trust.kernels).push_back({jobs[i].name, values[i], jobs[i].decides});
+        }
+    const auto worse = [](const Check& a, const Check& b) { // none is the worst
+        return a.similarity < b.similarity || (std::isnan(a.similarity) && !std::isnan(b.similarity));
+    };
+    std::vector<Check> deciding;
+    std::copy_if(trust.checks.begin(), trust.checks.end(), std::back_inserter(deciding),
+                 [](const Check& check) { return check.decides; });
+    if (!deciding.empty())
+        trust.under = std::min_element(deciding.begin(), deciding.end(), worse)->similarity;
     for (const Check& check : trust.checks)
         checked.push_back(check.similarity);
     for (std::size_t i = kernels; i < jobs.size(); ++i)

@@ -12,7 +12,7 @@ struct TrustOptions {
     double noise = 0;       ///< deviation of random height errors at the nodes, mm; 0: none
     int noise_draws = 20;   ///< how many noisy profiles
     int phase_draws = 30;   ///< how many genomes with phases drawn anew
-    double hardness = 0;    ///< MPa, against the highest node pressure; 0: not given
+    double hardness = 0;    ///< MPa: no node bears more, the measured target's neither; 0: not given
     std::uint64_t seed = 1; ///< of noise and redrawn phases
     int threads = 0;        ///< 0: all
     double seconds = std::numeric_limits<double>::infinity(); ///< what is not done by then is left out
@@ -20,14 +20,19 @@ struct TrustOptions {
 
 /// One way to ask the same again, and the similarity it gives; NaN where it has no answer.
 struct Check {
-    std::string name;  ///< what was asked, in words
-    double similarity; ///< NaN: no answer
+    std::string name;     ///< what was asked, in words
+    double similarity;    ///< NaN: no answer
+    bool decides = false; ///< noise or a hardness that was asked for: an answer is to hold under it
 };
 
 /// How far an answer is to be believed.
 struct Trust {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); ///< of what was not tried
-    std::vector<Check> checks;  ///< as designed, finer grids, more load steps, farther datum, each noisy draw
+    std::vector<Check> checks; ///< as designed, finer grids, more load steps, farther datum, each noisy draw,
+                               ///< nodes held at the hardness where the peaks would flow
+    /// The least similarity of checks that decide; NaN where there is none, or one without an answer.
+    double under = unknown;
+    bool all_decided = true;    ///< no check that decides was left out
     double median = unknown;    ///< of the checks' similarities
     double tenth = unknown;     ///< tenth percentile of the checks' similarities
     std::vector<Check> kernels; ///< the same profile on other bodies, for comparison: no check of the answer
