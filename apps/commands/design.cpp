@@ -3,6 +3,7 @@
 #include "apps/commands/design/page.hpp"
 #include "apps/commands/design/schedule.hpp"
 #include "apps/commands/design/settings.hpp"
+#include "apps/commands/design/summary.hpp"
 #include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/progress.hpp"
 #include "apps/prompt/voice.hpp"
@@ -10,8 +11,6 @@
 #include "apps/report/recorder.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
-#include "domain/target/like.hpp"
-#include "domain/target/similarity.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/checkpoint.hpp"
 #include "ga/parallel.hpp"
@@ -19,63 +18,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace app {
 
 namespace {
 
-/// A number in as many digits, 4 at least, as show that it is below another.
-std::string below(double value, double other) {
-    int digits = 4;
-    for (char text[40]; digits < 17; ++digits) {
-        std::snprintf(text, sizeof text, "%.*g", digits, value);
-        if (std::strtod(text, nullptr) < other)
-            break;
-    }
-    return readable(value, digits);
-}
-
-/// What is said of the search in one line: found, out of reach of every profile, or not found within the
-/// budget.
-std::string verdict_of(const DesignRun& run) {
-    const double judged = run.found.best.judged();
-    std::string line;
-    if (!run.out_of_reach.empty())
-        line = run.out_of_reach.front().verdict() + "; no similarity is above " + readable(run.bound, 4) +
-               ", the nearest found has " + readable(judged, 4);
-    else if (judged >= run.wanted)
-        line =
-            "found: similarity " + readable(judged, 5) + " at worst, on finer grids and in finer load steps";
-    else
-        line = "not found within the budget: the nearest curve has similarity " + below(judged, run.wanted) +
-               " at worst, on finer grids and in finer load steps, wanted is " + brief(run.wanted, 15);
-    if (!run.found.best.within_limits)
-        line += "; no answer holds every limit";
-    return line;
-}
-
-/// What a scan answers beside the stiffness that was asked, in words: how far its contact area is missed.
-std::string not_asked(const DesignRun& run) {
-    rough::DesignSetup setup = run.setup;
-    const auto is_area = [](const rough::Target& target) { return rough::is_area(target.quantity); };
-    if (!setup.like || std::any_of(setup.targets.begin(), setup.targets.end(), is_area))
-        return "";
-    const rough::Target& asked = setup.targets.front();
-    setup.targets = {target_like(*setup.like, setup.model, "contact area", rough::Quantity::area_at_pressure,
-                                 asked.points(), asked.last())};
-    const double off = misfit(setup.targets[0], respond(setup, run.found.best.genome, setup.model).curves[0])
-                           .cwiseAbs()
-                           .maxCoeff();
-    return "; contact area was not asked for and is off by up to " + percent(off);
-}
-
 int exit_code(const DesignRun& run) {
     if (run.interrupted)
         return exit_interrupted;
-    const bool missed = run.found.best.judged() < run.wanted;
-    return missed || !run.out_of_reach.empty() || !run.found.best.within_limits ? 3 : 0;
+    return run.summary.found ? 0 : 3;
 }
 
 } // namespace
@@ -153,7 +104,7 @@ int design(const Words& words) {
     run.interrupted = interrupt.asked();
     run.response = respond(run.setup, run.found.best.genome, run.setup.model).responses.front();
     run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
-    run.verdict = verdict_of(run) + not_asked(run);
+    run.summary = summary_of(run);
     run.seconds = schedule.spent();
     write_design_result(run, output.restored());
     write_design_tables(run, folder);
@@ -161,6 +112,7 @@ int design(const Words& words) {
         progress.show("verifying");
         run.trust_options.seconds = schedule.for_trust();
         run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options);
+        run.summary = summary_of(run);
         run.seconds = schedule.spent();
         write_design_result(run, folder);
         if (pictures && schedule.has_time_for_page())
@@ -179,7 +131,9 @@ int design(const Words& words) {
             say("note: no time was left to verify the answer in " +
                 std::to_string(run.trust->left_out.size()) + " ways, named in result.json under trust");
     }
-    say(folder.string() + ": " + run.verdict + " (" + readable(schedule.spent()) + " s)" +
+    for (const Fact& fact : run.summary.facts)
+        say(fact.name + ": " + fact.text);
+    say(folder.string() + ": " + run.summary.verdict + " (" + readable(schedule.spent()) + " s)" +
         (std::filesystem::exists(checkpoint) ? "; --resume goes on with the search" : ""));
     return exit_code(run);
 }

@@ -1,5 +1,6 @@
 #include "apps/commands/design/files.hpp"
 
+#include "apps/commands/design/summary.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
@@ -29,7 +30,7 @@ json answer_json(const rough::Answer& answer) {
 json checks_json(const std::vector<rough::Check>& checks) {
     json all = json::array();
     for (const auto& check : checks)
-        all.push_back({{"name", check.name}, {"similarity", check.similarity}});
+        all.push_back({{"name", check.name}, {"similarity", check.similarity}, {"decides", check.decides}});
     return all;
 }
 
@@ -73,7 +74,8 @@ json design_json(const DesignRun& run) {
     result["target"] = weighted_json(run.setup.targets.front());
     for (const rough::Target& goal : run.setup.targets)
         result["targets"].push_back(weighted_json(goal));
-    result["verdict"] = run.verdict;
+    result["verdict"] = run.summary.verdict;
+    result["summary"] = summary_json(run.summary);
     result["interrupted"] = run.interrupted;
     result["out_of_reach"] = json::array();
     for (const auto& reason : run.out_of_reach)

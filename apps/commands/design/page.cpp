@@ -235,12 +235,11 @@ void add_trust(Page& page, const rough::Trust& trust) {
 } // namespace
 
 std::string design_page(const DesignRun& run, double seconds) {
-    Page page("A surface by design", run.verdict);
-    page.tiles({{"similarity at worst", readable(run.found.best.judged(), 5)},
-                {"on its own grid, in its own load steps", readable(run.found.best.similarity, 5)},
-                {"curves and gradients",
-                 std::to_string(run.found.counters.evaluations + run.found.counters.gradients)},
-                {"seconds", readable(run.seconds)}});
+    Page page("A surface by design", run.summary.verdict);
+    Table box{run.summary.found ? "Found" : "Not found", {"What", "Of the answer"}, {}, {}, true};
+    for (const Fact& fact : run.summary.facts)
+        box.rows.push_back({fact.name, fact.text});
+    page.table(box);
     for (const auto& reason : run.out_of_reach)
         page.prose(Html::raw("<strong>Out of reach:</strong> ") + reason.reason + ". No profile " +
                    (reason.on_this_grid ? "on this grid " : "") + "has a similarity above " +
@@ -251,6 +250,8 @@ std::string design_page(const DesignRun& run, double seconds) {
     add_alternatives(page, run);
     if (run.trust)
         add_trust(page, *run.trust);
+    else
+        page.prose("There was no time to verify the answer; expected more --seconds for it.");
     page.section("How it was found");
     for (const auto& account : run.accounts)
         page.prose(account + ".");
@@ -263,6 +264,9 @@ std::string design_page(const DesignRun& run, double seconds) {
         "; " + std::to_string(model.grid.nodes) + " nodes on " + readable(model.grid.length, 6) + " mm; " +
         std::to_string(model.loading.steps) + " load steps; rugosa " + run.origin.version + ". The search:");
     page.code(run.found.pipeline);
+    page.prose(std::to_string(run.found.counters.evaluations) + " curves and " +
+               std::to_string(run.found.counters.gradients) + " gradients in " + readable(run.seconds) +
+               " s.");
     if (!run.found.stopped.empty())
         page.prose("The search ended early: " + run.found.stopped + ".");
     for (const auto& note : run.found.notes)

@@ -12,6 +12,23 @@
 /// What `rugosa design` was asked for and what it found, as its result file and page read it.
 namespace app {
 
+struct Fact {
+    std::string key;  ///< in result.json
+    std::string name; ///< as for reading
+    std::string text;
+};
+
+/// What a design comes to, at a glance: the report's first screen, `summary` of result.json and the last
+/// lines on the terminal are this.
+struct Summary {
+    bool found = false;
+    double judged = 0;   ///< the answer's worst similarity, under noise and hardness where these are given
+    std::string verdict; ///< in one line
+    std::vector<Fact> facts;
+    /// Quantities that were not asked for, how far the answer is off from the scan's at most.
+    std::vector<std::pair<std::string, double>> not_asked = {};
+};
+
 struct DesignRun {
     rough::DesignSetup setup;    ///< solved throughout: all that is said of the answer
     rough::DesignSetup searched; ///< the same with the accuracy that the search was allowed
@@ -29,7 +46,7 @@ struct DesignRun {
     std::vector<rough::Margin> margins;
     std::optional<rough::Trust> trust; ///< none where there was no time for it
 
-    std::string verdict; ///< one line
+    Summary summary;
     bool interrupted = false;
     double seconds = 0;
     Origin origin;

@@ -19,6 +19,8 @@ namespace {
 
 /// A target whose exact bound is below this is called out of reach, where --reach-similarity is not given.
 constexpr double exact_enough = 0.999;
+/// Contact fractions are counts: with fewer nodes in contact at a target's first point one is too much.
+constexpr double first_nodes = 16;
 
 std::vector<rough::Target> goals_from(const Settings& settings, const rough::Model& model) {
     std::vector<rough::Target> goals;
@@ -58,6 +60,39 @@ void take_range(const Settings& settings, const std::string& name, double& from,
                                 ", expected from no greater than to");
 }
 
+constexpr rough::Quantity quantities_of_scans[][2] = {
+    {rough::Quantity::stiffness, rough::Quantity::area_at_pressure},
+    {rough::Quantity::stiffness, rough::Quantity::stiffness},
+    {rough::Quantity::area_at_pressure, rough::Quantity::area_at_pressure},
+    {rough::Quantity::interface_stiffness, rough::Quantity::interface_stiffness}};
+
+/// The scan's own response as targets, all that are asked for.
+std::vector<rough::Target> goals_like(const Settings& settings, const rough::DesignSetup& setup,
+                                      const rough::Model& own, const std::string& name) {
+    const auto& asked = quantities_of_scans[settings.one_of(
+        "quantity", {"both", "stiffness", "area", "interface_stiffness"})];
+    std::vector<rough::Target> goals;
+    for (const rough::Quantity quantity : {asked[0], asked[1]})
+        if (goals.empty() || quantity != asked[0])
+            goals.push_back(target_like(*setup.like, own, name, quantity, settings.whole("points", 2, 100000),
+                                        setup.max_pressure.value_or(0)));
+    return goals;
+}
+
+bool of_area(const std::vector<rough::Target>& goals) {
+    return std::any_of(goals.begin(), goals.end(),
+                       [](const rough::Target& goal) { return rough::is_area(goal.quantity); });
+}
+
+/// A scan's nodes where area is asked for, or so many that it begins with some of them; 512 to 2048.
+rough::Index nodes_like(const std::vector<rough::Target>& goals, rough::Index scan) {
+    double nodes = static_cast<double>(scan);
+    for (const rough::Target& goal : goals)
+        if (rough::is_area(goal.quantity))
+            nodes = std::max(nodes, first_nodes / goal.y[0]);
+    return of_area(goals) ? static_cast<rough::Index>(std::clamp(nodes, 512., 2048.)) : rough::Grid().nodes;
+}
+
 void take_bounds(const Settings& settings, rough::DesignSetup& setup) {
     rough::GeneBounds& bounds = setup.bounds;
     take_range(settings, "H", bounds.H_from, bounds.H_to, std::numeric_limits<double>::min(), 10);
@@ -82,6 +117,9 @@ std::vector<Setting> design_settings() {
         {"target", "", "target file (CSV); several with commas between"},
         {"weights", "", "how much each target counts, with commas between [1 each]"},
         {"like", "", "measured profile whose own response is the target"},
+        {"quantity", "both",
+         "of the scan's response: both (stiffness and contact area), stiffness, area or "
+         "interface_stiffness"},
         {"points", "20", "points of the target that --like gives"},
         {"resistivity", "",
          "rho1 + rho2 of a conductance target, C = 2 K_i/(E* (rho1 + rho2)) of the interface stiffness K_i"},
@@ -89,7 +127,9 @@ std::vector<Setting> design_settings() {
          "rescale every genome to this mean pressure at full approach (Eq. 11), MPa [amplitude is a gene]"},
         {"database", "", "genome database whose stored curves nearest to the target the search begins from"},
         {"variant", "",
-         "how to search: a named pipeline (rugosa operators) [default; with --database: in-line]"},
+         "how to search: a named pipeline (rugosa operators) [default; with --database: in-line; for a "
+         "scan's "
+         "area: like]"},
         {"pipeline", "", "how to search: a pipeline as text, in place of a variant"},
         {"seconds", "", "wall time of the whole program [until the pipeline ends]"},
         {"reach-similarity", "",
@@ -115,7 +155,7 @@ std::vector<Setting> design_settings() {
         {"lambda-from", "", "least longest wave of a series, mm [L/4]"},
         {"lambda-to", "", "largest longest wave of a series, mm [4 L]"},
         {"noise", "", "deviation of random height errors to verify the answer under, mm [none]"},
-        {"hardness", "", "hardness to hold the highest node pressure against, MPa [none]"},
+        {"hardness", "", "hardness that no node bears more than, MPa, to verify the answer under [none]"},
     };
     return joined({settings, scan_settings(), model_settings(), {accuracy_setting()}});
 }
@@ -134,11 +174,10 @@ DesignRun design_from(const Settings& settings) {
         own.grid.nodes = scan.measured.nodes();
         setup.like = scan.on(own.grid);
         setup.model = own;
-        setup.model.grid.nodes = nodes_from(settings, rough::Grid().nodes);
-        setup.targets = {target_like(*setup.like, own, scan.name, rough::Quantity::stiffness,
-                                     settings.whole("points", 2, 100000), setup.max_pressure.value_or(0))};
+        setup.targets = goals_like(settings, setup, own, scan.name);
+        setup.model.grid.nodes = nodes_from(settings, nodes_like(setup.targets, own.grid.nodes));
     } else {
-        expect_none(settings, joined({scan_settings(), {{"points", "", ""}}}),
+        expect_none(settings, joined({scan_settings(), {{"points", "", ""}, {"quantity", "", ""}}}),
                     "given with --target, expected with --like only");
         setup.model = model_from(settings);
         setup.targets = goals_from(settings, setup.model);
@@ -159,9 +198,10 @@ DesignRun design_from(const Settings& settings) {
     if (settings.given("variant") && settings.given("pipeline"))
         throw rough::InputError("design: expected either --variant or --pipeline");
     rough::SearchOptions& options = run.options;
-    options.variant = settings.has("variant")    ? settings.text("variant")
-                      : settings.has("database") ? "in-line"
-                                                 : "default";
+    options.variant = settings.has("variant")                ? settings.text("variant")
+                      : settings.has("database")             ? "in-line"
+                      : setup.like && of_area(setup.targets) ? "like"
+                                                             : "default";
     options.pipeline = settings.text("pipeline");
     if (!options.pipeline.empty())
         options.variant = "pipeline";

@@ -1,0 +1,272 @@
+#include "apps/commands/design/summary.hpp"
+
+#include "apps/report/units.hpp"
+#include "domain/contact/names.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace app {
+
+namespace {
+
+using rough::Quantity;
+
+/// An interface stiffer than so many E* a millimetre is in full contact, but for rounding.
+constexpr double nearly_rigid = 1e6;
+
+std::string in_words(Quantity quantity) {
+    switch (quantity) {
+    case Quantity::stiffness:
+        return "stiffness";
+    case Quantity::interface_stiffness:
+        return "interface stiffness";
+    case Quantity::load_at_displacement:
+        return "load";
+    default:
+        return "contact area";
+    }
+}
+
+/// A number in as many digits, 4 at least, as show that it is below another.
+std::string below(double value, double other) {
+    int digits = 4;
+    for (char text[40]; digits < 17; ++digits) {
+        std::snprintf(text, sizeof text, "%.*g", digits, value);
+        if (std::strtod(text, nullptr) < other)
+            break;
+    }
+    return readable(value, digits);
+}
+
+void join(std::string& all, const std::string& more, const char* between = "; ") {
+    if (!all.empty() && !more.empty())
+        all += between;
+    all += more;
+}
+
+bool asks_under(const DesignRun& run) {
+    return run.trust_options.noise > 0 || run.trust_options.hardness > 0;
+}
+
+/// The worst similarity under all that was asked; -infinity where there was no answer under it.
+double judged_under(const DesignRun& run) {
+    const double own = run.found.best.judged();
+    if (!run.trust || std::none_of(run.trust->checks.begin(), run.trust->checks.end(),
+                                   [](const rough::Check& check) { return check.decides; }))
+        return own;
+    return std::isnan(run.trust->under) ? -HUGE_VAL : std::min(own, run.trust->under);
+}
+
+bool is_verified(const DesignRun& run) { return !asks_under(run) || (run.trust && run.trust->all_decided); }
+
+std::string conditions(const DesignRun& run) {
+    std::string under = "on finer grids and in finer load steps";
+    if (asks_under(run) && run.trust) {
+        if (run.trust_options.noise > 0)
+            under += ", under noise";
+        if (run.trust_options.hardness > 0)
+            under += ", under the hardness";
+    }
+    return under;
+}
+
+std::string verdict_of(const DesignRun& run, double judged) {
+    std::string line;
+    if (!run.out_of_reach.empty())
+        line = run.out_of_reach.front().verdict() + "; no similarity is above " + readable(run.bound, 4) +
+               ", the nearest found has " + readable(judged, 4);
+    else if (judged >= run.wanted)
+        line = is_verified(run)
+                   ? "found: similarity " + readable(judged, 5) + " at worst, " + conditions(run)
+                   : "not verified: similarity " + readable(judged, 5) + " at worst, " + conditions(run) +
+                         ", but there was no time for the noise or hardness "
+                         "asked for";
+    else
+        line = "not found within the budget: the nearest curve has similarity " +
+               (std::isinf(judged) ? "none" : below(judged, run.wanted)) + " at worst, " + conditions(run) +
+               ", wanted is " + brief(run.wanted, 15);
+    if (!run.found.best.within_limits)
+        line += "; no answer holds every limit";
+    return line;
+}
+
+std::string matched(const DesignRun& run, const rough::DesignResponse& response) {
+    std::string all;
+    const std::vector<double> each = similarities(run.setup, response);
+    for (std::size_t t = 0; t < each.size(); ++t)
+        join(all, in_words(run.setup.targets[t].quantity) + ": similarity " + readable(each[t], 4) +
+                      ", off by up to " + percent((1 - each[t]) / run.setup.targets[t].weight));
+    return all;
+}
+
+/// How far the answer is off in what the scan answers and nobody asked.
+std::vector<std::pair<std::string, double>> off_unasked(const DesignRun& run) {
+    std::vector<std::pair<std::string, double>> all;
+    const auto& asked = run.setup.targets;
+    if (!run.setup.like || !asked.front().against_pressure())
+        return all;
+    rough::DesignSetup setup = run.setup;
+    setup.targets.clear();
+    for (const Quantity quantity :
+         {Quantity::stiffness, Quantity::area_at_pressure, Quantity::interface_stiffness}) {
+        if (std::any_of(asked.begin(), asked.end(),
+                        [&](const rough::Target& target) { return target.quantity == quantity; }))
+            continue;
+        setup.targets.push_back(asked.front());
+        setup.targets.back().quantity = quantity;
+    }
+    setup = rough::in_finer_steps(std::move(setup), 1); // values of the scan's own curve
+    const std::vector<double> each = similarities(setup, respond(setup, run.found.best.genome, setup.model));
+    for (std::size_t t = 0; t < each.size(); ++t)
+        if (setup.targets[t].y.maxCoeff() < nearly_rigid * run.setup.model.body.effective_modulus)
+            all.emplace_back(in_words(setup.targets[t].quantity), 1 - each[t]);
+    return all;
+}
+
+std::string worst_case(const DesignRun& run) {
+    const rough::Answer& best = run.found.best;
+    std::string all = readable(best.similarity, 4) + " as designed, " + readable(best.similarity_refined, 4) +
+                      " on a grid 4 times finer, " + readable(best.similarity_stepped, 4) +
+                      " in 4 times the load steps, " + readable(best.similarity_worst, 4) +
+                      " at worst, both together among these";
+    if (!run.trust)
+        return all + "; there was no time to verify more";
+    double noisy = HUGE_VAL;
+    for (const rough::Check& check : run.trust->checks)
+        if (check.name.find("datum") != std::string::npos)
+            join(all, readable(check.similarity, 4) + " with the datum 4 times farther");
+        else if (check.name.find("noise") != std::string::npos)
+            noisy = std::min(noisy, check.similarity);
+    join(all, run.trust_options.noise > 0 && noisy < HUGE_VAL
+                  ? readable(noisy, 4) + " at worst under height noise"
+                  : "noise not asked for (--noise)");
+    if (!run.trust->left_out.empty())
+        join(all, "no time was left for " + std::to_string(run.trust->left_out.size()) + " checks");
+    return all;
+}
+
+std::string yielding(const DesignRun& run) {
+    if (!run.trust)
+        return "not judged: there was no time";
+    const Unit unit = pressure_unit(run.trust->peak_pressure);
+    const double hardness = run.trust_options.hardness, peak = run.trust->peak_pressure;
+    const std::string highest = "highest node pressure " + readable(unit.factor * peak) + " " + unit.name +
+                                ", " + percent(peak / run.setup.model.body.effective_modulus) + " of E*";
+    if (hardness <= 0)
+        return "taken as elastic; " + highest + " (--hardness judges it)";
+    if (peak <= hardness)
+        return "elastic: " + highest + ", within the hardness";
+    std::string all = "yields: " + highest + ", above the hardness";
+    for (const rough::Check& check : run.trust->checks)
+        if (check.name.find("hardness") != std::string::npos)
+            join(all, "similarity " + readable(check.similarity, 4) + " with " + check.name);
+    return all;
+}
+
+std::string making(const DesignRun& run) {
+    std::string kept, free;
+    for (const rough::Margin& margin : run.margins) {
+        std::string name = margin.name;
+        std::replace(name.begin(), name.end(), '_', ' ');
+        if (margin.limit > 0)
+            join(kept,
+                 name + " " + readable(margin.value) + (margin.holds() ? " keeps " : " breaks ") +
+                     readable(margin.limit),
+                 ", ");
+        else
+            join(free, name + " " + readable(margin.value), ", ");
+    }
+    return (run.found.best.within_limits ? "yes: " : "no: ") + kept +
+           (free.empty() ? "" : "; no limit was set for " + free);
+}
+
+std::string carries(const DesignRun& run) {
+    const rough::Model& model = run.setup.model;
+    const std::string body =
+        std::string(name_of(model.body.kernel)) + " body, length " + readable(model.grid.length, 5) + " mm";
+    const bool has_datum = model.body.kernel == rough::Kernel::free;
+    std::string all;
+    for (const rough::Target& target : run.setup.targets) {
+        const Quantity quantity = target.quantity;
+        const std::string name = in_words(quantity);
+        std::string own;
+        if (quantity == Quantity::interface_stiffness)
+            own = name + ": over any datum, and over lengths weakly, at light loads";
+        else if (quantity == Quantity::area_at_pressure)
+            own = name + ": over any datum, for this length alone";
+        else if (!has_datum)
+            own = name + ": for this length alone";
+        else
+            own = name + ": for this length and datum alone, " + readable(model.body.datum, 5) + " mm" +
+                  (quantity == Quantity::stiffness ? " (interface_stiffness carries over)" : "");
+        if (all.find(own) == std::string::npos)
+            join(all, own);
+    }
+    return all + "; " + body;
+}
+
+/// What stands in the way of an answer that was not found.
+std::string in_the_way(const DesignRun& run) {
+    std::string all;
+    if (run.bound < run.wanted)
+        join(all, "no profile has a similarity above " + readable(run.bound, 4));
+    const double nodes = static_cast<double>(run.setup.model.grid.nodes);
+    for (const rough::Target& target : run.setup.targets)
+        if (is_area(target.quantity) && 0.5 / (target.y[0] * nodes) > 1 - run.wanted)
+            join(all, "at its first point the area asked for is " + readable(target.y[0] * nodes) + " of " +
+                          brief(nodes, 9) + " nodes, of which half a one is " +
+                          percent(0.5 / (target.y[0] * nodes)) + ": more --nodes resolve it");
+    if (run.setup.limits.shortest_wave > 0)
+        join(all, "waves under " + readable(run.setup.limits.shortest_wave) +
+                      " mm are not made (--shortest-wave)");
+    if (run.setup.limits.any_shape())
+        join(all, "the limits on shape");
+    join(all, run.found.stopped.empty() ? "the search ended by itself: another --seed, or --seconds for more"
+                                        : "the search was ended early: " + run.found.stopped);
+    return all;
+}
+
+} // namespace
+
+Summary summary_of(const DesignRun& run) {
+    Summary summary;
+    summary.judged = judged_under(run);
+    summary.found = summary.judged >= run.wanted && is_verified(run) && run.out_of_reach.empty() &&
+                    run.found.best.within_limits;
+    summary.verdict = verdict_of(run, summary.judged);
+    summary.not_asked = off_unasked(run);
+    const auto add = [&](const char* key, const char* name, const std::string& text) {
+        if (!text.empty())
+            summary.facts.push_back({key, name, text});
+    };
+    add("matched", "Matched", matched(run, respond(run.setup, run.found.best.genome, run.setup.model)));
+    std::string off;
+    for (const auto& [name, share] : summary.not_asked)
+        join(off, name + " was not asked for and is off by up to " + percent(share));
+    if (!run.setup.like)
+        off = "nothing is known of what the target's file does not say; the answer touches on " +
+              percent(run.response.contact_fraction.tail(1)[0]) + " at its last load";
+    add("not_asked_for", "Not asked for", off);
+    add("worst_case", "At worst", worst_case(run));
+    add("yielding", "Elastic", yielding(run));
+    add("making", "Can be made", making(run));
+    add("carries_over", "Holds for", carries(run));
+    if (!summary.found)
+        add("in_the_way", "In the way", in_the_way(run));
+    return summary;
+}
+
+nlohmann::json summary_json(const Summary& summary) {
+    nlohmann::json result{{"found", summary.found}, {"not_asked", nlohmann::json::object()}};
+    result["judged"] = std::isfinite(summary.judged) ? nlohmann::json(summary.judged) : nlohmann::json();
+    for (const auto& [name, share] : summary.not_asked)
+        result["not_asked"][name] = share;
+    for (const Fact& fact : summary.facts)
+        result[fact.key] = fact.text;
+    return result;
+}
+
+} // namespace app
