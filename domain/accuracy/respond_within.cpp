@@ -97,7 +97,7 @@ class Question {
             model_.contact.tolerance =
                 std::min(model_.contact.tolerance, solver_share * accuracy / (2.0 * resolved.loading.steps));
         response_.range = displacement_range(whole_, resolved.body.kernel);
-        response_.full_stiffness = full_contact_stiffness(whole_.nodes(), whole_.spacing, resolved.body);
+        response_.full_stiffness = full_contact_stiffness(whole_, resolved.body);
         response_.displacement = Eigen::Map<const Eigen::VectorXd>(rows_.data(), count_);
         account_.accuracy = accuracy;
         account_.resolved_nodes = resolved.grid.nodes;

@@ -27,7 +27,7 @@ double sum_of_tangents(const ContactProblem& problem) {
     all.collect();
     Loaded tangent(problem.nodes());
     SetSolver(problem).tangent(all, tolerance, true, tangent);
-    const Eigen::VectorXd image = SplitOperator(problem.column).apply(tangent.pressure);
+    const Eigen::VectorXd image = split_operator(problem).apply(tangent.pressure);
     const double residual = (image.array() - 1).abs().maxCoeff();
     if (!(residual <= tolerance)) {
         std::ostringstream line;
@@ -38,7 +38,7 @@ double sum_of_tangents(const ContactProblem& problem) {
     return tangent.pressure.dot((2 - image.array()).matrix());
 }
 
-using Key = std::tuple<Kernel, Index, double>;
+using Key = std::tuple<Kernel, Index, Index, double>;
 
 /// The same, remembered.
 double known_sum(const Key& key, const ContactProblem& problem) {
@@ -63,10 +63,15 @@ double known_sum(const Key& key, const ContactProblem& problem) {
 
 } // namespace
 
-double full_contact_stiffness(Index nodes, double spacing, const Body& given) {
+double full_contact_stiffness(Index nodes, double spacing, const Body& body) {
+    return full_contact_stiffness(Profile{Eigen::VectorXd::Zero(nodes), spacing}, body);
+}
+
+double full_contact_stiffness(const Profile& surface, const Body& given) {
     if (given.kernel == Kernel::periodic)
         return std::numeric_limits<double>::infinity();
-    const Profile flat{Eigen::VectorXd::Zero(nodes), spacing};
+    Profile flat = surface;
+    flat.heights.setZero();
     const double length = profile_length(flat, given.kernel);
     const Body body = completed(given, length);
     make_problem(flat, body, {}); // refuses what has no solution
@@ -74,9 +79,10 @@ double full_contact_stiffness(Index nodes, double spacing, const Body& given) {
     at_length.datum = length;
     const ContactProblem problem = make_problem(flat, at_length, {});
     const bool strip = body.kernel == Kernel::strip;
+    const double other = strip ? problem.strip_width : problem.row_spacing;
     const double stiffness =
-        problem.stiffness_unit * known_sum({body.kernel, nodes, strip ? problem.strip_width : 0.0}, problem);
-    if (strip)
+        problem.stiffness_unit * known_sum({body.kernel, flat.nodes(), flat.rows, other}, problem);
+    if (strip || flat.is_area())
         return stiffness;
     // 1/K(d) = 1/K(L) + (2 L/(pi E*)) ln(d/L)
     return 1 / (1 / stiffness -

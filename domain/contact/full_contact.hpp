@@ -12,5 +12,7 @@ namespace rough {
 /// d = L, moved to the body's datum exactly, and kept for the grids asked for last, for all threads. Throws
 /// InputError on a body without a solution, NotConverged where H w is not 1.
 double full_contact_stiffness(Index nodes, double spacing, const Body& body);
+/// The same of a surface's grid, a line's or an area's; a free area has no datum.
+double full_contact_stiffness(const Profile& surface, const Body& body);
 
 } // namespace rough

@@ -155,8 +155,7 @@ double displacement_at(double pressure, const Profile& profile, const Body& body
 
 /// Every node at the hardness.
 void check_bearable(double pressure, const Profile& profile, const Body& body) {
-    const double most = body.hardness * static_cast<double>(profile.nodes()) * profile.spacing /
-                        profile_length(profile, body.kernel);
+    const double most = body.hardness * static_cast<double>(profile.nodes()) / elements(profile, body.kernel);
     if (!(pressure < most))
         refuse("mean pressure ", pressure, " MPa was given, less than what all nodes bear at the hardness, ",
                most, " MPa, is expected");

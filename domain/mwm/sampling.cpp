@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace rough {
@@ -81,9 +82,164 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& colu
     return result;
 }
 
+/// cos(k x_i) and sin(k x_i), or along y, a column for each plane wave.
+struct Axis {
+    Eigen::MatrixXd cosines, sines;
+
+    Axis(const std::vector<PlaneWave>& all, double PlaneWave::*k, Index nodes, double spacing, double from)
+        : cosines(nodes, static_cast<Index>(all.size())), sines(cosines.rows(), cosines.cols()) {
+        for (Index w = 0; w < cosines.cols(); ++w) {
+            const double turn = all[static_cast<std::size_t>(w)].*k;
+            const Turns along(turn * from, turn * spacing, nodes);
+            cosines.col(w) = along.cosines;
+            sines.col(w) = along.sines;
+        }
+    }
+};
+
+Axis x_axis(const std::vector<PlaneWave>& all, const Grid& grid) {
+    return {all, &PlaneWave::k_x, grid.nodes, grid.spacing(), grid.from};
+}
+Axis y_axis(const std::vector<PlaneWave>& all, const Grid& grid) {
+    return {all, &PlaneWave::k_y, grid.rows, grid.row_spacing(), 0};
+}
+
+Profile sample_area(const Genome& genome, const Grid& grid) {
+    const auto all = plane_waves(genome, grid);
+    const Axis x = x_axis(all, grid), y = y_axis(all, grid);
+    Eigen::VectorXd c(x.cosines.cols()), s(x.cosines.cols());
+    double offset = 0;
+    for (Index w = 0; w < c.size(); ++w) {
+        const PlaneWave& wave = all[static_cast<std::size_t>(w)];
+        c[w] = wave.amplitude * std::cos(wave.phase);
+        s[w] = wave.amplitude * std::sin(wave.phase);
+        offset += c[w];
+    }
+    // cos(X + Y + phi) = cos(X + phi) cos Y - sin(X + phi) sin Y: two products of matrices
+    Eigen::MatrixXd heights = Eigen::MatrixXd::Constant(grid.nodes, grid.rows, offset);
+    heights.noalias() -=
+        (x.cosines * c.asDiagonal() - x.sines * s.asDiagonal()).eval() * y.cosines.transpose();
+    heights.noalias() += (x.sines * c.asDiagonal() + x.cosines * s.asDiagonal()).eval() * y.sines.transpose();
+    return {heights.reshaped(), grid.spacing(), grid.rows, grid.row_spacing()};
+}
+
+/// One functional's sums over an area: S = sum g exp(i(k_x x + k_y y)), T_x and T_y the same of g x and g y.
+struct PlaneSums {
+    Eigen::VectorXcd S, Tx, Ty;
+};
+
+PlaneSums plane_sums(const Eigen::Map<const Eigen::MatrixXd>& g, const Axis& x, const Axis& y,
+                     const Eigen::VectorXd& at_x, const Eigen::VectorXd& at_y) {
+    const std::complex<double> i(0, 1);
+    const auto contracted = [&](const Eigen::MatrixXd& cosine_part, const Eigen::MatrixXd& sine_part,
+                                const Eigen::VectorXd& weight) -> Eigen::VectorXcd {
+        const Eigen::MatrixXd c = weight.asDiagonal() * x.cosines, s = weight.asDiagonal() * x.sines;
+        const auto dot = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) -> Eigen::VectorXd {
+            return (a.array() * b.array()).colwise().sum().transpose();
+        };
+        return (dot(c, cosine_part) - dot(s, sine_part)).cast<std::complex<double>>() +
+               i * (dot(s, cosine_part) + dot(c, sine_part)).cast<std::complex<double>>();
+    };
+    const Eigen::MatrixXd gc = g * y.cosines, gs = g * y.sines;
+    const Eigen::MatrixXd yc = g * (at_y.asDiagonal() * y.cosines), ys = g * (at_y.asDiagonal() * y.sines);
+    const Eigen::VectorXd one = Eigen::VectorXd::Ones(at_x.size());
+    return {contracted(gc, gs, one), contracted(gc, gs, at_x), contracted(yc, ys, one)};
+}
+
+/// How a series' genes move the height and the wave number of one of its chromosomes' waves.
+struct SeriesRates {
+    double H, gamma, lambda, gamma_turn, lambda_turn;
+
+    SeriesRates(const Series& series, int n) {
+        const double order = n - 1, k = wave_number(series, n);
+        H = -(std::log(2 * std::numbers::pi / series.lambda) + order * std::log(series.gamma));
+        gamma = 0.5 / (series.gamma * std::log(series.gamma)) - order * series.H / series.gamma;
+        lambda = series.H / series.lambda;
+        gamma_turn = order * k / series.gamma;
+        lambda_turn = k / series.lambda;
+    }
+};
+
+Eigen::MatrixXd pulled_back_area(const Eigen::MatrixXd& height_gradient, const Genome& genome,
+                                 const Grid& grid) {
+    const auto all = plane_waves(genome, grid);
+    const Axis x = x_axis(all, grid), y = y_axis(all, grid);
+    const Eigen::VectorXd at_x = Eigen::VectorXd::LinSpaced(
+        grid.nodes, grid.from, grid.from + grid.spacing() * static_cast<double>(grid.nodes - 1));
+    const Eigen::VectorXd at_y =
+        Eigen::VectorXd::LinSpaced(grid.rows, 0, grid.row_spacing() * static_cast<double>(grid.rows - 1));
+    Eigen::MatrixXd result =
+        Eigen::MatrixXd::Zero(height_gradient.rows(), static_cast<Index>(genes(genome).size()));
+    for (Index row = 0; row < height_gradient.rows(); ++row) {
+        const Eigen::VectorXd functional = height_gradient.row(row);
+        const PlaneSums sums = plane_sums(
+            Eigen::Map<const Eigen::MatrixXd>(functional.data(), grid.nodes, grid.rows), x, y, at_x, at_y);
+        Index gene = 0;
+        std::size_t w = 0;
+        for (const Series& series : genome.series) {
+            auto of_series = result.row(row).segment(gene, 4); // A, H, gamma, lambda
+            gene += 4;
+            for (const Chromosome& chromosome : series.chromosomes) {
+                const SeriesRates rate(series, chromosome.n);
+                for (std::size_t m = 0; m < chromosome.phases.size(); ++m, ++w) {
+                    const PlaneWave& wave = all[w];
+                    const auto at = static_cast<Index>(w);
+                    const std::complex<double> turn = std::polar(1.0, wave.phase);
+                    const double height = -wave.amplitude * (sums.S[at] * turn).real();
+                    const double norm = std::hypot(wave.k_x, wave.k_y);
+                    const double dk =
+                        wave.fitted
+                            ? 0
+                            : wave.amplitude *
+                                  ((wave.k_x * sums.Tx[at] + wave.k_y * sums.Ty[at]) / norm * turn).imag();
+                    of_series[0] += height / series.A;
+                    of_series[1] += height * rate.H;
+                    of_series[2] += height * rate.gamma + dk * rate.gamma_turn;
+                    of_series[3] += height * rate.lambda - dk * rate.lambda_turn;
+                    result(row, gene++) = wave.amplitude * (sums.S[at] * turn).imag();
+                }
+            }
+        }
+    }
+    return result;
+}
+
 } // namespace
 
+std::vector<PlaneWave> plane_waves(const Genome& genome, const Grid& grid) {
+    constexpr double turn = 2 * std::numbers::pi;
+    std::vector<PlaneWave> all;
+    for (const Series& series : genome.series)
+        for (const Chromosome& chromosome : series.chromosomes) {
+            const double k = wave_number(series, chromosome.n);
+            const std::size_t ridges = chromosome.phases.size();
+            const double G = genome.scale * amplitude(series, chromosome.n, ridges);
+            for (std::size_t m = 0; m < ridges; ++m) {
+                const double theta = std::numbers::pi * static_cast<double>(m) / static_cast<double>(ridges);
+                PlaneWave wave{G, k * std::cos(theta), k * std::sin(theta), chromosome.phases[m]};
+                if (2 * m == ridges)
+                    wave.k_x = 0;
+                if (grid.wraps) {
+                    const double x = wave.k_x * grid.length / turn, y = wave.k_y * grid.width / turn;
+                    double i = std::round(x), j = std::round(y);
+                    if (i == 0 && j == 0) // the nearest but zero, at the end of either axis
+                        (std::abs(x) * grid.width >= std::abs(y)* grid.length ? i = std::copysign(1, x)
+                                                                              : j = 1);
+                    const double fit_x = turn * i / grid.length, fit_y = turn * j / grid.width;
+                    wave.moved = std::hypot(fit_x - wave.k_x, fit_y - wave.k_y) / k;
+                    wave.fitted = true;
+                    wave.k_x = fit_x;
+                    wave.k_y = fit_y;
+                }
+                all.push_back(wave);
+            }
+        }
+    return all;
+}
+
 Profile sample(const Genome& genome, const Grid& grid) {
+    if (grid.is_area())
+        return sample_area(genome, grid);
     Profile profile{Eigen::VectorXd::Zero(grid.nodes), grid.spacing()};
     for (const Wave& wave : waves(genome)) { // Eq. 9
         const AlongWave along(wave.wave_number * profile.spacing, wave.phase + wave.wave_number * grid.from,
@@ -111,6 +267,8 @@ Eigen::MatrixXd wave_basis(const Genome& genome, const Grid& grid) {
 }
 
 Eigen::MatrixXd pulled_back(const Eigen::MatrixXd& height_gradient, const Genome& genome, const Grid& grid) {
+    if (grid.is_area())
+        return pulled_back_area(height_gradient, genome, grid);
     // With S = sum_i g_i exp(i k x_i) and T = sum_i g_i x_i exp(i k x_i), for the functional g:
     //   cosine part  sum_i g_i cos(k x_i + theta) = Re(S e^{i theta}),  d/d phi_m = Im(S e^{i phi_m}) G,
     //   d/dk = G R Im(T e^{i theta}).
@@ -129,18 +287,17 @@ Eigen::MatrixXd pulled_back(const Eigen::MatrixXd& height_gradient, const Genome
         gene += 4;
         for (const auto& chromosome : series.chromosomes) {
             const Wave w = wave(series, chromosome);
-            const double s = genome.scale, order = chromosome.n - 1, lambda = series.lambda,
-                         gamma = series.gamma;
+            const double s = genome.scale;
+            const SeriesRates rate(series, chromosome.n);
             const auto Sc = S.col(column), Ss = S.col(column + 1), Tc = T.col(column), Ts = T.col(column + 1);
             column += 2;
             const double c0 = std::cos(w.phase), s0 = std::sin(w.phase);
             const Eigen::VectorXd height = -s * w.amplitude * (c0 * Sc - s0 * Ss);
             const Eigen::VectorXd dk = s * w.amplitude * (s0 * Tc + c0 * Ts);
             dA += height / series.A;
-            dH -= height * (std::log(2 * std::numbers::pi / lambda) + order * std::log(gamma));
-            dgamma += height * (0.5 / (gamma * std::log(gamma)) - order * series.H / gamma) +
-                      dk * (order * w.wave_number / gamma);
-            dlambda += height * (series.H / lambda) - dk * (w.wave_number / lambda);
+            dH += height * rate.H;
+            dgamma += height * rate.gamma + dk * rate.gamma_turn;
+            dlambda += height * rate.lambda - dk * rate.lambda_turn;
             const double G = s * amplitude(series, chromosome.n, chromosome.phases.size());
             for (double phase : chromosome.phases)
                 result.col(gene++) = G * (std::sin(phase) * Sc + std::cos(phase) * Ss);

@@ -4,6 +4,8 @@
 
 #include <fftw3.h>
 
+#include <vector>
+
 namespace rough {
 
 /// Real transforms of one length, planned once (FFTW_ESTIMATE, under a lock) and safe to execute from any
@@ -14,8 +16,11 @@ struct FourierPlan {
 };
 /// The plan for real transforms of `length` numbers.
 FourierPlan fourier_plan(Index length);
+/// The plan for real transforms of an area's rows x columns numbers; the half-complex rows are columns/2 + 1
+/// long. A single row is a line.
+FourierPlan fourier_plan(Shape shape);
 /// the same for complex transforms in place
-FourierPlan complex_fourier_plan(Index length);
+FourierPlan complex_fourier_plan(Shape shape);
 
 /// Whether no prime factor is above 13: with a large one transforms take up to ten times as long.
 bool is_good_fourier_length(Index length);
@@ -44,26 +49,37 @@ struct Fftw<float> {
 };
 
 /// u = T p for a symmetric circulant (its eigenvalues given) or Toeplitz matrix (its first column given,
-/// padded with zeros), by FFT in double or single precision. One object serves one thread at a time.
+/// padded with zeros), by FFT in double or single precision; on an area circulant or Toeplitz along both axes
+/// and symmetric in each. One object serves one thread at a time.
 template <typename Real>
 class BasicFourierOperator {
   public:
     /// N x N symmetric Toeplitz from its first column of N entries.
-    static BasicFourierOperator toeplitz(const Eigen::VectorXd& first_column);
+    static BasicFourierOperator toeplitz(const Eigen::VectorXd& first_column) {
+        return toeplitz(first_column, {first_column.size()});
+    }
+    /// The same of an area.
+    static BasicFourierOperator toeplitz(const Eigen::VectorXd& first_column, Shape shape);
     /// eigenvalues S_k, k = 0..N/2, of an N x N symmetric circulant
-    static BasicFourierOperator circulant(Index nodes, const Eigen::VectorXd& eigenvalues);
+    static BasicFourierOperator circulant(Index nodes, const Eigen::VectorXd& eigenvalues) {
+        return circulant(Shape{nodes}, eigenvalues);
+    }
+    /// Of an area: N_y rows of N_x/2 + 1 eigenvalues.
+    static BasicFourierOperator circulant(Shape shape, const Eigen::VectorXd& eigenvalues);
 
-    Index nodes() const { return nodes_; } ///< N
+    Index nodes() const { return shape_.nodes(); } ///< N
     /// Write p (N entries) here, then call apply().
     Real* input() { return real_.data(); }
     /// Returns u (N entries), valid until the next write to input().
     const Real* apply();
 
   private:
-    BasicFourierOperator(Index nodes, Index length);
-    Index nodes_, length_;
+    BasicFourierOperator(Shape shape, Shape padded);
+    void spread(); ///< from N entries to the padded rows
+    void gather(); ///< back
+    Shape shape_, padded_;
     typename Fftw<Real>::Plan plan_;
-    Index half_; ///< length/2 + 1
+    Index half_; ///< of the half-complex transform, all rows
     AlignedBuffer<Real> real_, spectrum_;
     AlignedBuffer<typename Fftw<Real>::Complex> transform_;
 };
@@ -74,20 +90,28 @@ using FourierOperator = BasicFourierOperator<double>;
 using SingleFourierOperator = BasicFourierOperator<float>;
 
 /// u = T p for a symmetric Toeplitz matrix without padding: T is half the sum of a circulant, c_j + c_(N-j),
-/// and a skew-circulant, c_j - c_(N-j). Shares no transform and no spectrum with FourierOperator.
+/// and a skew-circulant, c_j - c_(N-j); on an area so along both axes, a quarter of the sum of four. Shares
+/// no transform and no spectrum with FourierOperator.
 class SplitOperator {
   public:
-    /// From the first column of N entries.
-    explicit SplitOperator(const Eigen::VectorXd& first_column);
+    /// From the first column of N entries; a line, if no shape is given.
+    explicit SplitOperator(const Eigen::VectorXd& first_column, Shape shape = {});
     /// u = T p; p and u have N entries.
     Eigen::VectorXd apply(const Eigen::VectorXd& p);
 
   private:
-    Index nodes_;
+    /// One of the sum: skew-circulant along x, along y, or not.
+    struct Part {
+        bool skew_x, skew_y;
+        Eigen::ArrayXd eigenvalues; ///< over 2 N, of an area over 4 N
+    };
+    void twist(const Part& part, bool back);
+
+    Shape shape_;
     FourierPlan plan_;
     AlignedBuffer<fftw_complex> work_;
-    Eigen::ArrayXcd twist_;           ///< exp(-i pi j/N)
-    Eigen::ArrayXd circulant_, skew_; ///< eigenvalues over 2 N
+    Eigen::ArrayXcd twist_x_, twist_y_; ///< exp(-i pi j/N)
+    std::vector<Part> parts_;           ///< those that are not zero
 };
 
 } // namespace rough

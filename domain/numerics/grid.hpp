@@ -7,19 +7,37 @@ namespace rough {
 /// Counts nodes, rows and columns; signed, as Eigen counts.
 using Index = Eigen::Index;
 
-/// Where a profile is sampled: x_i = from + i * spacing, i = 0..nodes-1.
-struct Grid {
-    Index nodes = 512;       ///< N >= 2
-    double length = 0.84942; ///< L, mm
-    bool wraps = false;      ///< periodic: spacing L/N in place of L/(N-1)
-    double from = 0;         ///< x of the first node, mm
+/// Nodes along x and y; node (i, j) is number j columns + i, so that x runs fastest. A line has one row.
+struct Shape {
+    Index columns = 0; ///< N_x
+    Index rows = 1;    ///< N_y
 
-    double spacing() const { return length / static_cast<double>(wraps ? nodes : nodes - 1); } ///< delta, mm
+    Index nodes() const { return columns * rows; } ///< of all rows
+    bool operator==(const Shape&) const = default; ///< as many along x, and along y
 };
 
-/// The grid of `refine` elements for each of this one.
+/// Where a surface is sampled. A line: x_i = from + i * spacing, i = 0..nodes-1. An area: `rows` such lines,
+/// y_j = j * row_spacing.
+struct Grid {
+    Index nodes = 512;       ///< N >= 2; of an area, N_x of each row
+    double length = 0.84942; ///< L, mm; of an area, L_x
+    bool wraps = false;      ///< periodic: spacing L/N in place of L/(N-1)
+    double from = 0;         ///< x of the first node, mm
+    Index rows = 1;          ///< N_y
+    double width = 0;        ///< L_y, mm; 0: a line
+
+    bool is_area() const { return width > 0; }    ///< two dimensions
+    Shape shape() const { return {nodes, rows}; } ///< N_x, N_y
+    double spacing() const { return length / static_cast<double>(wraps ? nodes : nodes - 1); } ///< delta, mm
+    /// delta_y, mm, 0 for a line; a single row is as wide as the area
+    double row_spacing() const { return width / static_cast<double>(wraps || rows == 1 ? rows : rows - 1); }
+};
+
+/// The grid of `refine` elements for each of this one, along x and y.
 inline Grid refined(Grid grid, Index refine) {
     grid.nodes = grid.wraps ? grid.nodes * refine : (grid.nodes - 1) * refine + 1;
+    if (grid.is_area())
+        grid.rows = grid.wraps || grid.rows == 1 ? grid.rows * refine : (grid.rows - 1) * refine + 1;
     return grid;
 }
 

@@ -6,12 +6,17 @@
 
 namespace rough {
 
-/// A sampled line profile: heights Z_i at x_i = i * spacing, i = 0..N-1. Lengths in mm.
+/// A sampled surface: a line's heights Z_i at x_i = i * spacing, i = 0..N-1, or an area's, row after row, at
+/// y_j = j * row_spacing. Lengths in mm.
 struct Profile {
     Eigen::VectorXd heights; ///< N heights, mm
     double spacing = 0;      ///< delta, mm; L/(N-1) on an open interval, L/N on a periodic one
+    Index rows = 1;          ///< N_y; N is a multiple of it
+    double row_spacing = 0;  ///< delta_y, mm; 0: a line
 
-    Index nodes() const { return heights.size(); } ///< N
+    Index nodes() const { return heights.size(); }                ///< N
+    bool is_area() const { return row_spacing > 0; }              ///< two dimensions
+    Shape shape() const { return {heights.size() / rows, rows}; } ///< N_x, N_y
 };
 
 /// The profile of these heights, `spacing` apart; mm.

@@ -58,17 +58,26 @@ Body completed_for(const Profile& profile, const Body& body) {
     return completed(body, profile_length(profile, body.kernel));
 }
 
+/// Every `part`-th node, along x and y.
+Profile thinned(const Profile& profile, Index part) {
+    const auto [columns, rows] = profile.shape();
+    const Index n = (columns + part - 1) / part, m = (rows + part - 1) / part;
+    const Eigen::Map<const Eigen::MatrixXd> heights(profile.heights.data(), columns, rows);
+    const double wider = static_cast<double>(part);
+    return {heights(Eigen::seqN(0, n, part), Eigen::seqN(0, m, part)).reshaped(), wider * profile.spacing, m,
+            rows > 1 ? wider * profile.row_spacing : profile.row_spacing};
+}
+
 /// Where to start looking for a pressure: the answer for every fourth node, whose contact is found in a
 /// fraction of the time; half the range where there are too few.
 double first_guess(const Profile& profile, const Body& body, double pressure, const ContactOptions& options,
                    double range) {
     constexpr Index part = 4, fewest = 256;
     const bool wraps = body.kernel == Kernel::periodic;
-    if (profile.nodes() < fewest || (wraps && profile.nodes() % part != 0))
+    const auto [columns, rows] = profile.shape();
+    if (profile.nodes() < fewest || (wraps && (columns % part != 0 || (rows > 1 && rows % part != 0))))
         return 0.5 * range;
-    Profile coarse{Eigen::VectorXd((profile.nodes() + part - 1) / part), part * profile.spacing};
-    for (Index i = 0; i < coarse.nodes(); ++i)
-        coarse.heights[i] = profile.heights[part * i];
+    const Profile coarse = thinned(profile, part);
     if (!(coarse.heights.maxCoeff() > coarse.heights.minCoeff()))
         return 0.5 * range;
     try {
@@ -160,8 +169,7 @@ Response respond(const Profile& profile, const Body& body, const Loading& loadin
     const double range = displacement_range(profile, body.kernel);
     const ContactCurve curve =
         solve_contact(profile, body, step_displacements(profile, body, loading, options), options);
-    return response_of(curve.steps, curve.solver, range,
-                       full_contact_stiffness(profile.nodes(), profile.spacing, body));
+    return response_of(curve.steps, curve.solver, range, full_contact_stiffness(profile, body));
 }
 
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& given,
@@ -173,6 +181,10 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
         refuse("hardness: ", body.hardness,
                " MPa given, expected none: a contact fraction with held nodes has "
                "no gradient");
+    if (with_area && profile.is_area())
+        refuse("contact fraction: its gradient asked for on a map, expected a profile: the edge of a spot "
+               "has no "
+               "place between two nodes yet");
     const double range = displacement_range(profile, body.kernel);
     const std::vector<double> displacements = step_displacements(profile, body, loading, options);
     options.states = true;
@@ -222,8 +234,7 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
                 smooth.by_displacement[j] * (static_cast<double>(j + 1) / loading.steps) * d_last;
         area = {std::move(smooth.fraction), std::move(smooth.by_height)};
     }
-    return {response_of(curve.steps, curve.solver, range,
-                        full_contact_stiffness(profile.nodes(), profile.spacing, body)),
+    return {response_of(curve.steps, curve.solver, range, full_contact_stiffness(profile, body)),
             {std::move(d_pressure), std::move(d_last)},
             std::move(area)};
 }

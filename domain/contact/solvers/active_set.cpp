@@ -24,7 +24,8 @@ constexpr int most_rounds = 200;
 constexpr long most_iterations = 2000;
 /// Up to this size a dense factor is cheaper than a coarser grid.
 constexpr Index coarsest = 1024;
-constexpr Index stride = 4;
+/// From one grid to the next coarser one; an area's nodes grow by its square.
+constexpr Index line_stride = 4, area_stride = 2;
 
 enum class Purpose { curve, guess };
 
@@ -111,8 +112,10 @@ class ActiveSet {
             } else if (target > tolerance) {
                 target = std::max(tolerance, loosening * target);
             } else {
+                // An area has nodes without number at the brink: which of them touch is as good as the
+                // residual.
                 const double trusted =
-                    purpose_ == Purpose::guess
+                    purpose_ == Purpose::guess || problem_.is_area()
                         ? target
                         : trusted_residual(problem_, approach, load_.pressure, load_.displacement);
                 if (target <= finest || target <= trusted)
@@ -138,8 +141,9 @@ class ActiveSet {
             solver_.load(load_, product_, accuracy);
         stale_ = false;
         depth_ = approach - (problem_.gap + load_.displacement).array();
-        const std::vector<int> added =
-            dropped.empty() ? advancing_nodes(depth_, set_.touching(), least) : std::vector<int>();
+        const std::vector<int> added = dropped.empty()
+                                           ? advancing_nodes(depth_, set_.touching(), problem_.shape, least)
+                                           : std::vector<int>();
         for (const int i : added)
             set_.insert(i);
         if (!dropped.empty() || !added.empty())
@@ -169,16 +173,17 @@ Solution guess(const ContactProblem& problem, ContactOptions options);
 void solve_levels(const ContactProblem& problem, const ContactOptions& options, Purpose purpose,
                   Solution& solution) {
     const bool cascade = problem.nodes() > coarsest;
+    const Index stride = problem.is_area() ? area_stride : line_stride;
     const ContactProblem coarse_problem = cascade ? coarsened(problem, stride) : problem;
     const Solution coarse = cascade ? guess(coarse_problem, options) : Solution();
     ActiveSet solver(problem, options, purpose);
-    SplitOperator check(problem.column);
+    SplitOperator check = split_operator(problem);
     for (std::size_t j = 0; j < problem.approach.size(); ++j) {
         const double approach = problem.approach[j];
         const long before = solver.applies();
         std::optional<Eigen::VectorXd> start;
         if (j < coarse.steps.size())
-            start = refined_pressures(coarse.steps[j], coarse_problem.nodes(), stride, problem.nodes());
+            start = refined_pressures(coarse.steps[j], coarse_problem.shape, stride, problem.shape);
         StepSolution found = solver.press(approach, start);
         if (purpose == Purpose::curve) {
             const Eigen::VectorXd displacement = check.apply(solver.pressure());

@@ -126,7 +126,7 @@ class CappedContact {
 
 Solution solve_capped(const ContactProblem& problem, const ContactOptions& options) {
     CappedContact contact(problem, options);
-    SplitOperator check(problem.column);
+    SplitOperator check = split_operator(problem);
     Solution solution;
     for (const double approach : problem.approach) {
         StepSolution step = contact.press(approach);

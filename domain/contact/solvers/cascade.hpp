@@ -4,11 +4,12 @@
 
 namespace rough {
 
-/// The same problem on every `stride`-th node from `first` (< stride) on.
-ContactProblem coarsened(const ContactProblem& problem, Index stride, Index first = 0);
+/// The same problem on every `stride`-th node, along x and y, with `node` among them.
+ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node = 0);
 
-/// Pressures at every node of the fine grid guessed from a coarse grid's solution: linear in p^2, which near
-/// an edge falls linearly to zero, so that edges are found within the coarse spacing.
-Eigen::VectorXd refined_pressures(const StepSolution& coarse, Index coarse_nodes, Index stride, Index nodes);
+/// Pressures at every node of the fine grid guessed from the solution on every `stride`-th one from the first
+/// on: linear in p^2 along x, then along y, which near an edge falls linearly to zero, so that edges are
+/// found within the coarse spacing.
+Eigen::VectorXd refined_pressures(const StepSolution& coarse, Shape coarse_shape, Index stride, Shape shape);
 
 } // namespace rough

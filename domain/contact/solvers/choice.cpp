@@ -34,12 +34,14 @@ double expected_contact(const ContactProblem& problem, ContactOptions options) {
     // than costs a few milliseconds.
     const Index sample =
         std::clamp<Index>(problem.nodes() / 16, std::min<Index>(problem.nodes() / 4, 512), 2048);
-    const Index stride = (problem.nodes() + sample - 1) / sample;
+    const Index area_stride = static_cast<Index>(
+        std::ceil(std::sqrt(static_cast<double>(problem.nodes()) / static_cast<double>(sample))));
+    const Index stride = problem.shape.rows > 1 ? area_stride : (problem.nodes() + sample - 1) / sample;
     ContactProblem coarse = coarsened(problem, stride);
     if (coarse.gap.minCoeff() > missed * problem.approach.back()) {
         Index highest = 0;
         problem.gap.minCoeff(&highest);
-        coarse = coarsened(problem, stride, highest % stride);
+        coarse = coarsened(problem, stride, highest);
     }
     coarse.approach = {problem.approach.back()};
     options.states = false;

@@ -35,7 +35,7 @@ Eigen::VectorXd cumulative(const Eigen::VectorXd& column) {
 }
 
 Deflation::Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums) {
-    const auto runs = runs_of(nodes);
+    const auto runs = sums.size() > 0 ? runs_of(nodes) : std::vector<std::pair<Index, Index>>();
     const Index count = static_cast<Index>(nodes.size()), many = static_cast<Index>(runs.size());
     const Index columns = std::min(most_columns, many), n = sums.size() / 2;
     const auto node = [&](Index k) { return static_cast<Index>(nodes[static_cast<std::size_t>(k)]); };
@@ -64,8 +64,9 @@ Deflation::Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums)
                             begins_[static_cast<std::size_t>(c + 1)] - begins_[static_cast<std::size_t>(c)])
                 .colwise()
                 .sum();
-    energy_.compute(energy);
-    usable_ = energy_.info() == Eigen::Success;
+    if (columns > 0)
+        energy_.compute(energy);
+    usable_ = columns > 0 && energy_.info() == Eigen::Success;
 }
 
 Eigen::VectorXd Deflation::reduced(const Eigen::VectorXd& v) const {

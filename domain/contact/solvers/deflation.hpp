@@ -13,7 +13,7 @@ namespace rough {
 /// runs share one.
 class Deflation {
   public:
-    /// `nodes` sorted; `sums` from cumulative().
+    /// `nodes` sorted; `sums` from cumulative(), or nothing, which deflates nothing.
     Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums);
 
     /// Returns what is to be added to x to make the residual orthogonal to W, and makes it so.

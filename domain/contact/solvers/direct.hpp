@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/numerics/aligned.hpp"
+#include "domain/contact/solvers/influence.hpp"
 
 #include <vector>
 
@@ -10,8 +10,8 @@ namespace rough {
 /// serves one thread at a time.
 class DirectOperator {
   public:
-    /// Symmetric Toeplitz or circulant from its first column of N entries.
-    explicit DirectOperator(const Eigen::VectorXd& first_column);
+    /// `influence` must outlive it.
+    explicit DirectOperator(const Influence& influence);
 
     /// Pressures on these nodes, in this order; u at every node (N entries), valid until the next call.
     const double* apply(const std::vector<int>& nodes, const Eigen::VectorXd& pressure);
@@ -19,9 +19,10 @@ class DirectOperator {
     bool pays(std::size_t loaded) const { return static_cast<Index>(loaded) <= most_loaded_; }
 
   private:
-    Index nodes_, padded_, most_loaded_;
-    AlignedBuffer<double> mirrored_; ///< h[|i|], i = -(N-1) .. N-1, and zeros
-    AlignedBuffer<double> displacement_;
+    const Influence& influence_;
+    Index most_loaded_;
+    AlignedBuffer<double> displacement_; ///< and room for a row in whole blocks
+    std::vector<int> places_;
 };
 
 } // namespace rough

@@ -15,20 +15,11 @@ constexpr double least_pivot = 1e-10;
 
 } // namespace
 
-GrowingFactor::GrowingFactor(const Eigen::VectorXd& influence_column, const Eigen::VectorXd& gap)
-    : influence_(static_cast<std::size_t>(2 * influence_column.size() - 1)), gap_(gap) {
-    const Index n = influence_column.size();
-    double* centre = influence_.data() + (n - 1);
-    for (Index i = 0; i < n; ++i)
-        centre[i] = centre[-i] = influence_column[i];
-    centre_ = centre;
-}
-
 Index GrowingFactor::append(const std::vector<int>& nodes) {
     const Index before = size();
     nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
     const Index count = size(), panels = (count + width - 1) / width;
-    resize_vectors();
+    resize();
     while (static_cast<Index>(panels_.size()) < panels) {
         panels_.emplace_back(width * width * (static_cast<Index>(panels_.size()) + 1));
         rows_.push_back(panels_.back().data());
@@ -43,7 +34,12 @@ Index GrowingFactor::append(const std::vector<int>& nodes) {
     return size() - before;
 }
 
-void GrowingFactor::resize_vectors() {
+/// What goes with the nodes follows them.
+void GrowingFactor::resize() {
+    const std::size_t known = std::min(places_.size(), nodes_.size());
+    places_.resize(nodes_.size());
+    for (std::size_t k = known; k < nodes_.size(); ++k)
+        places_[k] = influence_.place(nodes_[k]);
     const auto padded = static_cast<std::size_t>((size() + width - 1) / width * width);
     inverse_diagonal_.resize(padded);
     one_.resize(padded);
@@ -52,7 +48,7 @@ void GrowingFactor::resize_vectors() {
 
 void GrowingFactor::cut(Index size) {
     nodes_.resize(static_cast<std::size_t>(size));
-    resize_vectors();
+    resize();
     const auto padded = one_.size();
     if (size % width == 0)
         return;
@@ -82,7 +78,7 @@ void GrowingFactor::remove(const std::vector<Index>& positions) {
     }
     cut(head * width);
     nodes_.insert(nodes_.end(), kept.begin(), kept.end());
-    resize_vectors();
+    resize();
     const Index panels = static_cast<Index>(one_.size()) / width;
     for (Index panel = head; panel < panels; ++panel)
         move_row_heads(panel, sources, head * width);
@@ -108,8 +104,8 @@ void GrowingFactor::fill_influence(Index panel, Index first_column) {
     double* rows = panels_[static_cast<std::size_t>(panel)].data();
     const Index first = panel * width, filled = std::min(width, size() - first), columns = first + width;
     if (const Index last = std::min(columns, size()); last > first_column)
-        vector_loops().fill(centre_, nodes_.data() + first, filled, nodes_.data() + first_column,
-                            last - first_column, rows + width * first_column);
+        vector_loops().fill(influence_.centre(), places_.data() + first, filled,
+                            places_.data() + first_column, last - first_column, rows + width * first_column);
     for (Index j = size(); j < columns; ++j)
         for (Index r = 0; r < width; ++r)
             rows[width * j + r] = first + r == j;

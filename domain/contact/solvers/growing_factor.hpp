@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/numerics/aligned.hpp"
+#include "domain/contact/solvers/influence.hpp"
 
 #include <vector>
 
@@ -12,9 +12,10 @@ namespace rough {
 /// together.
 class GrowingFactor {
   public:
-    /// An empty contact set. `influence_column` is the first column of H, `gap` g0 at every node (N entries
-    /// each, in a ContactProblem's units); `gap` must outlive the factor.
-    GrowingFactor(const Eigen::VectorXd& influence_column, const Eigen::VectorXd& gap);
+    /// An empty contact set. `gap` is g0 at every node (N entries, in a ContactProblem's units); both must
+    /// outlive the factor.
+    GrowingFactor(const Influence& influence, const Eigen::VectorXd& gap)
+        : influence_(influence), gap_(gap) {}
 
     const std::vector<int>& nodes() const { return nodes_; }         ///< A in the order of its rows
     Index size() const { return static_cast<Index>(nodes_.size()); } ///< rows of the factor
@@ -37,17 +38,16 @@ class GrowingFactor {
     }
 
   private:
-    void resize_vectors();
+    void resize();
     void cut(Index size);
     void move_row_heads(Index panel, const std::vector<Index>& sources, Index columns);
     Index build_panel(Index panel, Index first_block);
     void fill_influence(Index panel, Index first_column);
     void back_substitute(Eigen::VectorXd& x);
 
-    std::vector<double> influence_; ///< h[|i|], i = -(N-1)..N-1
-    const double* centre_;
+    const Influence& influence_;
     const Eigen::VectorXd& gap_;
-    std::vector<int> nodes_;
+    std::vector<int> nodes_, places_;
     std::vector<AlignedBuffer<double>> panels_;              ///< panel b: 8 (b + 1) columns of 8 rows
     std::vector<double*> rows_;                              ///< of each panel
     std::vector<double> inverse_diagonal_, one_, gap_image_; ///< 1/L_ii, z, v, padded to whole panels

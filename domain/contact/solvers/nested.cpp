@@ -18,7 +18,8 @@ constexpr std::size_t least_batch = 64;
 } // namespace
 
 NestedContact::NestedContact(const ContactProblem& problem, const ContactOptions& options, double most_work)
-    : problem_(problem), options_(options), factor_(problem.column, problem.gap), direct_(problem.column),
+    : problem_(problem), options_(options), influence_(problem.column, problem.shape),
+      factor_(influence_, problem.gap), direct_(influence_),
       touching_(static_cast<std::size_t>(problem.nodes()), 0), most_work_(most_work) {}
 
 StepSolution NestedContact::press(double approach) {
@@ -76,7 +77,7 @@ void NestedContact::drop_tension(double approach) {
 /// costs a check; one taken for too high an estimate costs a new factor of the tail.
 bool NestedContact::add_penetrating(double approach, const double* u) {
     depth_ = approach - (problem_.gap + Eigen::Map<const Eigen::VectorXd>(u, problem_.nodes())).array();
-    std::vector<int> added = advancing_nodes(depth_, touching_, rounding * approach);
+    std::vector<int> added = advancing_nodes(depth_, touching_, problem_.shape, rounding * approach);
     // The surest first: far from the solution most of what penetrates would only be dropped again.
     added.resize(std::min(added.size(), std::max(least_batch, factor_.nodes().size() / 2)));
     refuse_factor(factor_.size() + static_cast<Index>(added.size()), options_);

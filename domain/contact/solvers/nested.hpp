@@ -34,6 +34,7 @@ class NestedContact {
 
     const ContactProblem& problem_;
     const ContactOptions& options_;
+    Influence influence_;
     GrowingFactor factor_;
     DirectOperator direct_;                  ///< while contact is slight
     std::optional<FourierOperator> fourier_; ///< beyond

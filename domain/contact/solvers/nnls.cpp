@@ -1,6 +1,7 @@
 #include "domain/contact/solvers/nnls.hpp"
 
 #include "domain/contact/solvers/certificate.hpp"
+#include "domain/contact/solvers/influence.hpp"
 #include "domain/errors.hpp"
 
 #include <Eigen/Jacobi>
@@ -23,7 +24,7 @@ class PassiveFactor {
     const std::vector<int>& nodes() const { return nodes_; }
 
     /// false, and nothing appended, if the pivot is not positive
-    bool append(int node, double gap, const VectorXd& influence) {
+    bool append(int node, double gap, const Influence& influence) {
         const Index m = size();
         if (m == R_.rows()) {
             R_.conservativeResize(2 * m + 16, 2 * m + 16);
@@ -31,10 +32,12 @@ class PassiveFactor {
         }
         auto r = R_.col(m).head(m);
         for (Index k = 0; k < m; ++k)
-            r[k] = influence[std::abs(nodes_[static_cast<std::size_t>(k)] - node)];
+            r[k] =
+                influence
+                    .centre()[influence.place(nodes_[static_cast<std::size_t>(k)]) - influence.place(node)];
         R_.topLeftCorner(m, m).triangularView<Upper>().transpose().solveInPlace(r);
-        const double pivot = influence[0] - r.squaredNorm();
-        if (!(pivot > 1e-10 * influence[0]))
+        const double pivot = influence.centre()[0] - r.squaredNorm();
+        if (!(pivot > 1e-10 * influence.centre()[0]))
             return false;
         const double diagonal = std::sqrt(pivot);
         R_(m, m) = diagonal;
@@ -80,11 +83,7 @@ class LawsonHanson {
   public:
     LawsonHanson(const ContactProblem& problem, const ContactOptions& options)
         : problem_(problem), options_(options), fourier_(fourier_operator(problem)),
-          passive_(static_cast<std::size_t>(problem.nodes())), influence_(2 * problem.nodes() - 1) {
-        const Index n = problem.nodes();
-        influence_.tail(n) = problem.column;
-        influence_.head(n) = problem.column.reverse();
-    }
+          passive_(static_cast<std::size_t>(problem.nodes())), influence_(problem.column, problem.shape) {}
 
     StepSolution press(double approach) {
         const long limit = iterations_ + 3 * problem_.nodes();
@@ -92,7 +91,7 @@ class LawsonHanson {
         while (iterations_ < limit) {
             check_stop(options_);
             const Index worst = most_violated(approach);
-            if (worst < 0 || !factor_.append(static_cast<int>(worst), problem_.gap[worst], problem_.column))
+            if (worst < 0 || !factor_.append(static_cast<int>(worst), problem_.gap[worst], influence_))
                 break;
             passive_[static_cast<std::size_t>(worst)] = 1;
             pressure_.conservativeResize(factor_.size());
@@ -144,9 +143,14 @@ class LawsonHanson {
     Index most_violated(double approach) {
         const Index n = problem_.nodes();
         depth_ = approach - problem_.gap.array();
-        for (Index k = 0; k < factor_.size(); ++k)
-            depth_ -= pressure_[k] *
-                      influence_.segment(n - 1 - factor_.nodes()[static_cast<std::size_t>(k)], n).array();
+        const Index columns = problem_.shape.columns;
+        for (Index k = 0; k < factor_.size(); ++k) {
+            const double* row =
+                influence_.centre() - influence_.place(factor_.nodes()[static_cast<std::size_t>(k)]);
+            for (Index j = 0; j < problem_.shape.rows; ++j, row += influence_.stride())
+                depth_.segment(j * columns, columns) -=
+                    pressure_[k] * Eigen::Map<const Eigen::ArrayXd>(row, columns);
+        }
         Index worst = -1;
         double most = rounding * approach;
         for (Index i = 0; i < n; ++i)
@@ -170,8 +174,8 @@ class LawsonHanson {
     FourierOperator fourier_;
     PassiveFactor factor_;
     std::vector<char> passive_;
-    VectorXd influence_; ///< h[|i|], i = -(N-1)..N-1
-    VectorXd pressure_;  ///< on the passive set
+    Influence influence_;
+    VectorXd pressure_; ///< on the passive set
     Eigen::ArrayXd depth_;
     long iterations_ = 0;
 };

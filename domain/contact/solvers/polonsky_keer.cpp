@@ -19,7 +19,7 @@ constexpr double finest = 1e-12;
 class PolonskyKeer {
   public:
     PolonskyKeer(const ContactProblem& problem, const ContactOptions& options)
-        : problem_(problem), options_(options), solver_(problem), check_(problem.column),
+        : problem_(problem), options_(options), solver_(problem), check_(split_operator(problem)),
           set_(problem.nodes()), load_(problem.nodes()), direction_(problem.nodes()),
           tangent_(problem.nodes()) {}
 
@@ -86,8 +86,10 @@ class PolonskyKeer {
             if (!std::isfinite(residual))
                 break;
             if (residual <= target) {
+                if (residual <= finest || problem_.is_area()) // as the active set does
+                    return;
                 const double trusted = trusted_residual(problem_, approach, p, load_.displacement);
-                if (residual <= finest || residual <= trusted)
+                if (residual <= trusted)
                     return;
                 target = std::max(finest, std::min(0.5 * target, trusted));
             }

@@ -12,6 +12,14 @@ namespace rough {
 namespace {
 
 void check_profile(const Profile& profile) {
+    if (profile.is_area()) {
+        if (!std::isfinite(profile.row_spacing))
+            refuse("row spacing ", profile.row_spacing,
+                   " mm was given, a positive finite length is expected");
+        if (profile.rows < 1 || profile.nodes() % profile.rows != 0 || profile.shape().columns < 2)
+            refuse("a map of ", profile.nodes(), " heights in ", profile.rows,
+                   " rows was given, rows of equal lengths of at least 2 are expected");
+    }
     if (profile.nodes() < 2)
         refuse("a profile of ", profile.nodes(), " node(s) was given, at least 2 are expected");
     if (!(profile.spacing > 0) || !std::isfinite(profile.spacing))
@@ -57,8 +65,12 @@ double largest_displacement(const Profile& profile, const Body& body) {
 ContactProblem make_problem(const Profile& profile, const Body& given,
                             const std::vector<double>& displacements) {
     check_profile(profile);
+    if (profile.is_area() && given.kernel == Kernel::strip)
+        refuse_value("kernel", "strip", " given with a map, expected free or periodic: a strip is one row");
     const double length = profile_length(profile, given.kernel);
-    const Body body = completed(given, length);
+    Body body = completed(given, length);
+    if (profile.is_area())
+        body.datum = profile.spacing * static_cast<double>(profile.nodes()); // none is needed
     validate(body, profile.nodes(), profile.spacing);
     check_displacements(profile, body, displacements);
     const double unit = displacements.empty() || displacements.back() == 0 ? 1 : displacements.back();
@@ -66,25 +78,44 @@ ContactProblem make_problem(const Profile& profile, const Body& given,
     problem.kernel = body.kernel;
     problem.datum = body.datum / profile.spacing;
     problem.strip_width = body.strip_width / profile.spacing;
-    problem.column = influence_column(body.kernel, profile.nodes(), problem.datum, problem.strip_width);
+    problem.shape = profile.shape();
+    problem.row_spacing = profile.row_spacing / profile.spacing;
+    problem.column = influence_on(problem, problem.shape);
     problem.gap = (profile.heights.maxCoeff() - profile.heights.array()) / unit;
     for (const double displacement : displacements)
         problem.approach.push_back(displacement / unit);
     problem.displacement_unit = unit;
     problem.pressure_unit = body.effective_modulus * (unit / profile.spacing);
     problem.cap = body.hardness / problem.pressure_unit;
-    problem.elements = length / profile.spacing;
-    problem.stiffness_unit = body.effective_modulus / length;
+    problem.elements = elements(profile, body.kernel);
+    problem.stiffness_unit =
+        body.effective_modulus / (profile.is_area() ? problem.elements * profile.spacing : length);
     problem.touches_only_overlapping =
         body.kernel == Kernel::strip || (body.kernel == Kernel::free && body.datum >= length);
     return problem;
 }
 
+Eigen::VectorXd influence_on(const ContactProblem& problem, Shape shape) {
+    return problem.is_area()
+               ? area_influence_column(problem.kernel, shape, problem.row_spacing)
+               : influence_column(problem.kernel, shape.nodes(), problem.datum, problem.strip_width);
+}
+
+Eigen::VectorXd spectrum_on(const ContactProblem& problem, Shape shape) {
+    return problem.is_area() ? area_spectrum(shape, problem.row_spacing) : periodic_spectrum(shape.nodes());
+}
+
 template <typename Operator>
 static Operator operator_of(const ContactProblem& problem) {
-    if (problem.kernel == Kernel::periodic && is_good_fourier_length(problem.nodes()))
-        return Operator::circulant(problem.nodes(), periodic_spectrum(problem.nodes()));
-    return Operator::toeplitz(problem.column);
+    const Shape shape = problem.shape;
+    if (problem.kernel == Kernel::periodic && is_good_fourier_length(shape.columns) &&
+        is_good_fourier_length(shape.rows))
+        return Operator::circulant(shape, spectrum_on(problem, shape));
+    return Operator::toeplitz(problem.column, shape);
+}
+
+SplitOperator split_operator(const ContactProblem& problem) {
+    return SplitOperator(problem.column, problem.shape);
 }
 
 FourierOperator fourier_operator(const ContactProblem& problem) {

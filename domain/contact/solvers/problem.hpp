@@ -6,10 +6,12 @@
 namespace rough {
 
 /// A contact problem without units, as every solver takes it: heights in units of the largest displacement,
-/// lengths along the profile in units of delta, pressures in units of E* times the largest displacement over
-/// delta.
+/// lengths along the surface in units of delta (of an area delta_x), pressures in units of E* times the
+/// largest displacement over delta.
 struct ContactProblem {
     Kernel kernel;                ///< which body H stands for
+    Shape shape;                  ///< nodes along x and y; only operators and neighbours care
+    double row_spacing;           ///< delta_y of an area, in units of delta_x; 0: a line
     double datum;                 ///< d (free), in units of delta
     double strip_width;           ///< W (strip), in units of delta
     Eigen::VectorXd column;       ///< first column of H
@@ -19,10 +21,11 @@ struct ContactProblem {
 
     double displacement_unit; ///< mm
     double pressure_unit;     ///< MPa, of a node's pressure
-    double elements;          ///< L/delta: P = sum p / elements
-    double stiffness_unit;    ///< MPa/mm, E*/L: K = stiffness_unit * sum w
+    double elements;          ///< L/delta, L_x L_y/(delta_x delta_y): P = sum p / elements
+    double stiffness_unit;    ///< MPa/mm, E*/(elements delta): K = stiffness_unit * sum w
 
-    Index nodes() const { return gap.size(); } ///< N
+    Index nodes() const { return gap.size(); }       ///< N
+    bool is_area() const { return row_spacing > 0; } ///< two dimensions
     /// Only overlapping nodes can touch (strip, and free with d >= L).
     bool touches_only_overlapping;
 };
@@ -34,10 +37,17 @@ ContactProblem make_problem(const Profile& profile, const Body& body,
 /// The largest displacement that has a solution, mm: that of full contact (periodic), or infinity.
 double largest_displacement(const Profile& profile, const Body& body);
 
+/// H's first column on a grid of another shape, for the problem's body and spacing.
+Eigen::VectorXd influence_on(const ContactProblem& problem, Shape shape);
+/// The periodic body's eigenvalues on a grid of another shape.
+Eigen::VectorXd spectrum_on(const ContactProblem& problem, Shape shape);
+
 /// H applied by FFT.
 FourierOperator fourier_operator(const ContactProblem& problem);
 /// The same in single precision.
 SingleFourierOperator single_fourier_operator(const ContactProblem& problem);
+/// H applied by another splitting into transforms, for certificates.
+SplitOperator split_operator(const ContactProblem& problem);
 
 /// One step's solution in the problem's units.
 struct StepSolution {

@@ -23,26 +23,32 @@ constexpr double single_stiffness = 3e-7;
 constexpr long most_iterations = 5000;
 
 /// Eigenvalues 1/S_k of the inverse of T. Chan's circulant, whose first column is ((M - j) h_j + j
-/// h_(M-j))/M.
-Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Index length) {
+/// h_(M-j))/M; on an area so along both axes.
+Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Shape shape) {
     Eigen::VectorXd eigenvalues;
     if (problem.kernel == Kernel::periodic) {
-        eigenvalues = periodic_spectrum(length);
+        eigenvalues = spectrum_on(problem, shape);
     } else {
-        const Eigen::VectorXd h =
-            influence_column(problem.kernel, length, problem.datum, problem.strip_width);
-        const FourierPlan plan = fourier_plan(length);
-        AlignedBuffer<double> real(length);
-        AlignedBuffer<fftw_complex> transform(length / 2 + 1);
-        const double m = static_cast<double>(length);
-        real[0] = h[0];
-        for (Index j = 1; j < length; ++j) {
-            const double share = static_cast<double>(j) / m;
-            real[j] = (1 - share) * h[j] + share * h[length - j];
-        }
+        const Eigen::VectorXd h = influence_on(problem, shape);
+        const FourierPlan plan = fourier_plan(shape);
+        const Index half = (shape.columns / 2 + 1) * shape.rows;
+        AlignedBuffer<double> real(shape.nodes());
+        AlignedBuffer<fftw_complex> transform(half);
+        // Between h and its mirror image; the first entry has none.
+        const auto blended = [](const auto& entry, Index j, Index m) {
+            const double share = static_cast<double>(j) / static_cast<double>(m);
+            return j == 0 ? entry(0) : (1 - share) * entry(j) + share * entry(m - j);
+        };
+        for (Index j = 0; j < shape.rows; ++j)
+            for (Index i = 0; i < shape.columns; ++i)
+                real[j * shape.columns + i] = blended(
+                    [&](Index row) {
+                        return blended([&](Index k) { return h[row * shape.columns + k]; }, i, shape.columns);
+                    },
+                    j, shape.rows);
         fftw_execute_dft_r2c(plan.forward, real.data(), transform.data());
-        eigenvalues.resize(length / 2 + 1);
-        for (Index k = 0; k < eigenvalues.size(); ++k)
+        eigenvalues.resize(half);
+        for (Index k = 0; k < half; ++k)
             eigenvalues[k] = transform[k][0];
     }
     // A datum near its limit, or no datum at all, leaves the mean without a stiffness of its own.
@@ -53,10 +59,17 @@ Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Index length) {
 
 /// A periodic matrix is circulant itself; where that is slow to transform, a longer one serves as well as it
 /// does for the other kernels.
-Index circulant_length(const ContactProblem& problem) {
-    const Index nodes = problem.nodes();
-    return problem.kernel == Kernel::periodic && is_good_fourier_length(nodes) ? nodes
-                                                                               : fast_fourier_length(nodes);
+Shape circulant_shape(const ContactProblem& problem) {
+    const auto [columns, rows] = problem.shape;
+    if (problem.kernel == Kernel::periodic && is_good_fourier_length(columns) && is_good_fourier_length(rows))
+        return problem.shape;
+    return {fast_fourier_length(columns), rows == 1 ? 1 : fast_fourier_length(rows)};
+}
+
+/// The inverse of the circulant, of which a part at the origin is the surface.
+SingleFourierOperator preconditioner(const ContactProblem& problem) {
+    const Shape shape = circulant_shape(problem);
+    return SingleFourierOperator::circulant(shape, inverse_circulant(problem, shape));
 }
 
 } // namespace
@@ -69,10 +82,9 @@ void ContactSet::collect() {
 }
 
 SetSolver::SetSolver(const ContactProblem& problem)
-    : sums_(cumulative(problem.column)), forward_(fourier_operator(problem)),
-      single_(single_fourier_operator(problem)),
-      inverse_(SingleFourierOperator::circulant(circulant_length(problem),
-                                                inverse_circulant(problem, circulant_length(problem)))) {}
+    : shape_(problem.shape), sums_(problem.is_area() ? Eigen::VectorXd() : cumulative(problem.column)),
+      forward_(fourier_operator(problem)), single_(single_fourier_operator(problem)),
+      inverse_(preconditioner(problem)), inverse_columns_(circulant_shape(problem).columns) {}
 
 void SetSolver::load(Loaded& x) {
     const Index n = x.pressure.size();
@@ -103,16 +115,20 @@ void SetSolver::load(Loaded& x, KnownProduct& known, double accuracy) {
     known = {x.pressure, x.displacement, 0};
 }
 
-void SetSolver::multiply(SingleFourierOperator& matrix, const std::vector<int>& nodes,
-                         const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image) {
+void SetSolver::multiply(SingleFourierOperator& matrix, Index columns, const std::vector<int>& nodes,
+                         const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image) const {
     float* full = matrix.input();
     std::fill_n(full, matrix.nodes(), 0.0F);
     const double inverse = 1 / scale;
+    const Index longer = columns - shape_.columns; // by how much its rows are
+    const auto place = [&](int node) {
+        return longer == 0 || shape_.rows == 1 ? node : node + node / shape_.columns * longer;
+    };
     for (std::size_t k = 0; k < nodes.size(); ++k)
-        full[nodes[k]] = static_cast<float>(v[static_cast<Index>(k)] * inverse);
+        full[place(nodes[k])] = static_cast<float>(v[static_cast<Index>(k)] * inverse);
     const float* product = matrix.apply();
     for (std::size_t k = 0; k < nodes.size(); ++k)
-        image[static_cast<Index>(k)] = scale * static_cast<double>(product[nodes[k]]);
+        image[static_cast<Index>(k)] = scale * static_cast<double>(product[place(nodes[k])]);
 }
 
 bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
@@ -141,7 +157,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             solved = largest <= enough.residual;
             if (solved)
                 break;
-            multiply(inverse_, nodes, r, scale > 0 ? scale : 1, z);
+            multiply(inverse_, inverse_columns_, nodes, r, scale > 0 ? scale : 1, z);
             const double energy = r.dot(z);
             solved = std::isfinite(energy) && enough.energy && enough.energy(energy);
             if (solved || iteration >= most || !progress || !(energy > 0) || largest <= single_depth * scale)
@@ -149,7 +165,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             deflation.purge(z);
             q = first ? z : z + energy / rz * q;
             rz = energy;
-            multiply(single_, nodes, q, scale, hq);
+            multiply(single_, shape_.columns, nodes, q, scale, hq);
             ++applies_;
             const double curvature = q.dot(hq);
             if (!(curvature > 0))

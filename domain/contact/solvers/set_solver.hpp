@@ -74,12 +74,14 @@ class SetSolver {
     long applies() const { return applies_; } ///< products with H so far, in either precision
 
   private:
-    /// image = M v on the nodes alone; `scale` is about v's size.
-    static void multiply(SingleFourierOperator& matrix, const std::vector<int>& nodes,
-                         const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image);
-    Eigen::VectorXd sums_; ///< of H's first column, for the deflation
+    /// image = M v on the nodes alone, M's rows being `columns` long; `scale` is about v's size.
+    void multiply(SingleFourierOperator& matrix, Index columns, const std::vector<int>& nodes,
+                  const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image) const;
+    Shape shape_;
+    Eigen::VectorXd sums_; ///< of H's first column, for the deflation; empty on an area, which has none
     FourierOperator forward_;
     SingleFourierOperator single_, inverse_;
+    Index inverse_columns_;
     long applies_ = 0;
 };
 

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "domain/numerics/aligned.hpp"
+
+namespace rough {
+
+/// H's entries by the offset of two nodes, as loops along x read them: a node stands at a place, and two
+/// nodes' entry at the difference of their places from the centre. A line's places are its nodes; an area's
+/// rows lie so far apart that no offset along x reaches the next row.
+class Influence {
+  public:
+    /// From the first column of N entries; a line, if no shape is given.
+    explicit Influence(const Eigen::VectorXd& first_column, Shape shape = {})
+        : shape_(shape == Shape{} ? Shape{first_column.size()} : shape),
+          padded_((shape_.columns + block - 1) / block * block), stride_(shape_.columns - 1 + padded_),
+          table_((2 * shape_.rows - 1) * stride_) {
+        std::fill_n(table_.data(), (2 * shape_.rows - 1) * stride_, 0.0);
+        double* middle = table_.data() + (shape_.rows - 1) * stride_ + shape_.columns - 1;
+        for (Index j = 0; j < shape_.rows; ++j)
+            for (Index i = 0; i < shape_.columns; ++i)
+                for (double* row : {middle + j * stride_, middle - j * stride_})
+                    row[i] = row[-i] = first_column[j * shape_.columns + i];
+        centre_ = middle;
+    }
+
+    static constexpr Index block = 64; ///< of which loops over a row take whole ones
+
+    Shape shape() const { return shape_; }           ///< N_x, N_y
+    Index padded_columns() const { return padded_; } ///< N_x in whole blocks: so far a row may be read
+    Index stride() const { return stride_; }         ///< places from one row to the next
+    /// The entry of no offset.
+    const double* centre() const { return centre_; }
+    /// Where a node stands.
+    int place(int node) const {
+        const int columns = static_cast<int>(shape_.columns);
+        return shape_.rows == 1 ? node : node + node / columns * (static_cast<int>(stride_) - columns);
+    }
+
+  private:
+    Shape shape_;
+    Index padded_, stride_;
+    AlignedBuffer<double> table_;
+    const double* centre_;
+};
+
+} // namespace rough
