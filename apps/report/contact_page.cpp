@@ -4,7 +4,7 @@
 #include "apps/report/profile_page.hpp"
 #include "apps/report/units.hpp"
 #include "domain/contact/names.hpp"
-#include "domain/contact/spots.hpp"
+#include "domain/contact/pressure_and_gap.hpp"
 
 namespace app {
 

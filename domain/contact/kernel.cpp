@@ -137,7 +137,7 @@ double cell_potential(double x, double y, double b) {
     return b * sum;
 }
 
-Eigen::VectorXd computed_area_column(Kernel kernel, Shape shape, double row_spacing) {
+Eigen::VectorXd computed_area_column(Kernel kernel, Extent shape, double row_spacing) {
     Eigen::VectorXd column(shape.nodes());
     if (kernel == Kernel::periodic) {
         FourierOperator transform = FourierOperator::circulant(shape, area_spectrum(shape, row_spacing));
@@ -164,7 +164,7 @@ Eigen::VectorXd computed_area_column(Kernel kernel, Shape shape, double row_spac
 
 } // namespace
 
-Eigen::VectorXd area_spectrum(Shape shape, double row_spacing) {
+Eigen::VectorXd area_spectrum(Extent shape, double row_spacing) {
     const Index half = shape.columns / 2 + 1;
     Eigen::VectorXd spectrum(half * shape.rows);
     for (Index j = 0; j < shape.rows; ++j)
@@ -177,7 +177,7 @@ Eigen::VectorXd area_spectrum(Shape shape, double row_spacing) {
     return spectrum;
 }
 
-Eigen::VectorXd area_influence_column(Kernel kernel, Shape shape, double row_spacing) {
+Eigen::VectorXd area_influence_column(Kernel kernel, Extent shape, double row_spacing) {
     struct Known {
         std::tuple<Kernel, Index, Index, double> of;
         Eigen::VectorXd column;

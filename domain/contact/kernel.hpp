@@ -29,9 +29,9 @@ Eigen::VectorXd periodic_spectrum(Index nodes);
 /// with the entry h of the offset of j from i along x and y, either without its sign. `row_spacing` is
 /// delta_y in units of delta_x. free: Love (1929), constant pressure on each cell; no datum, as displacements
 /// vanish at infinity. periodic: that of the matrix with eigenvalues 2/(E* |q|).
-Eigen::VectorXd area_influence_column(Kernel kernel, Shape shape, double row_spacing);
+Eigen::VectorXd area_influence_column(Kernel kernel, Extent shape, double row_spacing);
 
 /// 2/(E* |q|) of an area's lattice in units of delta_x/E*: N_y rows of N_x/2 + 1; 0 where q = 0.
-Eigen::VectorXd area_spectrum(Shape shape, double row_spacing);
+Eigen::VectorXd area_spectrum(Extent shape, double row_spacing);
 
 } // namespace rough

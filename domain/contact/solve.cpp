@@ -161,15 +161,40 @@ void check_bearable(double pressure, const Profile& profile, const Body& body) {
                most, " MPa, is expected");
 }
 
-ContactCurve polonsky_keer_at(const Profile& profile, const Body& body, const std::vector<double>& pressures,
-                              const ContactOptions& options) {
+/// Under load control the active set goes on from step to step on an area, where one solution costs much.
+bool takes_loads(const Profile& profile, const Body& body, const ContactOptions& options) {
+    return profile.is_area() && profile.nodes() > always_nested && !body.yields() &&
+           (options.solver == Solver::automatic || options.solver == Solver::active_set);
+}
+
+/// From the mean pressure on at which no node of a periodic surface is under tension all touch: p = P + H^-1
+/// Z.
+void check_full_contact(double pressure, const Profile& profile, const Body& body) {
+    if (body.kernel != Kernel::periodic)
+        return;
+    const ContactProblem problem = make_problem(profile, body, {});
+    const Eigen::ArrayXd spectrum = spectrum_on(problem, problem.shape);
+    FourierOperator inverse =
+        FourierOperator::circulant(problem.shape, (spectrum > 0).select(1 / spectrum, 0).matrix());
+    Eigen::VectorXd::Map(inverse.input(), problem.nodes()) = -problem.gap;
+    const double most =
+        -Eigen::VectorXd::Map(inverse.apply(), problem.nodes()).minCoeff() * problem.pressure_unit;
+    if (pressure > most)
+        refuse("mean pressure ", pressure, " MPa was given, at most that of full contact, ", most,
+               " MPa, is expected");
+}
+
+/// By a solver that takes loads.
+template <class SolveLoads>
+ContactCurve solved_at(const Profile& profile, const Body& body, const std::vector<double>& pressures,
+                       const ContactOptions& options, SolveLoads solve_loads) {
     const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
     ContactProblem problem =
         make_problem(profile, body, {std::min(range > 0 ? range : 1, largest_displacement(profile, body))});
     std::vector<double> loads, displacements;
     for (const double pressure : pressures)
         loads.push_back(pressure / problem.pressure_unit * problem.elements);
-    Solution solution = solve_polonsky_keer_loads(problem, loads, options);
+    Solution solution = solve_loads(problem, loads, options);
     for (const double approach : problem.approach)
         displacements.push_back(approach * problem.displacement_unit);
     return in_units(problem, displacements, std::move(solution), options.states);
@@ -205,8 +230,13 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
     }
     ContactCurve curve;
     if (options.solver == Solver::polonsky_keer) {
-        curve = polonsky_keer_at(profile, body, pressures, options);
+        curve = solved_at(profile, body, pressures, options, solve_polonsky_keer_loads);
         curve.solver = Solver::polonsky_keer;
+    } else if (takes_loads(profile, body, options)) {
+        check_full_contact(pressures.back(), profile, body);
+        curve = solved_at(profile, body, pressures, options, solve_active_set_loads);
+        curve.solver = Solver::active_set;
+        curve.choice = "active-set: it takes loads on an area";
     } else {
         LoadStep from = solve_contact(profile, body, {0}, options).steps.front();
         std::vector<double> displacements;

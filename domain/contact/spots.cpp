@@ -1,45 +1,43 @@
 #include "domain/contact/spots.hpp"
 
-#include "domain/contact/kernel.hpp"
-#include "domain/numerics/fourier.hpp"
-
 #include <algorithm>
+#include <functional>
 
 namespace rough {
 
-Interface interface_at(const Profile& profile, const Body& given, const LoadStep& step,
-                       const ContactState& state) {
-    const Index nodes = profile.nodes();
-    const double spacing = profile.spacing;
-    const bool wraps = given.kernel == Kernel::periodic;
-    const Body body = completed(given, profile_length(profile, given.kernel));
-    auto influence = wraps ? FourierOperator::circulant(nodes, periodic_spectrum(nodes))
-                           : FourierOperator::toeplitz(influence_column(
-                                 body.kernel, nodes, body.datum / spacing, body.strip_width / spacing));
-    Interface found;
-    found.pressure = Eigen::VectorXd::Zero(nodes);
-    for (std::size_t i = 0; i < state.nodes.size(); ++i)
-        found.pressure[state.nodes[i]] = state.pressure[static_cast<Index>(i)];
-    std::copy(found.pressure.begin(), found.pressure.end(), influence.input());
-    const Eigen::Map<const Eigen::VectorXd> u(influence.apply(), nodes);
-    found.gap = (u.array() * (spacing / body.effective_modulus) - step.displacement +
-                 profile.heights.maxCoeff() - profile.heights.array());
-
-    std::vector<bool> touches(static_cast<std::size_t>(nodes));
-    for (const int node : state.nodes)
-        touches[static_cast<std::size_t>(node)] = true;
-    // A periodic body is gone round from a node off contact.
-    const auto off = std::find(touches.begin(), touches.end(), false);
-    if (wraps && off != touches.end())
-        std::rotate(touches.begin(), off, touches.end());
-    Index run = 0, widest = 0;
-    for (const bool touch : touches) {
-        found.spots += touch && run == 0;
-        run = touch ? run + 1 : 0;
-        widest = std::max(widest, run);
+std::vector<Index> contact_spots(const std::vector<int>& contact, Extent shape, bool wraps) {
+    std::vector<char> waiting(static_cast<std::size_t>(shape.nodes()), 0);
+    for (const int node : contact)
+        waiting[static_cast<std::size_t>(node)] = 1;
+    std::vector<Index> sizes, reached;
+    const auto reach = [&](Index i, Index j) {
+        if (wraps) {
+            i = (i + shape.columns) % shape.columns;
+            j = (j + shape.rows) % shape.rows;
+        }
+        if (i < 0 || j < 0 || i >= shape.columns || j >= shape.rows)
+            return;
+        const Index node = j * shape.columns + i;
+        if (!waiting[static_cast<std::size_t>(node)])
+            return;
+        waiting[static_cast<std::size_t>(node)] = 0;
+        reached.push_back(node);
+    };
+    for (const int first : contact) {
+        reached.clear();
+        reach(first % shape.columns, first / shape.columns);
+        for (std::size_t k = 0; k < reached.size(); ++k) {
+            const Index i = reached[k] % shape.columns, j = reached[k] / shape.columns;
+            reach(i - 1, j);
+            reach(i + 1, j);
+            reach(i, j - 1);
+            reach(i, j + 1);
+        }
+        if (!reached.empty())
+            sizes.push_back(static_cast<Index>(reached.size()));
     }
-    found.widest = spacing * static_cast<double>(widest);
-    return found;
+    std::sort(sizes.begin(), sizes.end(), std::greater<>());
+    return sizes;
 }
 
 } // namespace rough

@@ -1,20 +1,14 @@
 #pragma once
 
-#include "domain/contact/solve.hpp"
+#include "domain/numerics/grid.hpp"
+
+#include <vector>
 
 namespace rough {
 
-/// What a profile and the body do to each other along the profile at one load step.
-struct Interface {
-    Eigen::VectorXd pressure; ///< at every node, MPa; 0 off contact
-    Eigen::VectorXd gap;      ///< between the deformed body and the profile, mm; about 0 in contact
-    Index spots = 0;          ///< runs of neighbouring contact nodes; periodic bodies join the ends
-    double widest = 0;        ///< spot, mm: its nodes times their spacing
-};
-
-/// The interface at a load step that solve_contact gave of the profile on this body, with its state: the
-/// pressures, and the gap u - (Delta - g0) by an FFT of them. The body is completed for the profile's length.
-Interface interface_at(const Profile& profile, const Body& body, const LoadStep& step,
-                       const ContactState& state);
+/// Contact spots: nodes in contact that are neighbours along x or y, directly or by way of others. Returns
+/// how many nodes each has, the largest first. `contact` are the nodes that touch, in any order, of a grid
+/// that is its own neighbour beyond its ends where it `wraps`. On a line, its runs.
+std::vector<Index> contact_spots(const std::vector<int>& contact, Extent shape, bool wraps);
 
 } // namespace rough

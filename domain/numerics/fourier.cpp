@@ -18,7 +18,7 @@ std::mutex& planner() {
 
 /// Plans are made under a lock: FFTW's planner is not thread-safe, its new-array execution is.
 template <typename Plan, typename Make>
-Plan cached(Shape shape, std::map<std::pair<Index, Index>, Plan>& plans, Make make) {
+Plan cached(Extent shape, std::map<std::pair<Index, Index>, Plan>& plans, Make make) {
     const std::lock_guard guard(planner());
     const std::pair key(shape.columns, shape.rows);
     const auto known = plans.find(key);
@@ -26,20 +26,20 @@ Plan cached(Shape shape, std::map<std::pair<Index, Index>, Plan>& plans, Make ma
 }
 
 /// Numbers of the half-complex transform.
-Index half_of(Shape shape) { return (shape.columns / 2 + 1) * shape.rows; }
+Index half_of(Extent shape) { return (shape.columns / 2 + 1) * shape.rows; }
 
 /// FFTW's sizes, rows first; a single row is a transform of one dimension.
 struct Sizes {
     int n[2];
     int rank;
-    explicit Sizes(Shape shape)
+    explicit Sizes(Extent shape)
         : n{static_cast<int>(shape.rows), static_cast<int>(shape.columns)}, rank(shape.rows == 1 ? 1 : 2) {}
     const int* begin() const { return n + 2 - rank; }
 };
 
 using SinglePlan = Fftw<float>::Plan;
 
-SinglePlan single_fourier_plan(Shape shape) {
+SinglePlan single_fourier_plan(Extent shape) {
     static std::map<std::pair<Index, Index>, SinglePlan> plans;
     return cached(shape, plans, [shape] {
         AlignedBuffer<float> real(shape.nodes());
@@ -52,7 +52,7 @@ SinglePlan single_fourier_plan(Shape shape) {
 }
 
 template <typename Real>
-typename Fftw<Real>::Plan plan_of(Shape shape) {
+typename Fftw<Real>::Plan plan_of(Extent shape) {
     if constexpr (std::is_same_v<Real, float>)
         return single_fourier_plan(shape);
     else
@@ -74,9 +74,9 @@ void execute_backward(const SinglePlan& plan, fftwf_complex* transform, float* r
 
 } // namespace
 
-FourierPlan fourier_plan(Index length) { return fourier_plan(Shape{length}); }
+FourierPlan fourier_plan(Index length) { return fourier_plan(Extent{length}); }
 
-FourierPlan fourier_plan(Shape shape) {
+FourierPlan fourier_plan(Extent shape) {
     static std::map<std::pair<Index, Index>, FourierPlan> plans;
     return cached(shape, plans, [shape] {
         AlignedBuffer<double> real(shape.nodes());
@@ -88,7 +88,7 @@ FourierPlan fourier_plan(Shape shape) {
     });
 }
 
-FourierPlan complex_fourier_plan(Shape shape) {
+FourierPlan complex_fourier_plan(Extent shape) {
     static std::map<std::pair<Index, Index>, FourierPlan> plans;
     return cached(shape, plans, [shape] {
         AlignedBuffer<fftw_complex> work(shape.nodes());
@@ -121,13 +121,13 @@ Index fast_fourier_length(Index length) {
 }
 
 template <typename Real>
-BasicFourierOperator<Real>::BasicFourierOperator(Shape shape, Shape padded)
+BasicFourierOperator<Real>::BasicFourierOperator(Extent shape, Extent padded)
     : shape_(shape), padded_(padded), plan_(plan_of<Real>(padded)), half_(half_of(padded)),
       real_(padded.nodes()), spectrum_(half_), transform_(half_) {}
 
 template <typename Real>
 BasicFourierOperator<Real> BasicFourierOperator<Real>::toeplitz(const Eigen::VectorXd& first_column,
-                                                                Shape shape) {
+                                                                Extent shape) {
     const auto padded = [](Index n) { return fast_fourier_length(std::max<Index>(2 * n - 1, 2)); };
     const Index columns = padded(shape.columns), rows = shape.rows == 1 ? 1 : padded(shape.rows);
     BasicFourierOperator op(shape, {columns, rows});
@@ -148,7 +148,7 @@ BasicFourierOperator<Real> BasicFourierOperator<Real>::toeplitz(const Eigen::Vec
 }
 
 template <typename Real>
-BasicFourierOperator<Real> BasicFourierOperator<Real>::circulant(Shape shape,
+BasicFourierOperator<Real> BasicFourierOperator<Real>::circulant(Extent shape,
                                                                  const Eigen::VectorXd& eigenvalues) {
     BasicFourierOperator op(shape, shape);
     for (Index k = 0; k < op.half_; ++k)
@@ -195,8 +195,8 @@ const Real* BasicFourierOperator<Real>::apply() {
 template class BasicFourierOperator<double>;
 template class BasicFourierOperator<float>;
 
-SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Shape shape)
-    : shape_(shape == Shape{} ? Shape{first_column.size()} : shape), plan_(complex_fourier_plan(shape_)),
+SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape)
+    : shape_(shape == Extent{} ? Extent{first_column.size()} : shape), plan_(complex_fourier_plan(shape_)),
       work_(shape_.nodes()), twist_x_(shape_.columns), twist_y_(shape_.rows) {
     for (auto* twist : {&twist_x_, &twist_y_})
         for (Index j = 0; j < twist->size(); ++j)

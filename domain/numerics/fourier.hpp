@@ -18,9 +18,9 @@ struct FourierPlan {
 FourierPlan fourier_plan(Index length);
 /// The plan for real transforms of an area's rows x columns numbers; the half-complex rows are columns/2 + 1
 /// long. A single row is a line.
-FourierPlan fourier_plan(Shape shape);
+FourierPlan fourier_plan(Extent shape);
 /// the same for complex transforms in place
-FourierPlan complex_fourier_plan(Shape shape);
+FourierPlan complex_fourier_plan(Extent shape);
 
 /// Whether no prime factor is above 13: with a large one transforms take up to ten times as long.
 bool is_good_fourier_length(Index length);
@@ -59,25 +59,27 @@ class BasicFourierOperator {
         return toeplitz(first_column, {first_column.size()});
     }
     /// The same of an area.
-    static BasicFourierOperator toeplitz(const Eigen::VectorXd& first_column, Shape shape);
+    static BasicFourierOperator toeplitz(const Eigen::VectorXd& first_column, Extent shape);
     /// eigenvalues S_k, k = 0..N/2, of an N x N symmetric circulant
     static BasicFourierOperator circulant(Index nodes, const Eigen::VectorXd& eigenvalues) {
-        return circulant(Shape{nodes}, eigenvalues);
+        return circulant(Extent{nodes}, eigenvalues);
     }
     /// Of an area: N_y rows of N_x/2 + 1 eigenvalues.
-    static BasicFourierOperator circulant(Shape shape, const Eigen::VectorXd& eigenvalues);
+    static BasicFourierOperator circulant(Extent shape, const Eigen::VectorXd& eigenvalues);
 
     Index nodes() const { return shape_.nodes(); } ///< N
     /// Write p (N entries) here, then call apply().
     Real* input() { return real_.data(); }
     /// Returns u (N entries), valid until the next write to input().
     const Real* apply();
+    /// The last u again, as long as input() was not written to.
+    const Real* applied() const { return real_.data(); }
 
   private:
-    BasicFourierOperator(Shape shape, Shape padded);
+    BasicFourierOperator(Extent shape, Extent padded);
     void spread(); ///< from N entries to the padded rows
     void gather(); ///< back
-    Shape shape_, padded_;
+    Extent shape_, padded_;
     typename Fftw<Real>::Plan plan_;
     Index half_; ///< of the half-complex transform, all rows
     AlignedBuffer<Real> real_, spectrum_;
@@ -95,7 +97,7 @@ using SingleFourierOperator = BasicFourierOperator<float>;
 class SplitOperator {
   public:
     /// From the first column of N entries; a line, if no shape is given.
-    explicit SplitOperator(const Eigen::VectorXd& first_column, Shape shape = {});
+    explicit SplitOperator(const Eigen::VectorXd& first_column, Extent shape = {});
     /// u = T p; p and u have N entries.
     Eigen::VectorXd apply(const Eigen::VectorXd& p);
 
@@ -107,7 +109,7 @@ class SplitOperator {
     };
     void twist(const Part& part, bool back);
 
-    Shape shape_;
+    Extent shape_;
     FourierPlan plan_;
     AlignedBuffer<fftw_complex> work_;
     Eigen::ArrayXcd twist_x_, twist_y_; ///< exp(-i pi j/N)

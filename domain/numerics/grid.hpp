@@ -8,12 +8,12 @@ namespace rough {
 using Index = Eigen::Index;
 
 /// Nodes along x and y; node (i, j) is number j columns + i, so that x runs fastest. A line has one row.
-struct Shape {
+struct Extent {
     Index columns = 0; ///< N_x
     Index rows = 1;    ///< N_y
 
-    Index nodes() const { return columns * rows; } ///< of all rows
-    bool operator==(const Shape&) const = default; ///< as many along x, and along y
+    Index nodes() const { return columns * rows; }  ///< of all rows
+    bool operator==(const Extent&) const = default; ///< as many along x, and along y
 };
 
 /// Where a surface is sampled. A line: x_i = from + i * spacing, i = 0..nodes-1. An area: `rows` such lines,
@@ -26,8 +26,8 @@ struct Grid {
     Index rows = 1;          ///< N_y
     double width = 0;        ///< L_y, mm; 0: a line
 
-    bool is_area() const { return width > 0; }    ///< two dimensions
-    Shape shape() const { return {nodes, rows}; } ///< N_x, N_y
+    bool is_area() const { return width > 0; }     ///< two dimensions
+    Extent shape() const { return {nodes, rows}; } ///< N_x, N_y
     double spacing() const { return length / static_cast<double>(wraps ? nodes : nodes - 1); } ///< delta, mm
     /// delta_y, mm, 0 for a line; a single row is as wide as the area
     double row_spacing() const { return width / static_cast<double>(wraps || rows == 1 ? rows : rows - 1); }

@@ -14,9 +14,9 @@ struct Profile {
     Index rows = 1;          ///< N_y; N is a multiple of it
     double row_spacing = 0;  ///< delta_y, mm; 0: a line
 
-    Index nodes() const { return heights.size(); }                ///< N
-    bool is_area() const { return row_spacing > 0; }              ///< two dimensions
-    Shape shape() const { return {heights.size() / rows, rows}; } ///< N_x, N_y
+    Index nodes() const { return heights.size(); }                 ///< N
+    bool is_area() const { return row_spacing > 0; }               ///< two dimensions
+    Extent shape() const { return {heights.size() / rows, rows}; } ///< N_x, N_y
 };
 
 /// The profile of these heights, `spacing` apart; mm.

@@ -58,26 +58,17 @@ Body completed_for(const Profile& profile, const Body& body) {
     return completed(body, profile_length(profile, body.kernel));
 }
 
-/// Every `part`-th node, along x and y.
-Profile thinned(const Profile& profile, Index part) {
-    const auto [columns, rows] = profile.shape();
-    const Index n = (columns + part - 1) / part, m = (rows + part - 1) / part;
-    const Eigen::Map<const Eigen::MatrixXd> heights(profile.heights.data(), columns, rows);
-    const double wider = static_cast<double>(part);
-    return {heights(Eigen::seqN(0, n, part), Eigen::seqN(0, m, part)).reshaped(), wider * profile.spacing, m,
-            rows > 1 ? wider * profile.row_spacing : profile.row_spacing};
-}
-
 /// Where to start looking for a pressure: the answer for every fourth node, whose contact is found in a
 /// fraction of the time; half the range where there are too few.
 double first_guess(const Profile& profile, const Body& body, double pressure, const ContactOptions& options,
                    double range) {
     constexpr Index part = 4, fewest = 256;
     const bool wraps = body.kernel == Kernel::periodic;
-    const auto [columns, rows] = profile.shape();
-    if (profile.nodes() < fewest || (wraps && (columns % part != 0 || (rows > 1 && rows % part != 0))))
+    if (profile.nodes() < fewest || (wraps && profile.nodes() % part != 0))
         return 0.5 * range;
-    const Profile coarse = thinned(profile, part);
+    Profile coarse{Eigen::VectorXd((profile.nodes() + part - 1) / part), part * profile.spacing};
+    for (Index i = 0; i < coarse.nodes(); ++i)
+        coarse.heights[i] = profile.heights[part * i];
     if (!(coarse.heights.maxCoeff() > coarse.heights.minCoeff()))
         return 0.5 * range;
     try {
@@ -116,6 +107,12 @@ std::vector<double> step_displacements(const Profile& profile, const Body& body,
                                        const ContactOptions& options) {
     if (!loading.pressures.empty()) {
         std::vector<double> displacements;
+        if (profile.is_area()) {
+            for (const LoadStep& step :
+                 solve_contact_at_pressures(profile, body, loading.pressures, options).steps)
+                displacements.push_back(step.displacement);
+            return displacements;
+        }
         double before = 0;
         for (const double pressure : loading.pressures) {
             if (!std::isfinite(pressure) || !(pressure > before))
@@ -138,7 +135,8 @@ double displacement_at_pressure(const Profile& profile, const Body& given, doubl
                                 const ContactOptions& options) {
     const Body body = completed_for(profile, given);
     const double range = displacement_range(profile, body.kernel);
-    if (body.yields()) // P is not convex
+    // With a hardness P is not convex; on an area a solution costs too much to begin again at each guess.
+    if (body.yields() || profile.is_area())
         return solve_contact_at_pressures(profile, body, {pressure}, options).steps.front().displacement;
     const bool periodic = body.kernel == Kernel::periodic;
     const double farthest = periodic ? range * (1 - 1e-9) : std::numeric_limits<double>::infinity();

@@ -21,6 +21,8 @@ constexpr double loosening = 0.05;
 /// How well displacements must be known, over the approach, while the residual is far above this.
 constexpr double rough_accuracy = 1e-5;
 constexpr int most_rounds = 200;
+/// Of a load, within which Newton's method on the approach is done in one more step.
+constexpr double near_load = 1e-3;
 constexpr long most_iterations = 2000;
 /// Up to this size a dense factor is cheaper than a coarser grid.
 constexpr Index coarsest = 1024;
@@ -41,6 +43,41 @@ class ActiveSet {
         settle(approach, tolerance);
         if (purpose_ == Purpose::guess)
             return step_solution(set_, load_, tangent_, false);
+        return finished(approach, tolerance);
+    }
+
+    /// The same to a load: Newton's method on the approach, loosely until it is near. `approach` is where to
+    /// begin and becomes the one found.
+    StepSolution press_to(double load, double& approach, std::optional<Eigen::VectorXd> guess) {
+        for (int round = 0; round < most_rounds; ++round) {
+            if (!guess)
+                approach += (load - load_.pressure.sum()) / tangent_.pressure.sum();
+            start(approach, guess);
+            settle(approach, std::max(near_load, options_.tolerance));
+            solver_.tangent(set_, near_load, false, tangent_);
+            const double missing = load - load_.pressure.sum();
+            if (std::abs(missing) <= near_load * load)
+                break;
+            guess.reset();
+        }
+        if (purpose_ == Purpose::guess)
+            return step_solution(set_, load_, tangent_, false);
+        for (int round = 0; round < most_rounds; ++round) {
+            approach += (load - load_.pressure.sum()) / tangent_.pressure.sum();
+            start(approach, {});
+            settle(approach, options_.tolerance);
+            StepSolution step = finished(approach, options_.tolerance);
+            if (std::abs(load - step.pressure.sum()) <= options_.tolerance * load)
+                return step;
+        }
+        fail("active set", problem_, approach, std::abs(load / load_.pressure.sum() - 1), options_.tolerance);
+    }
+    const Eigen::VectorXd& pressure() const { return load_.pressure; }
+    long applies() const { return solver_.applies(); }
+
+  private:
+    /// The tangent, and the load as good as the tolerance.
+    StepSolution finished(double approach, double tolerance) {
         for (;;) {
             solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
             const double error = load_error(problem_, approach, set_, load_, tangent_);
@@ -51,10 +88,7 @@ class ActiveSet {
         }
         return step_solution(set_, load_, tangent_, options_.states);
     }
-    const Eigen::VectorXd& pressure() const { return load_.pressure; }
-    long applies() const { return solver_.applies(); }
 
-  private:
     /// Starts from the step before, moved along its tangent or by what a coarser grid's pressures have grown
     /// since (never less, as no node's pressure falls with the load), whichever leaves the smaller residual.
     void start(double approach, const std::optional<Eigen::VectorXd>& guess) {
@@ -100,6 +134,34 @@ class ActiveSet {
     }
 
     void settle(double approach, double tolerance) {
+        if (problem_.is_area())
+            settle_area(approach, tolerance);
+        else
+            settle_line(approach, tolerance);
+    }
+
+    /// Nodes leave and join together here. An area has nodes without number at the brink: which of them touch
+    /// is known as well as the residual, and no better.
+    void settle_area(double approach, double tolerance) {
+        double target = 1;
+        for (int round = 0; round < most_rounds; ++round) {
+            check_stop(options_);
+            double worst = 0;
+            change_set(approach, 0.3 * tolerance * approach,
+                       std::min(rough_accuracy, 0.1 * target) * approach, worst);
+            worst = residual(load_, approach);
+            if (worst <= tolerance) {
+                solver_.load(load_, product_, 0.1 * tolerance * approach); // unless it is as good already
+                worst = residual(load_, approach);
+            }
+            if (worst <= tolerance)
+                return;
+            target = std::max(0.5 * tolerance, loosening * worst);
+            improve(approach, target);
+        }
+    }
+
+    void settle_line(double approach, double tolerance) {
         double target = 1;
         for (int round = 0; round < most_rounds; ++round) {
             check_stop(options_);
@@ -112,10 +174,8 @@ class ActiveSet {
             } else if (target > tolerance) {
                 target = std::max(tolerance, loosening * target);
             } else {
-                // An area has nodes without number at the brink: which of them touch is as good as the
-                // residual.
                 const double trusted =
-                    purpose_ == Purpose::guess || problem_.is_area()
+                    purpose_ == Purpose::guess
                         ? target
                         : trusted_residual(problem_, approach, load_.pressure, load_.displacement);
                 if (target <= finest || target <= trusted)
@@ -141,7 +201,7 @@ class ActiveSet {
             solver_.load(load_, product_, accuracy);
         stale_ = false;
         depth_ = approach - (problem_.gap + load_.displacement).array();
-        const std::vector<int> added = dropped.empty()
+        const std::vector<int> added = dropped.empty() || problem_.is_area()
                                            ? advancing_nodes(depth_, set_.touching(), problem_.shape, least)
                                            : std::vector<int>();
         for (const int i : added)
@@ -169,12 +229,25 @@ class ActiveSet {
 
 Solution guess(const ContactProblem& problem, ContactOptions options);
 
+StepSolution certified(const ContactProblem& problem, double approach, StepSolution found,
+                       SplitOperator& check, const Eigen::VectorXd& pressure, double tolerance) {
+    const Eigen::VectorXd displacement = check.apply(pressure);
+    found.residual = certify(problem, approach, found.nodes, found.pressure, displacement.data()).residual();
+    if (!(found.residual <= 2 * tolerance))
+        fail("active set", problem, approach, found.residual, tolerance);
+    return found;
+}
+
+Index stride_of(const ContactProblem& problem) { return problem.is_area() ? area_stride : line_stride; }
+
 /// Every load step; the coarser grid goes first, as long as it is worth while.
 void solve_levels(const ContactProblem& problem, const ContactOptions& options, Purpose purpose,
                   Solution& solution) {
     const bool cascade = problem.nodes() > coarsest;
-    const Index stride = problem.is_area() ? area_stride : line_stride;
-    const ContactProblem coarse_problem = cascade ? coarsened(problem, stride) : problem;
+    const Index stride = stride_of(problem);
+    ContactProblem coarse_problem = cascade ? coarsened(problem, stride) : problem;
+    if (problem.is_area()) // from the first step on the tangent begins as well as a coarser grid
+        coarse_problem.approach.resize(std::min<std::size_t>(1, problem.approach.size()));
     const Solution coarse = cascade ? guess(coarse_problem, options) : Solution();
     ActiveSet solver(problem, options, purpose);
     SplitOperator check = split_operator(problem);
@@ -185,13 +258,9 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
         if (j < coarse.steps.size())
             start = refined_pressures(coarse.steps[j], coarse_problem.shape, stride, problem.shape);
         StepSolution found = solver.press(approach, start);
-        if (purpose == Purpose::curve) {
-            const Eigen::VectorXd displacement = check.apply(solver.pressure());
-            found.residual =
-                certify(problem, approach, found.nodes, found.pressure, displacement.data()).residual();
-            if (!(found.residual <= 2 * options.tolerance))
-                fail("active set", problem, approach, found.residual, options.tolerance);
-        }
+        if (purpose == Purpose::curve)
+            found =
+                certified(problem, approach, std::move(found), check, solver.pressure(), options.tolerance);
         solution.steps.push_back(std::move(found));
         solution.iterations += solver.applies() - before;
     }
@@ -215,7 +284,65 @@ Solution guess(const ContactProblem& problem, ContactOptions options) {
     return solution;
 }
 
+/// The approach at which so many pressures add up to `load`, on a grid that a factor solves at once: Newton's
+/// method from above, where no more than one node would touch.
+StepSolution press_small_to(double load, double& approach, const ContactProblem& problem,
+                            NestedContact& contact) {
+    const double full =
+        problem.kernel == Kernel::periodic ? problem.gap.mean() : std::numeric_limits<double>::infinity();
+    approach = std::min(problem.gap.minCoeff() + load * problem.column[0], (1 - 1e-9) * full);
+    for (int round = 0;; ++round) {
+        StepSolution step = contact.press(approach);
+        const double missing = load - step.pressure.sum();
+        if (std::abs(missing) <= near_load * load || round == most_rounds ||
+            (missing > 0 && approach >= full))
+            return step;
+        approach = std::min(approach + missing / step.stiffness, full);
+    }
+}
+
+/// A guess at the step to `load` and its approach, from coarser grids.
+Eigen::VectorXd guess_to(double load, double& approach, const ContactProblem& problem,
+                         const ContactOptions& options) {
+    const Index stride = stride_of(problem);
+    const ContactProblem coarse = coarsened(problem, stride);
+    // the same mean pressure
+    const double coarse_load = load * coarse.elements / problem.elements * static_cast<double>(stride);
+    StepSolution found;
+    if (coarse.nodes() <= coarsest) {
+        NestedContact contact(coarse, options);
+        found = press_small_to(coarse_load, approach, coarse, contact);
+    } else {
+        const Eigen::VectorXd start = guess_to(coarse_load, approach, coarse, options);
+        found = ActiveSet(coarse, options, Purpose::guess).press_to(coarse_load, approach, start);
+    }
+    return refined_pressures(found, coarse.shape, stride, problem.shape);
+}
+
 } // namespace
+
+Solution solve_active_set_loads(ContactProblem& problem, const std::vector<double>& loads,
+                                const ContactOptions& options) {
+    ContactOptions loosely = options;
+    loosely.tolerance = 1e-2;
+    loosely.states = false;
+    ActiveSet solver(problem, options, Purpose::curve);
+    SplitOperator check = split_operator(problem);
+    Solution solution;
+    problem.approach.clear();
+    double approach = 0;
+    for (const double load : loads) {
+        std::optional<Eigen::VectorXd> start;
+        if (solution.steps.empty())
+            start = guess_to(load, approach, problem, loosely);
+        StepSolution found = solver.press_to(load, approach, start);
+        solution.steps.push_back(
+            certified(problem, approach, std::move(found), check, solver.pressure(), options.tolerance));
+        problem.approach.push_back(approach);
+    }
+    solution.iterations = solver.applies();
+    return solution;
+}
 
 Solution solve_active_set(const ContactProblem& problem, const ContactOptions& options) {
     Solution solution;

@@ -13,4 +13,9 @@ Solution solve_active_set(const ContactProblem& problem, const ContactOptions& o
 /// The same, added step by step to `solution`, which keeps what was solved where this throws.
 void solve_active_set(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
+/// The same under load control: `loads` are sums of the nodes' pressures in the problem's units, positive and
+/// increasing, each reached to the tolerance. Sets the problem's approaches to those found.
+Solution solve_active_set_loads(ContactProblem& problem, const std::vector<double>& loads,
+                                const ContactOptions& options);
+
 } // namespace rough

@@ -46,7 +46,7 @@ void judge_line(const Eigen::ArrayXd& depth, Index from, Index stride, Index n, 
 
 } // namespace
 
-std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<char>& touching, Shape shape,
+std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<char>& touching, Extent shape,
                                  double least) {
     auto touches = [&](Index i) { return touching[static_cast<std::size_t>(i)] != 0; };
     auto penetrates = [&](Index i) { return depth[i] > least && !touches(i); };

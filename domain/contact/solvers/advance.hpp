@@ -12,7 +12,7 @@ namespace rough {
 /// x^(3/2) and the depth of a raised approach as x^(1/2), so an edge advancing by s shows penetration over
 /// 3s/2. A run of its own is a new summit, which touches where it is deepest. On an area a node is judged in
 /// its runs along x and y, an edge's advance being the same share of either, whichever is surer.
-std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<char>& touching, Shape shape,
+std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<char>& touching, Extent shape,
                                  double least);
 
 } // namespace rough

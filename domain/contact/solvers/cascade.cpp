@@ -7,7 +7,7 @@ namespace rough {
 
 ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node) {
     ContactProblem coarse = problem;
-    const Shape fine = problem.shape;
+    const Extent fine = problem.shape;
     const Index first_x = node % fine.columns % stride,
                 first_y = node / fine.columns % (fine.rows == 1 ? 1 : stride);
     coarse.shape = {(fine.columns - 1 - first_x) / stride + 1, (fine.rows - 1 - first_y) / stride + 1};
@@ -53,7 +53,7 @@ void refine_line(const double* squares, Index coarse, Index coarse_step, Index s
 
 } // namespace
 
-Eigen::VectorXd refined_pressures(const StepSolution& coarse, Shape from, Index stride, Shape to) {
+Eigen::VectorXd refined_pressures(const StepSolution& coarse, Extent from, Index stride, Extent to) {
     Eigen::VectorXd squares = Eigen::VectorXd::Zero(from.nodes());
     for (std::size_t k = 0; k < coarse.nodes.size(); ++k)
         squares[coarse.nodes[k]] = std::pow(coarse.pressure[static_cast<Index>(k)], 2);

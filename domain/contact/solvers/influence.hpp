@@ -10,8 +10,8 @@ namespace rough {
 class Influence {
   public:
     /// From the first column of N entries; a line, if no shape is given.
-    explicit Influence(const Eigen::VectorXd& first_column, Shape shape = {})
-        : shape_(shape == Shape{} ? Shape{first_column.size()} : shape),
+    explicit Influence(const Eigen::VectorXd& first_column, Extent shape = {})
+        : shape_(shape == Extent{} ? Extent{first_column.size()} : shape),
           padded_((shape_.columns + block - 1) / block * block), stride_(shape_.columns - 1 + padded_),
           table_((2 * shape_.rows - 1) * stride_) {
         std::fill_n(table_.data(), (2 * shape_.rows - 1) * stride_, 0.0);
@@ -25,7 +25,7 @@ class Influence {
 
     static constexpr Index block = 64; ///< of which loops over a row take whole ones
 
-    Shape shape() const { return shape_; }           ///< N_x, N_y
+    Extent shape() const { return shape_; }          ///< N_x, N_y
     Index padded_columns() const { return padded_; } ///< N_x in whole blocks: so far a row may be read
     Index stride() const { return stride_; }         ///< places from one row to the next
     /// The entry of no offset.
@@ -37,7 +37,7 @@ class Influence {
     }
 
   private:
-    Shape shape_;
+    Extent shape_;
     Index padded_, stride_;
     AlignedBuffer<double> table_;
     const double* centre_;

@@ -41,8 +41,58 @@ Real cosine_sum(Index j, Index n, Real length) {
     return sum / static_cast<Real>(n);
 }
 
+/// Over an area's lattice.
+Real cosine_sum(Index i, Index j, Extent shape, Real length, Real width) {
+    Real sum = 0;
+    for (Index m = 0; m < shape.rows; ++m)
+        for (Index k = m == 0 ? 1 : 0; k < shape.columns; ++k) {
+            const Real q = 2 * pi *
+                           std::hypot(static_cast<Real>(std::min(k, shape.columns - k)) / length,
+                                      static_cast<Real>(std::min(m, shape.rows - m)) / width);
+            sum += 2 / q *
+                   std::cos(2 * pi * static_cast<Real>((i * k) % shape.columns) /
+                            static_cast<Real>(shape.columns)) *
+                   std::cos(2 * pi * static_cast<Real>((j * m) % shape.rows) / static_cast<Real>(shape.rows));
+        }
+    return sum / static_cast<Real>(shape.nodes());
+}
+
+/// Love (1929) as printed, over a cell of half-sides a and b.
+Real love_cell(Real x, Real y, Real a, Real b) {
+    const auto s = [](Real X, Real Y) {
+        return (X == 0 ? 0 : X * std::asinh(Y / std::abs(X))) +
+               (Y == 0 ? 0 : Y * std::asinh(X / std::abs(Y)));
+    };
+    return (s(x + a, y + b) - s(x - a, y + b) - s(x + a, y - b) + s(x - a, y - b)) / pi;
+}
+
+Vector area_influence(const Profile& map, Kernel kernel) {
+    const Extent shape = map.shape();
+    const Real dx = map.spacing, dy = map.row_spacing;
+    Vector h(shape.nodes());
+    for (Index j = 0; j < shape.rows; ++j)
+        for (Index i = 0; i < shape.columns; ++i)
+            h[j * shape.columns + i] =
+                kernel == Kernel::periodic
+                    ? cosine_sum(i, j, shape, static_cast<Real>(shape.columns) * dx,
+                                 static_cast<Real>(shape.rows) * dy)
+                    : love_cell(static_cast<Real>(i) * dx, static_cast<Real>(j) * dy, dx / 2, dy / 2);
+    return h;
+}
+
+/// H's entry of two nodes.
+struct Influences {
+    Vector column;
+    Index columns;
+    Real operator()(Index i, Index k) const {
+        return column[std::abs(i / columns - k / columns) * columns + std::abs(i % columns - k % columns)];
+    }
+};
+
 /// First column of H for E* = 1, mm/MPa.
 Vector influence(const Profile& profile, const Body& given) {
+    if (profile.is_area())
+        return area_influence(profile, given.kernel);
     const Body body = completed(given, profile_length(profile, given.kernel));
     const Index n = profile.nodes();
     const Real delta = profile.spacing;
@@ -64,22 +114,21 @@ struct Pressed {
 };
 
 /// H_AA p = rhs and sum H_AA^-1 1
-Pressed solve_on(const std::vector<Index>& nodes, const Vector& h, const Vector& goal) {
+Pressed solve_on(const std::vector<Index>& nodes, const Influences& h, const Vector& goal) {
     const Index m = static_cast<Index>(nodes.size());
     Matrix block(m, m);
     Vector rhs(m);
     for (Index i = 0; i < m; ++i) {
         rhs[i] = goal[nodes[static_cast<std::size_t>(i)]];
         for (Index j = 0; j < m; ++j)
-            block(i, j) =
-                h[std::abs(nodes[static_cast<std::size_t>(i)] - nodes[static_cast<std::size_t>(j)])];
+            block(i, j) = h(nodes[static_cast<std::size_t>(i)], nodes[static_cast<std::size_t>(j)]);
     }
     const Eigen::LLT<Matrix> factor(block);
     return {nodes, factor.solve(rhs), factor.solve(Vector::Ones(m)).sum()};
 }
 
-Pressed press(const Vector& h, const Vector& goal, Real displacement, bool periodic) {
-    const Index n = h.size();
+Pressed press(const Influences& h, const Vector& goal, Real displacement, bool periodic) {
+    const Index n = goal.size();
     std::vector<char> in(static_cast<std::size_t>(n), 1);
     if (periodic) { // all nodes together are a singular matrix: the lowest cannot be needed
         Index lowest;
@@ -105,7 +154,7 @@ Pressed press(const Vector& h, const Vector& goal, Real displacement, bool perio
                 continue;
             Real u = 0;
             for (std::size_t k = 0; k < nodes.size(); ++k)
-                u += h[std::abs(i - nodes[k])] * pressed.pressure[static_cast<Index>(k)];
+                u += h(i, nodes[k]) * pressed.pressure[static_cast<Index>(k)];
             if (goal[i] - u > 1e-15L * displacement) {
                 in[static_cast<std::size_t>(i)] = 1;
                 settled = false;
@@ -117,9 +166,9 @@ Pressed press(const Vector& h, const Vector& goal, Real displacement, bool perio
     throw NotConverged("the oracle's contact set does not settle");
 }
 
-Pressed press_capped(const Vector& h, const Vector& goal, Real cap) {
+Pressed press_capped(const Influences& h, const Vector& goal, Real cap) {
     constexpr Real relaxation = 1.5L;
-    const Index n = h.size();
+    const Index n = goal.size();
     Vector p = Vector::Zero(n);
     Real moved = 1;
     for (long sweep = 0; moved > 1e-16L * p.maxCoeff(); ++sweep) {
@@ -129,8 +178,8 @@ Pressed press_capped(const Vector& h, const Vector& goal, Real cap) {
         for (Index i = 0; i < n; ++i) {
             Real gap = -goal[i];
             for (Index j = 0; j < n; ++j)
-                gap += h[std::abs(i - j)] * p[j];
-            const Real next = std::clamp(p[i] - relaxation * gap / h[0], Real(0), cap);
+                gap += h(i, j) * p[j];
+            const Real next = std::clamp(p[i] - relaxation * gap / h.column[0], Real(0), cap);
             moved = std::max(moved, std::abs(next - p[i]));
             p[i] = next;
         }
@@ -152,10 +201,11 @@ Pressed press_capped(const Vector& h, const Vector& goal, Real cap) {
 } // namespace
 
 Oracle consult_oracle(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
-    const Vector h = influence(profile, body);
+    const Influences h{influence(profile, body), profile.shape().columns};
     const Vector heights = profile.heights.cast<Real>();
-    const Real share =
-        static_cast<Real>(profile.spacing) / static_cast<Real>(profile_length(profile, body.kernel));
+    const Real share = profile.is_area() ? 1 / static_cast<Real>(elements(profile, body.kernel))
+                                         : static_cast<Real>(profile.spacing) /
+                                               static_cast<Real>(profile_length(profile, body.kernel));
     const Real modulus = body.effective_modulus;
     Oracle oracle;
     for (const double displacement : displacements) {

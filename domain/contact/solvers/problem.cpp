@@ -95,19 +95,19 @@ ContactProblem make_problem(const Profile& profile, const Body& given,
     return problem;
 }
 
-Eigen::VectorXd influence_on(const ContactProblem& problem, Shape shape) {
+Eigen::VectorXd influence_on(const ContactProblem& problem, Extent shape) {
     return problem.is_area()
                ? area_influence_column(problem.kernel, shape, problem.row_spacing)
                : influence_column(problem.kernel, shape.nodes(), problem.datum, problem.strip_width);
 }
 
-Eigen::VectorXd spectrum_on(const ContactProblem& problem, Shape shape) {
+Eigen::VectorXd spectrum_on(const ContactProblem& problem, Extent shape) {
     return problem.is_area() ? area_spectrum(shape, problem.row_spacing) : periodic_spectrum(shape.nodes());
 }
 
 template <typename Operator>
 static Operator operator_of(const ContactProblem& problem) {
-    const Shape shape = problem.shape;
+    const Extent shape = problem.shape;
     if (problem.kernel == Kernel::periodic && is_good_fourier_length(shape.columns) &&
         is_good_fourier_length(shape.rows))
         return Operator::circulant(shape, spectrum_on(problem, shape));

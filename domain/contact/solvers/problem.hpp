@@ -10,7 +10,7 @@ namespace rough {
 /// largest displacement over delta.
 struct ContactProblem {
     Kernel kernel;                ///< which body H stands for
-    Shape shape;                  ///< nodes along x and y; only operators and neighbours care
+    Extent shape;                 ///< nodes along x and y; only operators and neighbours care
     double row_spacing;           ///< delta_y of an area, in units of delta_x; 0: a line
     double datum;                 ///< d (free), in units of delta
     double strip_width;           ///< W (strip), in units of delta
@@ -38,9 +38,9 @@ ContactProblem make_problem(const Profile& profile, const Body& body,
 double largest_displacement(const Profile& profile, const Body& body);
 
 /// H's first column on a grid of another shape, for the problem's body and spacing.
-Eigen::VectorXd influence_on(const ContactProblem& problem, Shape shape);
+Eigen::VectorXd influence_on(const ContactProblem& problem, Extent shape);
 /// The periodic body's eigenvalues on a grid of another shape.
-Eigen::VectorXd spectrum_on(const ContactProblem& problem, Shape shape);
+Eigen::VectorXd spectrum_on(const ContactProblem& problem, Extent shape);
 
 /// H applied by FFT.
 FourierOperator fourier_operator(const ContactProblem& problem);

@@ -24,7 +24,7 @@ constexpr long most_iterations = 5000;
 
 /// Eigenvalues 1/S_k of the inverse of T. Chan's circulant, whose first column is ((M - j) h_j + j
 /// h_(M-j))/M; on an area so along both axes.
-Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Shape shape) {
+Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Extent shape) {
     Eigen::VectorXd eigenvalues;
     if (problem.kernel == Kernel::periodic) {
         eigenvalues = spectrum_on(problem, shape);
@@ -59,7 +59,7 @@ Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Shape shape) {
 
 /// A periodic matrix is circulant itself; where that is slow to transform, a longer one serves as well as it
 /// does for the other kernels.
-Shape circulant_shape(const ContactProblem& problem) {
+Extent circulant_shape(const ContactProblem& problem) {
     const auto [columns, rows] = problem.shape;
     if (problem.kernel == Kernel::periodic && is_good_fourier_length(columns) && is_good_fourier_length(rows))
         return problem.shape;
@@ -68,7 +68,7 @@ Shape circulant_shape(const ContactProblem& problem) {
 
 /// The inverse of the circulant, of which a part at the origin is the surface.
 SingleFourierOperator preconditioner(const ContactProblem& problem) {
-    const Shape shape = circulant_shape(problem);
+    const Extent shape = circulant_shape(problem);
     return SingleFourierOperator::circulant(shape, inverse_circulant(problem, shape));
 }
 
@@ -132,7 +132,7 @@ void SetSolver::multiply(SingleFourierOperator& matrix, Index columns, const std
 }
 
 bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                        const Enough& enough, long most) {
+                        const Enough& enough, long most, KnownProduct* known) {
     const auto& nodes = set.nodes();
     const Index m = static_cast<Index>(nodes.size());
     if (m == 0)
@@ -171,6 +171,12 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             if (!(curvature > 0))
                 break;
             const double step = rz / curvature;
+            if (known) {
+                const auto product = Eigen::VectorXf::Map(single_.applied(), x.pressure.size());
+                known->displacement += (step * scale) * product.cast<double>();
+                known->blur += single_rounding * std::abs(step * scale) *
+                               static_cast<double>(product.cwiseAbs().maxCoeff());
+            }
             r -= step * hq;
             x.pressure(nodes) += step * q;
         }
@@ -178,9 +184,16 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             const Index i = nodes[static_cast<std::size_t>(k)];
             x.displacement[i] = target(i) - r[k];
         }
+        if (known) {
+            known->displacement(nodes) = x.displacement(nodes);
+            known->pressure = x.pressure;
+            x.displacement = known->displacement;
+        }
         if (solved || iteration >= most || !progress)
             return solved;
         load(x);
+        if (known)
+            *known = {x.pressure, x.displacement, 0};
     }
 }
 

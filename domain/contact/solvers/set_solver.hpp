@@ -63,10 +63,11 @@ class SetSolver {
     /// The same with an error of at most `accuracy` at each node: from the product that is known, by that of
     /// what has changed since in single precision, where this is good enough.
     void load(Loaded& x, KnownProduct& known, double accuracy);
-    /// Improves x until it is good enough; x.displacement is then up to date on A only. Returns false where
-    /// `most` iterations were not enough or rounding stops it.
+    /// Improves x until it is good enough; x.displacement is then up to date on A only, or at every node
+    /// where `known` holds its product and is to follow. Returns false where `most` iterations were not
+    /// enough or rounding stops it.
     bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                 const Enough& enough, long most);
+                 const Enough& enough, long most, KnownProduct* known = nullptr);
     /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
     /// entries.
     void tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
@@ -77,7 +78,7 @@ class SetSolver {
     /// image = M v on the nodes alone, M's rows being `columns` long; `scale` is about v's size.
     void multiply(SingleFourierOperator& matrix, Index columns, const std::vector<int>& nodes,
                   const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image) const;
-    Shape shape_;
+    Extent shape_;
     Eigen::VectorXd sums_; ///< of H's first column, for the deflation; empty on an area, which has none
     FourierOperator forward_;
     SingleFourierOperator single_, inverse_;

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 using namespace rough;
 
@@ -42,7 +43,8 @@ TEST_CASE("every path of applying the influence matrix gives its direct sums", "
             }
             std::reverse(some.begin(), some.end()); // in any order
             on_some.head(static_cast<Index>(some.size())).reverseInPlace();
-            CHECK((Eigen::Map<const Eigen::VectorXd>(DirectOperator(column).apply(some, on_some), nodes) -
+            const Influence table(column);
+            CHECK((Eigen::Map<const Eigen::VectorXd>(DirectOperator(table).apply(some, on_some), nodes) -
                    SplitOperator(column).apply(elsewhere))
                       .cwiseAbs()
                       .maxCoeff() < 1e-14 * scale);
@@ -66,4 +68,39 @@ TEST_CASE("a fast length is the next even number without a prime factor above fi
             next += 2;
         CHECK(fast_fourier_length(length) == next);
     }
+}
+
+TEST_CASE("on areas, too, every path of applying the influence matrix gives its direct sums", "[contact]") {
+    std::srand(8);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic})
+        for (const Extent shape :
+             {Extent{2, 3}, Extent{16, 9}, Extent{7, 70}, Extent{70, 1}, Extent{1, 12}}) {
+            INFO(static_cast<int>(kernel) << ", " << shape.columns << " x " << shape.rows);
+            const Eigen::VectorXd column = area_influence_column(kernel, shape, 0.7);
+            const Index nodes = shape.nodes();
+            const Eigen::VectorXd p = Eigen::VectorXd::Random(nodes).cwiseAbs();
+            Eigen::VectorXd direct = Eigen::VectorXd::Zero(nodes);
+            for (Index i = 0; i < nodes; ++i)
+                for (Index k = 0; k < nodes; ++k)
+                    direct[i] +=
+                        p[k] * column[std::abs(i / shape.columns - k / shape.columns) * shape.columns +
+                                      std::abs(i % shape.columns - k % shape.columns)];
+            const double least = 1e-14 * column.cwiseAbs().sum();
+            const auto apply = [&](FourierOperator op) {
+                std::copy_n(p.data(), nodes, op.input());
+                return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(op.apply(), nodes));
+            };
+            CHECK((apply(FourierOperator::toeplitz(column, shape)) - direct).cwiseAbs().maxCoeff() < least);
+            CHECK((SplitOperator(column, shape).apply(p) - direct).cwiseAbs().maxCoeff() < least);
+            if (kernel == Kernel::periodic)
+                CHECK((apply(FourierOperator::circulant(shape, area_spectrum(shape, 0.7))) - direct)
+                          .cwiseAbs()
+                          .maxCoeff() < least);
+            std::vector<int> all(static_cast<std::size_t>(nodes));
+            std::iota(all.begin(), all.end(), 0);
+            const Influence table(column, shape);
+            CHECK((Eigen::Map<const Eigen::VectorXd>(DirectOperator(table).apply(all, p), nodes) - direct)
+                      .cwiseAbs()
+                      .maxCoeff() < least);
+        }
 }

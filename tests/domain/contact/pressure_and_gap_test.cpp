@@ -1,4 +1,4 @@
-#include "domain/contact/spots.hpp"
+#include "domain/contact/pressure_and_gap.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>

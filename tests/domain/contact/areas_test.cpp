@@ -1,0 +1,316 @@
+#include "domain/contact/full_contact.hpp"
+#include "domain/contact/kernel.hpp"
+#include "domain/contact/solvers/certificate.hpp"
+#include "domain/contact/solvers/oracle.hpp"
+#include "domain/contact/spots.hpp"
+#include "domain/errors.hpp"
+#include "domain/numerics/fourier.hpp"
+#include "domain/response/response.hpp"
+#include "tests/domain/contact/maps.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using namespace rough;
+using maps::map_of;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Heights between 0 and 1e-3 mm without any order: every node is a summit of its own.
+Profile noise(Extent shape, double spacing, double row_spacing, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> height(0, 1e-3);
+    return map_of(shape, spacing, row_spacing, [&](double, double) { return height(random); });
+}
+
+Body on(Kernel kernel, double modulus = 1.3) {
+    Body body;
+    body.kernel = kernel;
+    body.effective_modulus = modulus;
+    return body;
+}
+
+std::vector<double> steps_of(const Profile& profile, Kernel kernel, int steps, double reach) {
+    Loading loading;
+    loading.steps = steps;
+    loading.reach = reach;
+    return load_displacements(displacement_range(profile, kernel), loading, kernel);
+}
+
+ContactOptions by(Solver solver) {
+    ContactOptions options;
+    options.solver = solver;
+    return options;
+}
+
+double worst_difference(const ContactCurve& one, const ContactCurve& other) {
+    double worst = 0;
+    for (std::size_t j = 0; j < one.steps.size(); ++j) {
+        worst = std::max(worst, std::abs(one.steps[j].pressure / other.steps[j].pressure - 1));
+        worst =
+            std::max(worst, std::abs(one.steps[j].tangent_stiffness / other.steps[j].tangent_stiffness - 1));
+    }
+    return worst;
+}
+
+} // namespace
+
+TEST_CASE("on small areas every solver agrees with the oracle in extended precision", "[contact][areas]") {
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic})
+        for (const auto& [shape, row_spacing] :
+             {std::pair(Extent{16, 16}, 0.01), std::pair(Extent{16, 9}, 0.013),
+              std::pair(Extent{5, 14}, 0.004)}) {
+            const Profile map = noise(shape, 0.01, row_spacing, 3);
+            const auto displacements = steps_of(map, kernel, 6, 0.9);
+            const Oracle oracle = consult_oracle(map, on(kernel), displacements);
+            for (const Solver solver : {Solver::automatic, Solver::nested, Solver::nnls, Solver::active_set,
+                                        Solver::polonsky_keer}) {
+                INFO(static_cast<int>(kernel) << ", " << shape.columns << " x " << shape.rows << ", solver "
+                                              << static_cast<int>(solver));
+                const bool direct = solver != Solver::active_set && solver != Solver::polonsky_keer;
+                const ContactCurve curve = solve_contact(map, on(kernel), displacements, by(solver));
+                for (std::size_t j = 0; j < displacements.size(); ++j) {
+                    CHECK(curve.steps[j].pressure ==
+                          Approx(oracle.pressure[j]).epsilon(direct ? 1e-11 : 3e-6));
+                    CHECK(curve.steps[j].kkt_residual < (direct ? 1e-11 : 2e-6));
+                    if (direct) {
+                        CHECK(curve.steps[j].contact_nodes == oracle.contact_nodes[j]);
+                        CHECK(curve.steps[j].tangent_stiffness ==
+                              Approx(oracle.tangent_stiffness[j]).epsilon(1e-10));
+                    }
+                }
+            }
+        }
+}
+
+TEST_CASE("on a small area with a hardness the held nodes are the oracle's", "[contact][areas]") {
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
+        const Profile map = noise({9, 8}, 0.01, 0.012, 5);
+        const auto displacements = steps_of(map, kernel, 4, 0.7);
+        Body body = on(kernel);
+        ContactOptions states;
+        states.states = true;
+        body.hardness =
+            0.5 * solve_contact(map, body, displacements, states).states.back().pressure.maxCoeff();
+        const Oracle oracle = consult_oracle(map, body, displacements);
+        const ContactCurve curve = solve_contact(map, body, displacements);
+        CHECK(curve.steps.back().held_nodes > 0);
+        for (std::size_t j = 0; j < displacements.size(); ++j) {
+            CHECK(curve.steps[j].pressure == Approx(oracle.pressure[j]).epsilon(1e-8));
+            CHECK(curve.steps[j].held_nodes == oracle.held_nodes[j]);
+            CHECK(curve.steps[j].contact_nodes == oracle.contact_nodes[j]);
+        }
+    }
+}
+
+TEST_CASE("an extruded periodic map gives the profile's curve", "[contact][areas]") {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> height(0, 1e-3);
+    Profile profile{Eigen::VectorXd(48), 0.01};
+    for (double& z : profile.heights)
+        z = height(random);
+    for (const double row_spacing : {0.01, 0.027}) {
+        const Profile map = map_of({48, 10}, 0.01, row_spacing,
+                                   [&](double x, double) { return profile.heights[std::lround(x / 0.01)]; });
+        const auto displacements = steps_of(profile, Kernel::periodic, 10, 0.95);
+        const ContactCurve line = solve_contact(profile, on(Kernel::periodic), displacements),
+                           area = solve_contact(map, on(Kernel::periodic), displacements, by(Solver::nested));
+        CHECK(worst_difference(area, line) < 1e-9);
+        for (std::size_t j = 0; j < displacements.size(); ++j)
+            CHECK(area.steps[j].contact_fraction == line.steps[j].contact_fraction);
+    }
+}
+
+TEST_CASE("one row of square cells on a half-space is the strip", "[contact][areas]") {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> height(0, 1e-3);
+    Profile profile{Eigen::VectorXd(60), 0.01};
+    for (double& z : profile.heights)
+        z = height(random);
+    Profile row = profile;
+    row.row_spacing = row.spacing;
+    Body strip = on(Kernel::strip);
+    strip.strip_width = 0.01;
+    const auto displacements = steps_of(profile, Kernel::strip, 10, 1);
+    const ContactCurve line = solve_contact(profile, strip, displacements),
+                       area = solve_contact(row, on(Kernel::free), displacements);
+    CHECK(worst_difference(area, line) < 1e-11);
+    CHECK(full_contact_stiffness(row, on(Kernel::free)) ==
+          Approx(full_contact_stiffness(profile, strip)).epsilon(1e-9));
+}
+
+TEST_CASE("a sphere on a half-space follows Hertz, with an error of order 2 in the spacing",
+          "[contact][areas]") {
+    constexpr double radius = 10, modulus = 1.3;
+    double before = 0;
+    for (const Index n : {33, 65, 129}) {
+        const double h = 1.0 / static_cast<double>(n - 1);
+        double worst = 0;
+        for (int k = 0; k < 6; ++k) {
+            const double x0 = 0.5 + 0.13 * k * h, y0 = 0.5 - 0.09 * k * h, a = 0.2 + 0.03 * k;
+            const Profile sphere = map_of({n, n}, h, h, [&](double x, double y) {
+                return -((x - x0) * (x - x0) + (y - y0) * (y - y0)) / (2 * radius);
+            });
+            // a^2 = R Delta, F = 4 E* a^3/(3 R), dF/dDelta = 2 E* a; the highest node stands below the summit
+            const ContactCurve curve = solve_contact(sphere, on(Kernel::free, modulus),
+                                                     {a * a / radius + sphere.heights.maxCoeff()});
+            worst = std::max(worst,
+                             std::abs(curve.steps[0].pressure * 3 * radius / (4 * modulus * a * a * a) - 1));
+            CHECK(curve.steps[0].tangent_stiffness == Approx(2 * modulus * a).epsilon(2.5 * h));
+        }
+        CHECK(worst < 4 * h * h / 0.04);
+        if (before > 0)
+            CHECK(worst < before / 2);
+        before = worst;
+    }
+}
+
+TEST_CASE("a circular flat punch has the stiffness 2 E* a", "[contact][areas]") {
+    constexpr double modulus = 1.3, a = 0.31;
+    for (const Index n : {33, 65, 129}) {
+        const double h = 1.0 / static_cast<double>(n - 1);
+        const Profile punch = map_of(
+            {n, n}, h, h, [&](double x, double y) { return std::hypot(x - 0.5, y - 0.5) < a ? 0.0 : -1.0; });
+        const ContactCurve curve = solve_contact(punch, on(Kernel::free, modulus), {1e-3});
+        // the circle of as many cells
+        const double as_many = h * std::sqrt(static_cast<double>(curve.steps[0].contact_nodes) / pi);
+        CHECK(curve.steps[0].pressure == Approx(2 * modulus * as_many * 1e-3).epsilon(0.5 * h / a));
+        CHECK(curve.steps[0].tangent_stiffness * 1e-3 == Approx(curve.steps[0].pressure).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("an extruded wave follows Westergaard up to full contact", "[contact][areas]") {
+    constexpr Index n = 64;
+    constexpr double height = 1e-3, modulus = 1.3, full = pi * modulus * height;
+    const Profile wave =
+        map_of({n, 8}, 1.0 / n, 1.0 / n, [](double x, double) { return height * std::cos(2 * pi * x); });
+    std::vector<double> pressures;
+    for (const double share : {0.05, 0.3, 0.6, 0.9, 0.99})
+        pressures.push_back(share * full);
+    const ContactCurve curve = solve_contact_at_pressures(wave, on(Kernel::periodic, modulus), pressures);
+    for (std::size_t j = 0; j < pressures.size(); ++j) {
+        const double width = 2 / pi * std::asin(std::sqrt(pressures[j] / full)), s = std::sin(pi * width / 2);
+        CHECK(curve.steps[j].contact_fraction == Approx(width).margin(1.5 / n));
+        CHECK(curve.steps[j].displacement ==
+              Approx(2 * height * (s * s / 2 - s * s * std::log(s))).epsilon(0.01));
+    }
+}
+
+TEST_CASE("a double sine follows Johnson, Greenwood and Higginson at both ends", "[contact][areas]") {
+    constexpr Index n = 128;
+    constexpr double height = 1e-3, modulus = 1, full = std::numbers::sqrt2 * pi * modulus * height;
+    const Profile wave = map_of({n, n}, 1.0 / n, 1.0 / n, [](double x, double y) {
+        return height * std::cos(2 * pi * x) * std::cos(2 * pi * y);
+    });
+    const std::vector<double> pressures{0.002 * full, 0.3 * full, 0.9 * full, 0.97 * full};
+    const ContactCurve curve = solve_contact_at_pressures(wave, on(Kernel::periodic, modulus), pressures);
+    const auto area = [&](std::size_t j) { return curve.steps[j].contact_fraction; };
+    // Light: two Hertz contacts a cell. A count of nodes errs by a part of the edge.
+    CHECK(area(0) == Approx(pi * std::pow(3 * 0.002 / (8 * pi), 2.0 / 3)).epsilon(0.12));
+    CHECK(area(2) == Approx(1 - 1.5 / pi * 0.1).epsilon(0.003));
+    CHECK(area(3) == Approx(1 - 1.5 / pi * 0.03).epsilon(0.001));
+    CHECK(area(1) > area(0));
+    CHECK(area(1) < area(2));
+    for (const LoadStep& step : curve.steps)
+        CHECK(step.kkt_residual < 2e-6);
+    // Beyond it, the flat surface bears any load.
+    CHECK_THROWS_WITH(solve_contact_at_pressures(wave, on(Kernel::periodic, modulus), {1.2 * full}),
+                      Catch::Contains("full contact"));
+}
+
+TEST_CASE("x and y are alike: a transposed map has the same curve", "[contact][areas]") {
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
+        const Profile map = noise({24, 40}, 0.01, 0.015, 9);
+        Profile turned{map.heights, map.row_spacing, 24, map.spacing};
+        turned.heights = map.heights.reshaped(24, 40).transpose().eval().reshaped();
+        const auto displacements = steps_of(map, kernel, 4, 0.8);
+        for (const Solver solver : {Solver::nested, Solver::active_set}) {
+            const double error =
+                worst_difference(solve_contact(map, on(kernel), displacements, by(solver)),
+                                 solve_contact(turned, on(kernel), displacements, by(solver)));
+            CHECK(error < (solver == Solver::nested ? 1e-10 : 4e-6));
+        }
+    }
+}
+
+TEST_CASE("an area's solution changed by a millionth no longer passes its certificate", "[contact][areas]") {
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
+        const Profile map = noise({20, 16}, 0.01, 0.01, 10);
+        const auto displacements = steps_of(map, kernel, 3, 0.8);
+        ContactOptions options;
+        options.states = true;
+        const ContactCurve curve = solve_contact(map, on(kernel), displacements, options);
+        const ContactProblem problem = make_problem(map, on(kernel), displacements);
+        SplitOperator other = split_operator(problem);
+        for (std::size_t j = 0; j < displacements.size(); ++j) {
+            const auto residual = [&](Eigen::VectorXd p, double approach) {
+                Eigen::VectorXd all = Eigen::VectorXd::Zero(problem.nodes());
+                all(curve.states[j].nodes) = p;
+                return certify(problem, approach, curve.states[j].nodes, p, other.apply(all).eval().data())
+                    .residual();
+            };
+            const Eigen::VectorXd p = curve.states[j].pressure / problem.pressure_unit;
+            const double approach = problem.approach[j];
+            CHECK(residual(p, approach) < 1e-12);
+            CHECK(residual(p * (1 + 1e-6), approach) > 1e-9);
+            CHECK(residual(p, approach * (1 + 1e-6)) > 1e-9);
+            Eigen::VectorXd one = p;
+            one[p.size() / 2] += 1e-6 * p.mean();
+            CHECK(residual(one, approach) > 1e-9);
+        }
+    }
+}
+
+TEST_CASE("on isotropic self-affine maps the real area at light load lies between Persson and Bush",
+          "[contact][areas]") {
+    for (const unsigned seed : {1u, 2u}) {
+        const Profile map = maps::self_affine(256, 0.8, seed, 0.1);
+        const double slope = maps::rms_slope(map);
+        std::vector<double> pressures;
+        for (const double area : {0.02, 0.04, 0.06})
+            pressures.push_back(area * slope / 2);
+        const ContactCurve curve = solve_contact_at_pressures(map, on(Kernel::periodic, 1), pressures);
+        for (const LoadStep& step : curve.steps) {
+            const double kappa = step.contact_fraction * slope / step.pressure;
+            CHECK(kappa > std::sqrt(8 / pi));
+            CHECK(kappa < std::sqrt(2 * pi));
+        }
+    }
+}
+
+TEST_CASE("the active set and Polonsky-Keer agree on a rough map", "[contact][areas]") {
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
+        const Profile map = maps::self_affine(64, 0.8, 3, 0.1);
+        const auto displacements = steps_of(map, kernel, 5, 0.5);
+        CHECK(worst_difference(solve_contact(map, on(kernel), displacements, by(Solver::active_set)),
+                               solve_contact(map, on(kernel), displacements, by(Solver::polonsky_keer))) <
+              1e-5);
+    }
+}
+
+TEST_CASE("contact spots are counted with their neighbours across a periodic edge", "[contact][areas]") {
+    // x x . x
+    // . . . .
+    // x . x .
+    const std::vector<int> contact{0, 1, 3, 8, 10};
+    CHECK(contact_spots(contact, {4, 3}, false) == std::vector<Index>{2, 1, 1, 1});
+    CHECK(contact_spots(contact, {4, 3}, true) == std::vector<Index>{4, 1});
+    CHECK(contact_spots({0, 1, 2, 5}, {6}, true) == std::vector<Index>{4});
+    CHECK(contact_spots({}, {4, 3}, true).empty());
+}
+
+TEST_CASE("a map is refused for what it cannot be solved with", "[contact][areas]") {
+    const Profile map = noise({8, 6}, 0.01, 0.01, 1);
+    CHECK_THROWS_WITH(solve_contact(map, on(Kernel::strip), {1e-4}), Catch::Contains("strip"));
+    Profile torn = map;
+    torn.rows = 5;
+    CHECK_THROWS_WITH(solve_contact(torn, on(Kernel::free), {1e-4}), Catch::Contains("rows"));
+    Profile apart = map;
+    apart.row_spacing = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_AS(solve_contact(apart, on(Kernel::free), {1e-4}), InputError);
+}
