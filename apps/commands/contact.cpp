@@ -30,8 +30,8 @@ std::vector<Setting> contact_settings() {
         {"report", "",
          "page to write beside it (HTML): the curve, pressure and gap along the profile [none]"},
         {"force", "", "write over existing files", true},
-        {"threads", "0", "taken as design and run take it; a curve needs one thread"},
-        {"seed", "1", "taken as design and run take it; nothing here is random"},
+        {"threads", "0", "accepted as in design and run, but a curve needs one thread only"},
+        {"seed", "1", "accepted as in design and run, but nothing here is random"},
         accuracy_setting("",
                          "the resolved model: --nodes if given, else 64 nodes to the shortest wave; a scan "
                          "is always solved on its own nodes"),

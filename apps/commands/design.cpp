@@ -60,7 +60,7 @@ int design(const Words& words) {
     const bool resume = settings.is_on("resume");
     if (resume && !settings.has("out"))
         throw rough::InputError(
-            "--resume: given without --out, expected the folder of the design to go on with");
+            "--resume: given without --out, expected the folder of the interrupted design");
     const OutputFolder output(settings.text("out"), "design",
                               {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor",
                                 "checkpoint.cbor.before"},

@@ -13,7 +13,7 @@ int operators(const Words& words) {
     if (shows_help(words, "operators",
                    "Lists every operator of text pipelines with its parameters, their defaults and ranges, "
                    "and one line of meaning. Stages are joined by '|'; pair(left, right, unite) sends the "
-                   "same genomes down two ways.",
+                   "same genomes through two pipelines.",
                    {}, {"operators"}))
         return 0;
     read_command_line(words, {});

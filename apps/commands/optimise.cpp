@@ -31,10 +31,10 @@ std::vector<Setting> optimise_settings() {
         {"evaluations", usual_evaluations, "most that may be asked for"},
         {"seconds", "", "most wall time, of the program; alone, it takes the place of --evaluations"},
         {"timeout", "60", "seconds that one evaluation may take"},
-        {"seed", "1", "of everything random"},
-        {"threads", "0", "evaluations beside each other, each by a child process of its own; 0: all"},
+        {"seed", "1", "seed of the random numbers"},
+        {"threads", "0", "evaluations at a time, one child process each; 0 takes all processors"},
         {"out", "", "folder for result.json [out/optimise]"},
-        {"resume", "", "go on with the run in --out", true},
+        {"resume", "", "continue the interrupted run in the folder given by --out", true},
         {"force", "", "write over a result that is there", true}};
 }
 
@@ -101,8 +101,7 @@ OutsideSearch search_from(const Settings& settings) {
     search.description = json({settings.text("genes"), settings.text("evaluate"), search.minimise}).dump();
     search.resume = settings.is_on("resume");
     if (search.resume && !settings.has("out"))
-        throw rough::InputError(
-            "--resume: given without --out, expected the folder of the run to go on with");
+        throw rough::InputError("--resume: given without --out, expected the folder of the interrupted run");
     return search;
 }
 

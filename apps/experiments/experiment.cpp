@@ -19,10 +19,11 @@ const std::vector<Experiment>& experiments() {
 }
 
 std::vector<Setting> Experiment::all_settings() const {
-    return joined({{{"experiment.kind", "paper", "paper, variants, accuracy, chart, stability or compare"},
-                    {"experiment.seed", "1", "seed of everything random; of the variants, the first seed"},
-                    {"experiment.threads", "0", "threads, where no time is measured; 0 takes all"}},
-                   settings});
+    return joined(
+        {{{"experiment.kind", "paper", "paper, variants, accuracy, chart, stability or compare"},
+          {"experiment.seed", "1", "seed of the random numbers; with several runs a variant, the first seed"},
+          {"experiment.threads", "0", "threads, where no time is measured; 0 takes all"}},
+         settings});
 }
 
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request) {
@@ -31,8 +32,7 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
         throw rough::InputError("--resume: given with an experiment of kind " + experiment.kind +
                                 ", which keeps no checkpoints");
     if (request.resume && request.out.empty())
-        throw rough::InputError(
-            "--resume: given without --out, expected the folder of the run to go on with");
+        throw rough::InputError("--resume: given without --out, expected the folder of the interrupted run");
     std::vector<std::string> names = experiment.files;
     names.insert(names.end(), {"result.json", request.page});
     if (experiment.resumes)

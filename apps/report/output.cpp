@@ -72,7 +72,7 @@ void OutputFolder::expect_free(const Writing& writing) const {
             continue;
         if (file.stem() == "checkpoint" || file.stem() == "checkpoints")
             throw InputError(begins +
-                             " holds a run to go on with, expected --resume, another folder or --force");
+                             " holds an interrupted run, expected --resume, another folder or --force");
         throw InputError(begins + " holds " + file.filename().string() +
                          " already, expected another folder or --force");
     }
@@ -159,7 +159,7 @@ void expect_distinct(const std::vector<std::string>& names, const std::vector<st
 bool says_finished(const fs::path& folder, const std::string& checkpoint) {
     if (!fs::exists(folder / "result.json") || fs::exists(folder / checkpoint))
         return false;
-    say(folder.string() + ": was finished, nothing is left to go on with; another set-up takes --force");
+    say(folder.string() + ": is finished, there is nothing to resume; --force starts anew");
     return true;
 }
 

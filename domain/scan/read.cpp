@@ -245,7 +245,7 @@ Points points_of(const std::vector<std::string>& lines, const ScanOptions& optio
     Points points = points_in_mm(table, header, layout, units, spacing);
     say_announced(table.announced, points.size(), account);
     if (table.announced == static_cast<long>(points.size()) && table.columns == 1)
-        account.say("the first line taken as the count of points");
+        account.say("the first line is read as the number of points");
     return points;
 }
 
@@ -274,7 +274,7 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
     if (fit.even && (nodes == 0 || nodes == all)) {
         if (fit.deviation > 1e-9 * fit.spacing)
             account.say("spacing even within " + short_number(fit.deviation) +
-                        " mm of rounding, taken as even without changing a height");
+                        " mm of rounding, read as evenly spaced; heights are unchanged");
         return {Eigen::Map<const Eigen::VectorXd>(points.heights.data(), all), fit.spacing};
     }
     std::vector<double> x = points.x;

@@ -77,7 +77,7 @@ int database_build(const Words& words) {
     if (shows_help(words, "database build FILE [--genomes N] [flags]",
                    "Draws genomes, computes their responses and stores both, batch by batch. A build that "
                    "was stopped or killed goes on where it ended; several may work on one file at once. "
-                   "Without flags of a set-up, an existing file is gone on with as it is.",
+                   "Without model flags, an existing file is continued with its own model.",
                    build_settings(),
                    {"database build genomes.db --genomes 100000",
                     "database build genomes.db --genomes 200000     (doubles it)",

@@ -21,7 +21,7 @@ namespace {
 std::vector<Setting> query_settings() {
     const std::vector<Setting> settings{
         {"file", "", "the database (may be given without the flag)"},
-        {"target", "", "target file (CSV): pressure_MPa or displacement_mm with what is asked for there"},
+        {"target", "", "target file (CSV), as in rugosa design"},
         {"max-pressure", "", "pressure that every genome is rescaled to by Eq. 11, MPa [amplitude is free]"},
         {"best", "10", "how many genomes to name"},
         {"out", "", "genome file (JSON) to write the best one to"},

@@ -78,7 +78,7 @@ Experiment chart_experiment() {
             "number of load steps and tolerance, on scenes with a known or a refined solution: from "
             "coarse grids to fine, so that a chart that ends early has the same of every scene. Writes "
             "chart.csv (as it goes), pictures (SVG) and a page that says which method to take when, and "
-            "what was left out and why. Ctrl-C ends it with what there is.",
+            "what was left out and why. Ctrl-C ends it; what was measured is kept.",
         .settings = {{"chart.minutes", "10",
                       "begin nothing that would not end within so many; the coarsest grid is always done"},
                      {"chart.quick", "", "fewer and smaller grids: under a minute", true}},

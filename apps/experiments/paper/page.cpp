@@ -108,7 +108,7 @@ void add_repeat(Page& page, const PaperRun& run) {
         "rugosa " + run.origin.version + ", seed " + std::to_string(run.origin.seed) + ", " +
         std::to_string(run.model.grid.nodes) + " nodes over " + readable(run.model.grid.length, 5) + " mm, " +
         std::to_string(run.model.loading.steps) +
-        " load steps. After J. Cinat, G. Gnecco and M. Paggi (2020), "
+        " load steps. After P. Cinat, G. Gnecco and M. Paggi (2020), "
         "“Multi-scale surface roughness optimization through genetic algorithms”, Frontiers in Mechanical "
         "Engineering 6:29.");
 }
@@ -118,7 +118,7 @@ void add_repeat(Page& page, const PaperRun& run) {
 std::string paper_page(const PaperRun& run) {
     const Studies studies = studies_of(run);
     const std::vector<Claim> claims = paper_claims(run, studies);
-    Page page("Rough surfaces that press back as asked",
+    Page page("Rough surfaces with a given contact stiffness",
               "Three genetic algorithms design the profile of a rough surface so that its contact stiffness "
               "follows a target. This page repeats the experiment of Cinat, Gnecco and Paggi (2020) and sets "
               "every claim of the paper beside what was measured here.");
@@ -136,7 +136,7 @@ std::string paper_page(const PaperRun& run) {
     page.section("The search");
     page.figure(stages_figure(run));
     page.figure(thresholds_figure(run));
-    page.section("What it stands on");
+    page.section("Model and database");
     page.figure(chromosomes_figure(run.origin.seed));
     page.figure(ridges_figure(studies.ridges));
     page.figure(fractal_figure(studies.fractals.front()));

@@ -152,7 +152,7 @@ TEST_CASE("a spacing rounded in its last digit is even and moves no height") {
     const Scan scan = read(text);
     CHECK(scan.profile.spacing == Approx(spacing).epsilon(1e-7));
     CHECK(scan.profile.heights == heights);
-    CHECK_THAT(scan.account, Catch::Contains("taken as even"));
+    CHECK_THAT(scan.account, Catch::Contains("read as evenly spaced"));
 }
 
 TEST_CASE("points out of order are refused with their line") {
