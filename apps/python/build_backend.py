@@ -1,0 +1,56 @@
+"""Builds the wheel by CMake (PEP 517): pip install ./apps/python needs no other package and no network."""
+
+import base64
+import hashlib
+import os
+import pathlib
+import subprocess
+import sys
+import sysconfig
+import tempfile
+import zipfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+VERSION = "0.1.0"
+METADATA = f"""Metadata-Version: 2.1
+Name: rugosa
+Version: {VERSION}
+Summary: Rough profiles with a given contact behaviour
+Requires-Python: >=3.9
+Requires-Dist: numpy
+"""
+
+
+def _build(folder):
+    subprocess.run(["cmake", "-S", str(HERE.parents[1]), "-B", folder, "-DRUGOSA_PYTHON=ON", "-DRUGOSA_TESTS=OFF",
+                    f"-DPython_EXECUTABLE={sys.executable}"], check=True)
+    subprocess.run(["cmake", "--build", folder, "--target", "rugosa_python", "--parallel",
+                    str(os.cpu_count() or 1)], check=True)
+    return pathlib.Path(folder) / "python" / "rugosa"
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    version = "cp%d%d" % sys.version_info[:2]
+    tag = f"{version}-{version}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
+    name = f"rugosa-{VERSION}-{tag}.whl"
+    information = f"rugosa-{VERSION}.dist-info"
+    # RUGOSA_BUILD names a folder that is kept, so that building again is quick.
+    with tempfile.TemporaryDirectory() as temporary:
+        package = _build(os.environ.get("RUGOSA_BUILD", temporary))
+        files = {f"rugosa/{file.name}": file.read_bytes() for file in sorted(package.iterdir()) if file.is_file()}
+    files[f"{information}/METADATA"] = METADATA.encode()
+    files[f"{information}/WHEEL"] = (f"Wheel-Version: 1.0\nGenerator: rugosa\nRoot-Is-Purelib: false\n"
+                                     f"Tag: {tag}\n").encode()
+    record = ""
+    for path, content in files.items():
+        digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+        record += f"{path},sha256={digest},{len(content)}\n"
+    files[f"{information}/RECORD"] = (record + f"{information}/RECORD,,\n").encode()
+    with zipfile.ZipFile(pathlib.Path(wheel_directory) / name, "w", zipfile.ZIP_DEFLATED) as wheel:
+        for path, content in files.items():
+            wheel.writestr(path, content)
+    return name
+
+
+def build_sdist(sdist_directory, config_settings=None):
+    raise NotImplementedError("rugosa is built from its repository: pip install ./apps/python")

@@ -1,0 +1,161 @@
+#include "apps/python/module/curve.hpp"
+#include "apps/python/module/python.hpp"
+#include "domain/response/interface.hpp"
+#include "domain/response/partial_slip.hpp"
+
+namespace rugosa::python {
+
+using Eigen::VectorXd;
+using rough::Response;
+
+namespace {
+
+/// Read-only access to a member array, without a copy.
+template <class Member>
+auto view(Member member) {
+    return [member](const Curve& curve) -> const auto& { return curve.response.*member; };
+}
+
+/// What interrupts a solution; the exception that Python knows for it.
+template <class Solve>
+auto interruptible(rough::Model& model, Solve solve) {
+    Interruptible interrupt;
+    model.contact.stop = [&] { return interrupt.asked(); };
+    try {
+        const py::gil_scoped_release unlocked;
+        return solve();
+    } catch (const rough::NotConverged&) {
+        if (!interrupt.asked())
+            throw;
+    }
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    throw py::error_already_set();
+}
+
+Curve of_profile(const rough::Profile& profile, Keywords& keywords, bool gradient) {
+    rough::Model model = model_from(keywords, profile);
+    keywords.expect_none_left();
+    return interruptible(model, [&] {
+        Curve curve;
+        if (gradient) {
+            auto both = respond_with_gradient(profile, model.body, model.loading, model.contact);
+            curve.response = std::move(both.response);
+            curve.pressure_gradient = std::move(both.gradient.pressure);
+            curve.displacement_gradient = both.gradient.last_displacement.transpose();
+        } else if (model.accuracy > 0) {
+            auto within = respond_within(profile, model, model.accuracy);
+            curve.response = std::move(within.response);
+            curve.account = in_words(within.account);
+        } else {
+            curve.response = respond(profile, model);
+        }
+        return curve;
+    });
+}
+
+Curve of_genome(const rough::Genome& genome, Keywords& keywords, bool gradient) {
+    rough::Model model = model_from(keywords);
+    keywords.expect_none_left();
+    return interruptible(model, [&] {
+        Curve curve;
+        if (gradient) {
+            const auto both =
+                respond_with_gradient(sample(genome, model.grid), model.body, model.loading, model.contact);
+            const auto jacobian = rough::in_genes(both.gradient, [&](const Eigen::MatrixXd& rows) {
+                return rough::pulled_back(rows, genome, model.grid);
+            });
+            curve.response = both.response;
+            curve.pressure_gradient = jacobian.pressure;
+            curve.displacement_gradient = jacobian.last_displacement.transpose();
+        } else if (model.accuracy > 0) {
+            auto within = respond_accounted(genome, model);
+            curve.response = std::move(within.response);
+            curve.account = in_words(within.account);
+        } else {
+            curve.response = respond(genome, model);
+        }
+        return curve;
+    });
+}
+
+py::tuple slip_of(const Curve& curve, double friction) {
+    rough::PartialSlip slip = rough::partial_slip(curve.response, friction);
+    return py::make_tuple(std::move(slip.displacement), std::move(slip.traction), std::move(slip.stiffness),
+                          std::move(slip.stick_fraction));
+}
+
+} // namespace
+
+void add_contact(py::module_& module) {
+    constexpr auto inside = py::return_value_policy::reference_internal;
+    py::class_<Curve>(module, "Curve",
+                      "What a surface answers to its load steps; arrays are read-only views.")
+        .def_property_readonly("displacement", view(&Response::displacement), inside, "Approach, mm.")
+        .def_property_readonly("pressure", view(&Response::pressure), inside, "Mean pressure, MPa.")
+        .def_property_readonly("contact_fraction", view(&Response::contact_fraction), inside,
+                               "Nodes that touch over all nodes.")
+        .def_property_readonly("tangent_stiffness", view(&Response::tangent_stiffness), inside,
+                               "dp/d displacement, MPa/mm.")
+        .def_property_readonly("kkt_residual", view(&Response::kkt_residual), inside,
+                               "Certificate of each step, scale-free.")
+        .def_property_readonly(
+            "interface_stiffness", [](const Curve& c) { return rough::interface_stiffness(c.response); },
+            "1/(1/K - 1/K_full), MPa/mm; does not depend on the datum.")
+        .def_property_readonly(
+            "full_stiffness", [](const Curve& c) { return c.response.full_stiffness; },
+            "K of the same body with every node in contact, MPa/mm.")
+        .def_property_readonly(
+            "height_range", [](const Curve& c) { return c.response.range; }, "mm.")
+        .def_property_readonly(
+            "solver", [](const Curve& c) { return rough::name_of(c.response.solver); },
+            "Name of the solver that was used.")
+        .def_readonly("account", &Curve::account,
+                      "Under accuracy=: what was modelled and how wrong it may be.")
+        .def_property_readonly(
+            "pressure_gradient", [](const Curve& c) -> const Eigen::MatrixXd& { return c.pressure_gradient; },
+            inside, "With gradient=True: dp/dheights (steps x N, MPa/mm), of a genome dp/dgenes.")
+        .def_property_readonly(
+            "displacement_gradient",
+            [](const Curve& c) -> const VectorXd& { return c.displacement_gradient; }, inside,
+            "With gradient=True: the same of the last displacement.")
+        .def(
+            "secant_stiffness",
+            [](const Curve& c) {
+                rough::Curve secants = rough::secant_stiffness(c.response);
+                return py::make_tuple(std::move(secants.x), std::move(secants.y));
+            },
+            "(p in MPa, K in MPa/mm): the stiffness that designs are scored by.")
+        .def("partial_slip", &slip_of, py::arg("friction"),
+             "(tangential displacement mm, traction MPa, stiffness MPa/mm, stick fraction) under the last "
+             "load (Ciavarella 1998, Jaeger 1998; uncoupled bodies).")
+        .def("__len__", [](const Curve& c) { return c.response.steps(); })
+        .def("__repr__", [](const Curve& c) {
+            return "<rugosa.Curve of " + std::to_string(c.response.steps()) + " load steps to " +
+                   rough::line_of(c.response.pressure[c.response.steps() - 1]) + " MPa>";
+        });
+    module.def(
+        "contact",
+        [](const py::object& surface, std::optional<double> spacing, bool gradient, const py::kwargs& model) {
+            Keywords keywords(model, "contact");
+            if (!py::isinstance<rough::Genome>(surface))
+                return of_profile(profile_from(surface, spacing, "contact"), keywords, gradient);
+            if (spacing)
+                throw py::type_error("contact: spacing given with a Genome, expected nodes and length");
+            return of_genome(surface.cast<const rough::Genome&>(), keywords, gradient);
+        },
+        py::arg("heights"), py::arg("spacing") = py::none(), py::kw_only(), py::arg("gradient") = false,
+        "Presses a rough surface on an elastic body, load step by load step.\n\n"
+        "heights: N heights (mm) with their spacing (mm), a Profile, or a Genome.\n"
+        "Model keywords, as the program's flags: kernel ('free', 'periodic', 'strip'), datum, strip_width,\n"
+        "modulus, poisson, steps, reach, to_pressure, pressures, hardness, solver, tolerance, accuracy;\n"
+        "of a Genome also nodes and length. Returns a Curve. Raises InputError, NotConverged.\n\n"
+        ">>> import numpy, rugosa\n"
+        ">>> x = (numpy.arange(512) - 255.5) / 512\n"
+        ">>> curve = rugosa.contact(-x**2 / 2, 1 / 512)\n"
+        ">>> curve.pressure.shape\n"
+        "(20,)\n"
+        ">>> bool(curve.kkt_residual.max() < 1e-9)\n"
+        "True\n");
+}
+
+} // namespace rugosa::python

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "domain/response/response.hpp"
+
+namespace rugosa::python {
+
+/// A response as Python holds it, with what was asked for beside it.
+struct Curve {
+    rough::Response response;
+    Eigen::MatrixXd pressure_gradient;     ///< steps x heights or genes; empty unless asked for
+    Eigen::VectorXd displacement_gradient; ///< of the last step's displacement
+    std::string account;                   ///< within an accuracy, in words
+};
+
+} // namespace rugosa::python

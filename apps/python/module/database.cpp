@@ -1,0 +1,89 @@
+#include "apps/python/module/python.hpp"
+#include "domain/database/law.hpp"
+
+namespace rugosa::python {
+
+namespace {
+
+using rough::GenomeStore;
+
+/// A stored genome in the amplitude that meets a target best.
+struct Stored {
+    std::uint64_t index;
+    double similarity;
+    rough::Genome genome;
+};
+
+std::vector<Stored> queried(const GenomeStore& store, const std::vector<rough::Target>& targets,
+                            std::size_t best, double max_pressure, int threads) {
+    const py::gil_scoped_release unlocked;
+    std::vector<Stored> found;
+    const auto curves = store.curves(rough::need_fractions(targets));
+    for (const rough::Match& match :
+         screen(curves, store.setup().model, targets, {max_pressure, best, threads})) {
+        found.push_back({match.index, match.similarity, store.genome(match.index)});
+        found.back().genome.scale *= match.scale;
+    }
+    return found;
+}
+
+void built(GenomeStore& store, std::uint64_t genomes, int threads) {
+    Interruptible interrupt;
+    rough::BuildOptions options;
+    options.genomes = genomes;
+    options.threads = threads;
+    options.stop = &interrupt.stop();
+    {
+        const py::gil_scoped_release unlocked;
+        build(store, options);
+    }
+    if (interrupt.asked()) {
+        PyErr_SetNone(PyExc_KeyboardInterrupt);
+        throw py::error_already_set();
+    }
+}
+
+} // namespace
+
+void add_database(py::module_& module) {
+    py::class_<Stored>(module, "Stored", "A stored genome that answers a query.")
+        .def_readonly("index", &Stored::index, "Its number in the database.")
+        .def_readonly("similarity", &Stored::similarity, "On the stored load steps.")
+        .def_readonly("genome", &Stored::genome, "In the amplitude that meets the target best.");
+    py::class_<GenomeStore>(module, "Database", "A file of genomes and their responses.")
+        .def(py::init([](const std::filesystem::path& file) { return GenomeStore::open(file); }),
+             py::arg("file"), "Opens an existing database.")
+        .def_static(
+            "create",
+            [](const std::filesystem::path& file, std::uint64_t genomes, int threads,
+               const py::kwargs& model) {
+                Keywords keywords(model, "Database.create");
+                rough::DatabaseSetup setup;
+                setup.law.seed = keywords.take("seed", setup.law.seed);
+                setup.law.series = keywords.take("series", setup.law.series);
+                setup.model = model_from(keywords);
+                setup.law.shortest = keywords.take("shortest", 8 * setup.model.grid.spacing());
+                keywords.expect_none_left();
+                GenomeStore store = GenomeStore::create(file, setup);
+                built(store, genomes, threads);
+                return store;
+            },
+            py::arg("file"), py::arg("genomes") = 1000, py::kw_only(), py::arg("threads") = 0,
+            "Makes a database of that many genomes, or adds what is missing; model keywords as in\n"
+            "contact() of a Genome, besides seed, series and shortest (mm).")
+        .def("build", &built, py::arg("genomes"), py::kw_only(), py::arg("threads") = 0,
+             "Adds genomes until there are that many.")
+        .def("query", &queried, py::arg("targets"), py::arg("best") = 10, py::kw_only(),
+             py::arg("max_pressure") = 0.0, py::arg("threads") = 0,
+             "The stored genomes nearest to a list of targets, best first.")
+        .def(
+            "query",
+            [](const GenomeStore& store, const rough::Target& target, std::size_t best, double max_pressure,
+               int threads) { return queried(store, {target}, best, max_pressure, threads); },
+            py::arg("target"), py::arg("best") = 10, py::kw_only(), py::arg("max_pressure") = 0.0,
+            py::arg("threads") = 0)
+        .def("genome", &GenomeStore::genome, py::arg("index"), "As it is stored.")
+        .def("__len__", &GenomeStore::stored);
+}
+
+} // namespace rugosa::python

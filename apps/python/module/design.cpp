@@ -1,0 +1,265 @@
+#include "apps/python/module/curve.hpp"
+#include "apps/python/module/python.hpp"
+
+#include <cmath>
+
+namespace rugosa::python {
+
+using rough::Answer;
+using rough::DesignSetup;
+using rough::SearchOptions;
+
+namespace {
+
+/// What a design was asked and what it found.
+struct Design {
+    DesignSetup setup;
+    rough::SearchResult found;
+    double wanted = rough::worth_the_name;
+    std::vector<rough::OutOfReach> out_of_reach;
+    Curve curve;
+    bool interrupted = false;
+
+    bool is_found() const { return found.best.judged() >= wanted && found.best.within_limits; }
+    double bound() const {
+        double least = 1;
+        for (const auto& reason : out_of_reach)
+            least = std::min(least, reason.bound);
+        return least;
+    }
+};
+
+std::vector<rough::Target> targets_from(const py::object& given) {
+    if (py::isinstance<rough::Target>(given))
+        return {given.cast<rough::Target>()};
+    if (py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__"))
+        return {rough::read_target(given.cast<std::filesystem::path>())};
+    return given.cast<std::vector<rough::Target>>();
+}
+
+/// The targets of the arguments, one of them at least.
+std::vector<rough::Target> targets_from(const std::optional<Eigen::VectorXd>& pressure,
+                                        const std::optional<Eigen::VectorXd>& stiffness, Keywords& keywords) {
+    std::vector<rough::Target> targets;
+    if (auto given = keywords.take<py::object>("target"))
+        targets = targets_from(*given);
+    const auto add = [&](const std::optional<Eigen::VectorXd>& y, rough::Quantity quantity,
+                         const std::string& name) {
+        if (!y)
+            return;
+        if (!pressure || pressure->size() != y->size())
+            throw rough::InputError("design: " + name +
+                                    " given, expected target_pressure of the same length");
+        rough::Target target;
+        target.quantity = quantity;
+        target.name = name;
+        target.x = *pressure;
+        target.y = *y;
+        validate(target);
+        targets.push_back(std::move(target));
+    };
+    add(stiffness, rough::Quantity::stiffness, "target_stiffness");
+    add(keywords.take<Eigen::VectorXd>("target_interface_stiffness"), rough::Quantity::interface_stiffness,
+        "target_interface_stiffness");
+    add(keywords.take<Eigen::VectorXd>("target_contact_fraction"), rough::Quantity::area_at_pressure,
+        "target_contact_fraction");
+    return targets;
+}
+
+void take_limits(Keywords& keywords, DesignSetup& setup) {
+    const auto take = [&](const char* name, double& value) { value = keywords.take(name, value); };
+    take("shortest_wave", setup.limits.shortest_wave);
+    take("largest_slope", setup.limits.largest_slope);
+    take("largest_height", setup.limits.largest_height);
+    take("smallest_radius", setup.limits.smallest_radius);
+    take("hurst_from", setup.bounds.H_from);
+    take("hurst_to", setup.bounds.H_to);
+    take("gamma_from", setup.bounds.gamma_from);
+    take("gamma_to", setup.bounds.gamma_to);
+    take("lambda_from", setup.bounds.lambda_from);
+    take("lambda_to", setup.bounds.lambda_to);
+}
+
+SearchOptions options_from(Keywords& keywords) {
+    SearchOptions options;
+    options.pipeline = keywords.take<std::string>("pipeline", "");
+    options.variant =
+        keywords.take<std::string>("variant", options.pipeline.empty() ? "default" : "pipeline");
+    options.seed = keywords.take("seed", options.seed);
+    options.threads = keywords.take("threads", 0);
+    options.seconds = keywords.take("seconds", options.seconds);
+    options.evaluations = keywords.take("evaluations", options.evaluations);
+    options.reach = keywords.take<double>("reach_similarity");
+    options.alternatives = keywords.take("alternatives", options.alternatives);
+    options.begins_anew = true;
+    return options;
+}
+
+/// Tells a Python callable of each stage: progress(path, generation, evaluations, best).
+ga::Observer<rough::Genome> observer(const py::object& progress, Callback& callback) {
+    return [progress, &callback, best = -HUGE_VAL](const ga::Event<rough::Genome>& event) mutable {
+        for (const auto& individual : event.population)
+            if (const ga::Fitness& f = individual.fitness; f.known() && !f.has_failed() && !f.several())
+                best = std::max(best, individual.value());
+        callback([&] { progress(event.path, event.generation, event.counters.asked, best); });
+    };
+}
+
+Design designed(const std::optional<Eigen::VectorXd>& pressure,
+                const std::optional<Eigen::VectorXd>& stiffness, const py::kwargs& given) {
+    Keywords keywords(given, "design");
+    Design design;
+    DesignSetup& setup = design.setup;
+    setup.targets = targets_from(pressure, stiffness, keywords);
+    setup.max_pressure = keywords.take<double>("max_pressure");
+    take_limits(keywords, setup);
+    SearchOptions options = options_from(keywords);
+    options.settles_steps = !keywords.has("steps");
+    if (const auto starts = keywords.take<std::vector<rough::Genome>>("starts"))
+        options.starts = *starts;
+    const py::object progress = keywords.take<py::object>("progress", py::none());
+    const auto like = keywords.take<py::object>("like");
+    const auto spacing = keywords.take<double>("spacing");
+    if (like) {
+        if (!setup.targets.empty())
+            throw py::type_error("design: like given with a target, expected one of them");
+        setup.like = profile_from(*like, spacing, "design: like");
+        rough::Model own = model_from(keywords, *setup.like);
+        setup.targets = {target_like(*setup.like, own, "like")};
+        setup.model = own;
+        setup.model.grid.nodes = rough::Grid().nodes;
+    } else {
+        setup.model = model_from(keywords);
+    }
+    keywords.expect_none_left();
+    if (setup.targets.empty())
+        throw py::type_error("design: expected target_pressure and target_stiffness, target= or like=");
+    design.wanted = options.reach.value_or(design.wanted);
+    design.out_of_reach = rough::out_of_reach(setup.targets, exactly(setup).model, setup.max_pressure);
+    Interruptible interrupt;
+    options.stop = &interrupt.stop();
+    Callback callback(interrupt.stop());
+    std::vector<ga::Observer<rough::Genome>> observers;
+    if (!progress.is_none())
+        observers.push_back(observer(progress, callback));
+    {
+        const py::gil_scoped_release unlocked;
+        design.found = search(setup, options, observers);
+        setup = exactly(design.found.setup);
+        rough::Model model = setup.model;
+        design.curve.response = respond(setup, design.found.best.genome, model).responses.front();
+    }
+    callback.rethrow();
+    design.interrupted = interrupt.asked();
+    return design;
+}
+
+py::dict trust_of(const Design& design, double noise, double hardness, std::uint64_t seed, int threads) {
+    rough::TrustOptions options;
+    options.noise = noise;
+    options.hardness = hardness;
+    options.seed = seed;
+    options.threads = threads;
+    rough::Trust trust;
+    {
+        const py::gil_scoped_release unlocked;
+        trust = trust_in(design.setup, design.found.best.genome, options);
+    }
+    py::dict all, checks, kernels;
+    for (const rough::Check& check : trust.checks)
+        checks[py::str(check.name)] = check.similarity;
+    for (const rough::Check& check : trust.kernels)
+        kernels[py::str(check.name)] = check.similarity;
+    all["checks"] = checks;
+    all["kernels"] = kernels;
+    for (const auto& [name, value] : {std::pair{"median", trust.median},
+                                      {"tenth_percentile", trust.tenth},
+                                      {"redrawn_best", trust.redrawn_best},
+                                      {"redrawn_median", trust.redrawn_median},
+                                      {"rms_slope", trust.rms_slope},
+                                      {"peak_pressure", trust.peak_pressure},
+                                      {"shortest_wave_nodes", trust.shortest_wave_nodes}})
+        all[name] = value;
+    all["contact_at_ends"] = trust.contact_at_ends;
+    all["flags"] = trust.flags;
+    return all;
+}
+
+} // namespace
+
+void add_design(py::module_& module) {
+    constexpr auto inside = py::return_value_policy::reference_internal;
+    py::class_<Answer>(module, "Answer", "A genome in final amplitude and how well it answers.")
+        .def_readonly("genome", &Answer::genome)
+        .def_readonly("similarity", &Answer::similarity, "On the grid of the design (Eq. 12).")
+        .def_readonly("similarity_refined", &Answer::similarity_refined, "On a grid four times finer.")
+        .def_readonly("similarity_worst", &Answer::similarity_worst,
+                      "The least over that grid, four times the load steps and both.")
+        .def_readonly("within_limits", &Answer::within_limits, "It holds every limit of making.");
+    py::class_<Design>(module, "Design", "What design() found.")
+        .def_property_readonly(
+            "genome", [](const Design& d) -> const rough::Genome& { return d.found.best.genome; }, inside)
+        .def_property_readonly(
+            "profile", [](const Design& d) { return sample(d.found.best.genome, d.setup.model.grid); },
+            "Its heights on the grid of the design.")
+        .def_property_readonly(
+            "heights",
+            [](const Design& d) { return sample(d.found.best.genome, d.setup.model.grid).heights; },
+            "N heights, mm.")
+        .def_property_readonly(
+            "spacing", [](const Design& d) { return d.setup.model.grid.spacing(); }, "mm")
+        .def_property_readonly("similarity", [](const Design& d) { return d.found.best.similarity; })
+        .def_property_readonly("similarity_refined",
+                               [](const Design& d) { return d.found.best.similarity_refined; })
+        .def_property_readonly("similarity_worst",
+                               [](const Design& d) { return d.found.best.similarity_worst; })
+        .def_property_readonly("found", &Design::is_found,
+                               "similarity_worst is what was asked for, 0.99 by default.")
+        .def_property_readonly("bound", &Design::bound, "No profile whatever has a higher similarity.")
+        .def_property_readonly(
+            "out_of_reach",
+            [](const Design& d) {
+                std::vector<std::string> reasons;
+                for (const auto& reason : d.out_of_reach)
+                    reasons.push_back(reason.verdict());
+                return reasons;
+            },
+            "Why no profile can answer exactly; empty where one may.")
+        .def_property_readonly(
+            "alternatives",
+            [](const Design& d) -> const std::vector<Answer>& { return d.found.alternatives; },
+            "Different answers, the best first.")
+        .def_property_readonly("targets", [](const Design& d) { return d.setup.targets; })
+        .def_readonly("curve", &Design::curve, "The answer's own response.")
+        .def_readonly("interrupted", &Design::interrupted,
+                      "Ctrl-C ended the search; this is the best so far.")
+        .def_property_readonly("evaluations", [](const Design& d) { return d.found.counters.evaluations; })
+        .def_property_readonly("pipeline", [](const Design& d) { return d.found.pipeline; })
+        .def_property_readonly("notes", [](const Design& d) { return d.found.notes; })
+        .def_property_readonly(
+            "stopped", [](const Design& d) { return d.found.stopped; },
+            "Why the search ended before its pipeline; empty when it did not.")
+        .def(
+            "trust", &trust_of, py::kw_only(), py::arg("noise") = 0.0, py::arg("hardness") = 0.0,
+            py::arg("seed") = 1, py::arg("threads") = 0,
+            "Asks the same again on finer grids, in more load steps, with another datum, under height noise\n"
+            "(mm, standard deviation) and on other bodies; a dictionary of similarities and flags.")
+        .def("__repr__", [](const Design& d) {
+            return "<rugosa.Design, " + std::string(d.is_found() ? "found" : "not found") + ": similarity " +
+                   rough::line_of(d.found.best.judged()) + " at worst>";
+        });
+    module.def(
+        "design", &designed, py::arg("target_pressure") = py::none(),
+        py::arg("target_stiffness") = py::none(),
+        "Finds a rough profile that answers as a target asks.\n\n"
+        "target_pressure (MPa) with target_stiffness (MPa/mm), target_interface_stiffness or\n"
+        "target_contact_fraction; or target=Target, list of Targets or file; or like=Profile, whose own\n"
+        "stiffness is the target. Keywords as the program's flags: max_pressure, variant, pipeline,\n"
+        "seconds, evaluations, seed, threads, reach_similarity, alternatives, shortest_wave,\n"
+        "largest_slope, largest_height, smallest_radius, hurst_from, hurst_to, gamma_from, gamma_to,\n"
+        "lambda_from, lambda_to, starts (Genomes), progress (a callable of path, generations,\n"
+        "evaluations, best), and the model's as in contact() of a Genome. Ctrl-C ends the search with\n"
+        "the best so far. Returns a Design.");
+}
+
+} // namespace rugosa::python

@@ -1,0 +1,35 @@
+"""Rough profiles with a given contact behaviour.
+
+Lengths are in mm, pressures in MPa, stiffness in MPa/mm, angles in rad. `contact` presses a surface on an
+elastic body, `design` finds one that answers as asked, `optimise` is the genetic-algorithm engine for a problem
+of one's own.
+
+>>> import numpy, rugosa
+>>> x = (numpy.arange(512) - 255.5) / 512
+>>> rugosa.contact(-x**2 / 2, 1 / 512)
+<rugosa.Curve of 20 load steps to 0.149677 MPa>
+"""
+
+import pathlib as _pathlib
+
+from . import _show
+from ._rugosa import (Answer, Curve, Database, Design, Genome, InputError, NotConverged, Optimisation, Profile,
+                      Stored, Target, UsageError, __version__, contact, design, optimise, read_profile)
+
+__all__ = ["Answer", "Curve", "Database", "Design", "Genome", "InputError", "NotConverged", "Optimisation",
+           "Profile", "Stored", "Target", "UsageError", "contact", "design", "optimise", "read"]
+
+
+def read(file, **options):
+    """A genome file (.json) as a Genome, or a measured scan as a Profile.
+
+    Options of a scan as the program's flags: unit, spacing, detrend, fill, row.
+    """
+    if _pathlib.Path(file).suffix == ".json":
+        if options:
+            raise TypeError(f"read: {next(iter(options))} given with a genome file, expected with a scan only")
+        return Genome.read(file)
+    return read_profile(file, **options)[0]
+
+
+_show.attach(Curve, Profile, Design)

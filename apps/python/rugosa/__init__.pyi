@@ -1,0 +1,133 @@
+from os import PathLike
+from typing import Any, Callable, Iterable, List, Optional, Sequence, Tuple, Union
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[numpy.float64]
+File = Union[str, PathLike]
+
+__version__: str
+
+class InputError(ValueError): ...
+class UsageError(ValueError): ...
+class NotConverged(RuntimeError): ...
+
+class Genome:
+    scale: float
+    genes: Array
+    def __init__(self, content: dict) -> None: ...
+    @staticmethod
+    def read(file: File) -> "Genome": ...
+    def to_dict(self) -> dict: ...
+    def with_genes(self, genes: Sequence[float]) -> "Genome": ...
+    def profile(self, nodes: int = ..., length: float = ..., kernel: str = ...) -> "Profile": ...
+
+class Profile:
+    heights: Array
+    spacing: float
+    nodes: int
+    def __init__(self, heights: ArrayLike, spacing: float) -> None: ...
+    def __len__(self) -> int: ...
+    def roughness(self) -> dict: ...
+    def spectrum(self) -> Tuple[Array, Array]: ...
+    def plot(self, axes: Any = ..., **style: Any) -> Any: ...
+
+class Curve:
+    displacement: Array
+    pressure: Array
+    contact_fraction: Array
+    tangent_stiffness: Array
+    interface_stiffness: Array
+    kkt_residual: Array
+    full_stiffness: float
+    height_range: float
+    solver: str
+    account: str
+    pressure_gradient: Array
+    displacement_gradient: Array
+    def __len__(self) -> int: ...
+    def secant_stiffness(self) -> Tuple[Array, Array]: ...
+    def partial_slip(self, friction: float) -> Tuple[Array, Array, Array, Array]: ...
+    def plot(self, axes: Any = ..., **style: Any) -> Any: ...
+
+class Target:
+    x: Array
+    y: Array
+    quantity: str
+    weight: float
+    def __init__(self, x: ArrayLike, y: ArrayLike, quantity: str = ..., weight: float = ...) -> None: ...
+    @staticmethod
+    def read(file: File) -> "Target": ...
+    @staticmethod
+    def like(surface: Union[Profile, Genome, ArrayLike], spacing: Optional[float] = ..., *, quantity: str = ...,
+             points: int = ..., last: float = ..., **model: Any) -> "Target": ...
+    def to_csv(self) -> str: ...
+    def __len__(self) -> int: ...
+
+class Answer:
+    genome: Genome
+    similarity: float
+    similarity_refined: float
+    similarity_worst: float
+    within_limits: bool
+
+class Design:
+    genome: Genome
+    profile: Profile
+    heights: Array
+    spacing: float
+    similarity: float
+    similarity_refined: float
+    similarity_worst: float
+    found: bool
+    bound: float
+    out_of_reach: List[str]
+    alternatives: List[Answer]
+    targets: List[Target]
+    curve: Curve
+    interrupted: bool
+    evaluations: int
+    pipeline: str
+    notes: List[str]
+    stopped: str
+    def trust(self, *, noise: float = ..., hardness: float = ..., seed: int = ..., threads: int = ...) -> dict: ...
+    def plot(self, axes: Any = ...) -> Any: ...
+
+class Stored:
+    index: int
+    similarity: float
+    genome: Genome
+
+class Database:
+    def __init__(self, file: File) -> None: ...
+    @staticmethod
+    def create(file: File, genomes: int = ..., *, threads: int = ..., **model: Any) -> "Database": ...
+    def build(self, genomes: int, *, threads: int = ...) -> None: ...
+    def query(self, targets: Union[Target, List[Target]], best: int = ..., *, max_pressure: float = ...,
+              threads: int = ...) -> List[Stored]: ...
+    def genome(self, index: int) -> Genome: ...
+    def __len__(self) -> int: ...
+
+class Optimisation:
+    best: Optional[NDArray]
+    objectives: List[float]
+    front: List[Tuple[NDArray, List[float]]]
+    population: NDArray
+    evaluations: int
+    pipeline: str
+    stopped: str
+    notes: List[str]
+    interrupted: bool
+
+def read(file: File, *, unit: str = ..., spacing: float = ..., detrend: str = ..., fill: bool = ...,
+         row: int = ...) -> Union[Profile, Genome]: ...
+def contact(heights: Union[ArrayLike, Profile, Genome], spacing: Optional[float] = ..., *, gradient: bool = ...,
+            **model: Any) -> Curve: ...
+def design(target_pressure: Optional[ArrayLike] = ..., target_stiffness: Optional[ArrayLike] = ...,
+           **options: Any) -> Design: ...
+def optimise(problem: Any, *, lower: Optional[ArrayLike] = ..., upper: Optional[ArrayLike] = ..., bits: int = ...,
+             permutation: int = ..., pipeline: str = ..., variant: str = ...,
+             minimise: Union[bool, Sequence[bool]] = ..., objectives: int = ..., evaluations: int = ...,
+             seconds: float = ..., seed: int = ..., operators: Iterable[Any] = ...,
+             observers: Iterable[Callable[[dict], Any]] = ...) -> Optimisation: ...

@@ -1,0 +1,77 @@
+"""How objects show themselves: .plot() by matplotlib, _repr_html_ by a few lines of SVG."""
+
+from html import escape
+
+
+def _axes(axes):
+    if axes is not None:
+        return axes
+    import matplotlib.pyplot as plt
+    return plt.subplots()[1]
+
+
+def _plot_curve(curve, axes=None, **style):
+    """Tangent stiffness against pressure; returns the axes."""
+    axes = _axes(axes)
+    axes.plot(curve.pressure, curve.tangent_stiffness, **style)
+    axes.set_xlabel("pressure / MPa")
+    axes.set_ylabel("stiffness / (MPa/mm)")
+    return axes
+
+
+def _plot_profile(profile, axes=None, **style):
+    """Heights along the profile; returns the axes."""
+    axes = _axes(axes)
+    axes.plot([i * profile.spacing for i in range(profile.nodes)], profile.heights, **style)
+    axes.set_xlabel("x / mm")
+    axes.set_ylabel("height / mm")
+    return axes
+
+
+def _plot_design(design, axes=None):
+    """The answer's scored curve over its target; returns the axes."""
+    axes = _axes(axes)
+    for target in design.targets:
+        axes.plot(target.x, target.y, "o", label=f"target: {target.quantity}")
+    if any(target.quantity == "stiffness" for target in design.targets):
+        axes.plot(*design.curve.secant_stiffness(), label="answer")
+    axes.legend()
+    return axes
+
+
+def _picture(x, y, label, width=320, height=120):
+    low, high = float(min(y)), float(max(y))
+    left, right = float(min(x)), float(max(x))
+    points = " ".join(f"{(float(a) - left) / ((right - left) or 1) * width:.1f},"
+                      f"{height - (float(b) - low) / ((high - low) or 1) * height:.1f}" for a, b in zip(x, y))
+    return (f'<figure style="display:inline-block;margin:4px"><svg width="{width}" height="{height}" role="img">'
+            f'<polyline points="{points}" fill="none" stroke="#2563a8" stroke-width="1.5"/></svg>'
+            f"<figcaption>{escape(label)}</figcaption></figure>")
+
+
+def _profile_picture(profile):
+    every = max(1, profile.nodes // 1000)
+    heights = profile.heights[::every]
+    return _picture([i * every * profile.spacing for i in range(len(heights))], heights,
+                    f"height, {heights.min():.3g} to {heights.max():.3g} mm, over "
+                    f"{profile.nodes * profile.spacing:.4g} mm")
+
+
+def _curve_picture(curve):
+    return _picture(curve.pressure, curve.tangent_stiffness,
+                    f"stiffness, {curve.tangent_stiffness[0]:.3g} to {curve.tangent_stiffness[-1]:.3g} MPa/mm, "
+                    f"to {curve.pressure[-1]:.3g} MPa")
+
+
+def _design_box(design):
+    verdict = "found" if design.found else "; ".join(design.out_of_reach) or "not found"
+    return (f'<div style="border:1px solid #888;padding:8px"><b>{escape(verdict)}</b>: similarity '
+            f"{design.similarity_worst:.4f} at worst, {design.similarity:.4f} on the grid of the design<br>"
+            f"{_profile_picture(design.profile)}{_curve_picture(design.curve)}</div>")
+
+
+def attach(curve, profile, design):
+    """Gives the classes of the module their pictures."""
+    curve.plot, curve._repr_html_ = _plot_curve, _curve_picture
+    profile.plot, profile._repr_html_ = _plot_profile, _profile_picture
+    design.plot, design._repr_html_ = _plot_design, _design_box

@@ -1,0 +1,151 @@
+import gc
+import resource
+import threading
+import time
+import unittest
+
+import numpy
+import rugosa
+
+from common import WithFolder, rough_heights
+
+
+class Contact(WithFolder):
+    def scan(self, heights, spacing):
+        file = self.folder / "scan.txt"
+        numpy.savetxt(file, heights, fmt="%.17g")
+        return file
+
+    def test_gives_the_bits_of_the_program(self):
+        heights, spacing = rough_heights(), 0.004
+        self.scan(heights, spacing)
+        for kernel in "free", "periodic", "strip":
+            self.rugosa("contact", "--profile", "scan.txt", "--spacing", spacing, "--detrend", "none", "--kernel",
+                        kernel, "--modulus", 70000, "--poisson", 0.3, "--steps", 30, "--out", "c.csv", "--force")
+            csv = numpy.genfromtxt(self.folder / "c.csv", delimiter=",", names=True)
+            curve = rugosa.contact(heights, spacing, kernel=kernel, modulus=70000, poisson=0.3, steps=30)
+            for column, name in [("displacement_mm", "displacement"), ("pressure_MPa", "pressure"),
+                                 ("contact_fraction", "contact_fraction"),
+                                 ("tangent_stiffness_MPa_per_mm", "tangent_stiffness"),
+                                 ("kkt_residual", "kkt_residual"),
+                                 ("interface_stiffness_MPa_per_mm", "interface_stiffness")]:
+                numpy.testing.assert_array_equal(getattr(curve, name), csv[column], f"{kernel} {name}")
+
+    def test_answers_as_hertz(self):
+        x = (numpy.arange(4097) - 2048) / 4096
+        curve = rugosa.contact(-x**2 / 2, 1 / 4096, steps=10, datum=1)
+        half_width = numpy.sqrt(4 * curve.pressure / numpy.pi)  # F = pi a^2/(4 R), R = 1, L = 1
+        approach = half_width**2 / 2 * (numpy.log(2 / half_width) + 0.5)
+        inside = half_width < 0.4
+        numpy.testing.assert_allclose(curve.displacement[inside], approach[inside], rtol=2e-3)
+
+    def test_arrays_are_views_that_outlive_the_curve(self):
+        curve = rugosa.contact(rough_heights(), 0.004)
+        pressure = curve.pressure
+        self.assertTrue(numpy.shares_memory(pressure, curve.pressure))
+        self.assertFalse(pressure.flags.writeable)
+        kept = pressure.copy()
+        del curve
+        gc.collect()
+        [rugosa.contact(rough_heights(seed=s), 0.004) for s in range(20)]
+        numpy.testing.assert_array_equal(pressure, kept)
+
+    def test_gradient_agrees_with_differences(self):
+        heights, spacing = rough_heights(64), 0.01
+        whole = rugosa.contact(heights, spacing, steps=4, gradient=True)
+        self.assertEqual(whole.pressure_gradient.shape, (4, 64))
+        for node in 5, 30, 50:
+            step = 1e-9
+            ends = []
+            for sign in -1, 1:
+                moved = heights.copy()
+                moved[node] += sign * step
+                ends.append(rugosa.contact(moved, spacing, steps=4).pressure)
+            numpy.testing.assert_allclose(whole.pressure_gradient[:, node], (ends[1] - ends[0]) / (2 * step),
+                                          atol=1e-4 * abs(whole.pressure_gradient).max())
+
+    def test_gradient_of_a_genome_is_in_its_genes(self):
+        wave = {"A": 0.01, "H": 0.8, "gamma": 1.5, "lambda": 1.0,
+                "chromosomes": [{"n": 1, "phases": [0.3]}, {"n": 3, "phases": [1.1]}]}
+        genome = rugosa.Genome({"series": [wave]})
+        options = {"nodes": 128, "length": 1.0, "steps": 3}
+        whole = rugosa.contact(genome, gradient=True, **options)
+        for gene in range(len(genome.genes)):
+            ends = []
+            for sign in -1, 1:
+                genes = genome.genes.copy()
+                genes[gene] += sign * 1e-7
+                ends.append(rugosa.contact(genome.with_genes(genes), **options).pressure)
+            numpy.testing.assert_allclose(whole.pressure_gradient[:, gene], (ends[1] - ends[0]) / 2e-7,
+                                          atol=1e-4 * abs(whole.pressure_gradient).max())
+
+    def test_mistakes_are_python_exceptions_with_the_same_words(self):
+        heights = rough_heights()
+        with self.assertRaisesRegex(rugosa.InputError, "expected"):
+            rugosa.contact(heights, 0.004, datum=0.01)
+        with self.assertRaisesRegex(ValueError, "kernel"):
+            rugosa.contact(heights, 0.004, kernel="fre")
+        with self.assertRaisesRegex(TypeError, "unknown keyword 'step'"):
+            rugosa.contact(heights, 0.004, step=3)
+        with self.assertRaisesRegex(TypeError, "spacing"):
+            rugosa.contact(heights)
+        with self.assertRaisesRegex(rugosa.InputError, "dimensions"):
+            rugosa.contact(heights.reshape(2, 2, -1), 0.004)
+        with self.assertRaises(rugosa.InputError):
+            rugosa.contact(numpy.full(10, numpy.nan), 0.004)
+        with self.assertRaises(rugosa.InputError):
+            rugosa.contact(heights, 0.004, poisson=2)
+        with self.assertRaises(rugosa.InputError):
+            rugosa.contact(heights, 0.004, steps=0)
+        self.scan(["a", "b"] if False else heights, 0.004)
+        (self.folder / "bad.txt").write_text("1\n2\nx\n")
+        with self.assertRaisesRegex(rugosa.InputError, "bad.txt:3"):
+            rugosa.read(self.folder / "bad.txt", spacing=1)
+
+    def test_other_threads_run_while_it_solves(self):
+        ticks, done = [], threading.Event()
+
+        def tick():
+            while not done.is_set():
+                ticks.append(time.monotonic())
+                time.sleep(1e-3)
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        begin = time.monotonic()
+        rugosa.contact(rough_heights(4096), 0.001, steps=40, solver="nested")
+        end = time.monotonic()
+        done.set()
+        thread.join()
+        self.assertTrue(any(begin < t < end for t in ticks))
+
+    def test_threads_give_the_same_bits_as_one(self):
+        alone = [rugosa.contact(rough_heights(seed=s), 0.004).pressure for s in range(8)]
+        beside = [None] * 8
+
+        def solve(s):
+            beside[s] = rugosa.contact(rough_heights(seed=s), 0.004).pressure
+
+        threads = [threading.Thread(target=solve, args=(s,)) for s in range(8)]
+        [t.start() for t in threads]
+        [t.join() for t in threads]
+        for one, other in zip(alone, beside):
+            numpy.testing.assert_array_equal(one, other)
+
+    def test_memory_stays_bounded(self):
+        heights = rough_heights(128)
+        for _ in range(300):
+            rugosa.contact(heights, 0.004, gradient=True)
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        for _ in range(3000):
+            rugosa.contact(heights, 0.004, gradient=True)
+        self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 8 << 10)  # kB; leaks: 60 MB
+
+    def test_shows_itself(self):
+        curve = rugosa.contact(rough_heights(), 0.004)
+        self.assertIn("<svg", curve._repr_html_())
+        self.assertIn("<svg", rugosa.Profile(rough_heights(), 0.004)._repr_html_())
+
+
+if __name__ == "__main__":
+    unittest.main()

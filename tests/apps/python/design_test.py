@@ -1,0 +1,102 @@
+import json
+import os
+import signal
+import threading
+import unittest
+
+import numpy
+import rugosa
+
+from common import WithFolder, rough_heights
+
+PIPELINE = "shape 6 | score | best 2 | refine lm 6 | best 1"
+PRESSURE = numpy.linspace(8e-6, 1.6e-4, 12)
+STIFFNESS = 0.3 + 0.8 * numpy.sqrt(PRESSURE / 1.6e-4)
+
+
+class Design(WithFolder):
+    def test_gives_the_bits_of_the_program(self):
+        target = self.folder / "T.csv"
+        target.write_text(rugosa.Target(PRESSURE, STIFFNESS).to_csv())
+        self.rugosa("design", "--target", "T.csv", "--pipeline", PIPELINE, "--nodes", 128, "--seed", 5, "--pictures",
+                    "off", "--out", "d", code=3)
+        result = json.loads((self.folder / "d/result.json").read_text())["variants"]["pipeline"]
+        for threads in 1, 2:
+            design = rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=128, seed=5, threads=threads)
+            self.assertEqual(design.similarity, result["similarity"])
+            self.assertEqual(design.similarity_worst, result["similarity_worst"])
+            self.assertEqual(design.genome.to_dict()["series"], result["genome"]["series"])
+
+    def test_answers_as_it_says(self):
+        design = rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=128, steps=20)
+        pressure, stiffness = design.curve.secant_stiffness()
+        answered = numpy.interp(PRESSURE[1:-1], pressure, stiffness)
+        misfit = numpy.abs(answered / STIFFNESS[1:-1] - 1).max()
+        self.assertLessEqual(misfit, 1 - design.similarity + 1e-9)
+        again = rugosa.contact(design.heights, design.spacing, steps=20)
+        self.assertEqual(len(again), 20)
+        self.assertLessEqual(design.similarity_worst, design.similarity)
+        self.assertIn("redrawn_best", design.trust())
+
+    def test_progress_is_told_and_its_exception_travels(self):
+        told = []
+        rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=64, progress=lambda *a: told.append(a))
+        self.assertTrue(any("refine" in path for path, *_ in told))
+        self.assertGreater(told[-1][2], 0)
+
+        def fail(*_):
+            raise ZeroDivisionError("mine")
+
+        with self.assertRaisesRegex(ZeroDivisionError, "mine"):
+            rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=64, progress=fail)
+
+    def test_interrupt_gives_the_best_so_far(self):
+        begun = threading.Event()
+        threading.Thread(target=lambda: (begun.wait(), os.kill(os.getpid(), signal.SIGINT))).start()
+        endless = "shape 8 | score | repeat 1000000 { tournament 2 | mutate 0.2 | score | elite 2 } | best 1"
+        design = rugosa.design(PRESSURE, STIFFNESS, pipeline=endless, nodes=64, progress=lambda *a: begun.set())
+        self.assertTrue(design.interrupted)
+        self.assertGreater(design.similarity, -1e3)
+        with self.assertRaises(KeyboardInterrupt):  # Python has its handler back
+            signal.raise_signal(signal.SIGINT)
+
+    def test_out_of_reach_is_said(self):
+        design = rugosa.design(PRESSURE, STIFFNESS[::-1], pipeline="shape 2 | score | best 1", nodes=64)
+        self.assertTrue(design.out_of_reach)
+        self.assertLess(design.bound, 1)
+        self.assertFalse(design.found)
+        self.assertIn("out of reach", design._repr_html_())
+
+    def test_like_a_profile(self):
+        design = rugosa.design(like=rugosa.Profile(rough_heights(), 0.004), pipeline="shape 4 | score | best 1",
+                               nodes=64)
+        self.assertEqual(len(design.targets), 1)
+        with self.assertRaisesRegex(TypeError, "expected one of them"):
+            rugosa.design(PRESSURE, STIFFNESS, like=rough_heights(), spacing=0.004)
+
+    def test_mistakes(self):
+        with self.assertRaisesRegex(rugosa.InputError, "same length"):
+            rugosa.design(PRESSURE, STIFFNESS[1:])
+        with self.assertRaisesRegex(TypeError, "expected target_pressure"):
+            rugosa.design()
+        with self.assertRaisesRegex(rugosa.UsageError, "unknown stage 'scor'"):
+            rugosa.design(PRESSURE, STIFFNESS, pipeline="shape 2 | scor")
+        with self.assertRaisesRegex(rugosa.InputError, "increasing|expected"):
+            rugosa.Target(PRESSURE[::-1], STIFFNESS)
+
+
+class Database(WithFolder):
+    def test_answers_queries_as_the_program_does(self):
+        file = self.folder / "g.db"
+        store = rugosa.Database.create(file, 60, nodes=64, steps=10)
+        self.assertEqual(len(store), 60)
+        target = rugosa.Target(PRESSURE, STIFFNESS)
+        (self.folder / "T.csv").write_text(target.to_csv())
+        out = self.rugosa("database", "query", "g.db", "--target", "T.csv", "--best", 3).stdout
+        rows = [line.split() for line in out.splitlines()[2:]]
+        found = rugosa.Database(file).query(target, 3)
+        self.assertEqual([f"{s.index} {s.similarity:.6f}" for s in found], [f"{r[1]} {r[2]}" for r in rows])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,139 @@
+import json
+import sys
+import unittest
+
+import numpy
+import rugosa
+
+from common import WithFolder
+
+CHILD = """
+import json, sys
+for line in sys.stdin:
+    asked = json.loads(line)
+    print(json.dumps({"id": asked["id"], "objectives": [sum(g * g for g in asked["genes"])]}), flush=True)
+"""
+
+
+def sphere(genes):
+    return sum(g * g for g in genes.tolist())
+
+
+class Engine(WithFolder):
+    def test_gives_the_bits_of_the_program(self):
+        (self.folder / "f.py").write_text(CHILD)
+        self.rugosa("optimise", "--genes", "real:3:-5:5", "--evaluate", f"{sys.executable} f.py", "--minimise",
+                    "--evaluations", 600, "--seed", 4, "--out", "o")
+        result = json.loads((self.folder / "o/result.json").read_text())
+        found = rugosa.optimise(sphere, lower=[-5] * 3, upper=[5] * 3, minimise=True, evaluations=600, seed=4)
+        self.assertEqual(found.best.tolist(), result["best"]["genes"])
+        self.assertEqual(found.objectives, result["best"]["objectives"])
+
+    def test_batches_answer_alike(self):
+        class Batch:
+            calls = 0
+
+            def evaluate_batch(self, genes):
+                Batch.calls += 1
+                return [sphere(row) for row in genes]
+
+        options = {"lower": [-5] * 4, "upper": [5] * 4, "minimise": True, "evaluations": 400}
+        one, many = rugosa.optimise(sphere, **options), rugosa.optimise(Batch(), **options)
+        numpy.testing.assert_array_equal(one.best, many.best)
+        self.assertLess(Batch.calls, 100)
+
+    def test_bounds_are_each_genes_own(self):
+        seen = []
+
+        def remember(genes):
+            seen.append(genes.copy())
+            return 0.0
+
+        rugosa.optimise(remember, lower=[0, 10], upper=[1, 20], evaluations=200)
+        seen = numpy.array(seen)
+        self.assertTrue((seen >= [0, 10]).all() and (seen <= [1, 20]).all())
+        self.assertGreater(seen[:, 1].std(), 1)
+
+    def test_bits_and_permutations(self):
+        bits = rugosa.optimise(lambda b: int(b.sum()), bits=30, evaluations=3000)
+        self.assertEqual(bits.objectives, [30])
+        order = rugosa.optimise(lambda p: float(abs(p - numpy.arange(6)).sum()), permutation=6, minimise=True,
+                                evaluations=3000)
+        self.assertEqual(order.best.tolist(), list(range(6)))
+
+    def test_several_objectives_and_violations(self):
+        def two(x):
+            return (x[0], (1 - x[0]) ** 2), max(0.0, 0.25 - x[0])
+
+        found = rugosa.optimise(two, lower=[0], upper=[1], objectives=2, minimise=True, evaluations=1500)
+        first = [objectives[0] for _, objectives in found.front]
+        self.assertGreater(len(first), 20)
+        self.assertGreaterEqual(min(first), 0.25)
+        self.assertEqual(first, sorted(first))
+
+    def test_gradients_refine(self):
+        class Bowl:
+            def evaluate(self, x):
+                return -float((x - 1) @ (x - 1))
+
+            def gradient(self, x):
+                return -2 * (x - 1)
+
+        found = rugosa.optimise(Bowl(), lower=[-5] * 6, upper=[5] * 6,
+                                pipeline="sample 3 | score | best 1 | refine nlopt LD_LBFGS 40 | best 1")
+        self.assertLess(abs(found.best - 1).max(), 1e-6)
+
+    def test_operators_written_in_python(self):
+        class Halve:
+            name = "halve"
+
+            def __call__(self, genes, fitness, random):
+                assert genes.shape == (len(fitness), 2)
+                return genes / 2 + random.normal(0, 1e-9, genes.shape)
+
+        class Best:
+            name = "two-best"
+
+            def __call__(self, genes, fitness, random):
+                return numpy.argsort(fitness)[:2]
+
+        def run():
+            return rugosa.optimise(sphere, lower=[1, 1], upper=[5, 5], minimise=True, operators=[Halve(), Best()],
+                                   pipeline="sample 8 | score | two-best | repeat 20 { halve | score } | best 1")
+
+        found = run()
+        self.assertLess(found.objectives[0], 1e-8)
+        self.assertEqual(found.population.shape, (1, 2))
+        numpy.testing.assert_array_equal(found.best, run().best)
+
+    def test_observers_see_every_stage(self):
+        told = []
+        rugosa.optimise(sphere, lower=[0] * 2, upper=[1] * 2, minimise=True, observers=[told.append],
+                        pipeline="sample 10 | score | repeat 3 { tournament 2 | mutate 0.5 | score } | best 1")
+        scores = [t for t in told if "score" in t["path"]]
+        self.assertEqual(len(scores), 4)
+        self.assertEqual(scores[-1]["genes"].shape, (10, 2))
+        self.assertEqual(scores[-1]["fitness"][0], sphere(scores[-1]["genes"][0]))
+
+    def test_mistakes(self):
+        def broken(_):
+            raise KeyError("mine")
+
+        with self.assertRaisesRegex(KeyError, "mine"):
+            rugosa.optimise(broken, lower=[0], upper=[1])
+        with self.assertRaisesRegex(rugosa.InputError, "objectives returned"):
+            rugosa.optimise(lambda x: [1.0, 2.0], lower=[0], upper=[1])
+        with self.assertRaisesRegex(rugosa.UsageError, "unknown stage"):
+            rugosa.optimise(sphere, lower=[0], upper=[1], pipeline="sampel 3")
+        with self.assertRaisesRegex(rugosa.InputError, "one of lower and upper"):
+            rugosa.optimise(sphere, lower=[0], upper=[1], bits=3)
+        with self.assertRaisesRegex(rugosa.InputError, "below"):
+            rugosa.optimise(sphere, lower=[1], upper=[0])
+
+    def test_nan_is_a_failure_and_not_the_best(self):
+        found = rugosa.optimise(lambda x: float("nan") if x[0] > 0.5 else x[0], lower=[0], upper=[1], evaluations=300)
+        self.assertLessEqual(found.objectives[0], 0.5)
+
+
+if __name__ == "__main__":
+    unittest.main()
