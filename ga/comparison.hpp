@@ -145,6 +145,9 @@ Population<G> joined_with(const Population<G>& start, Population<G> population) 
 /// Whether one is better, whatever others there are: by Deb's rules, under several objectives by dominance.
 /// Throws UsageError where they were scored by different policies.
 inline bool better(const Fitness& a, const Fitness& b) {
+    const bool rules = a.several() || b.several() || !a.feasible() || !b.feasible();
+    if (!rules && a.known() && b.known(a.objective_name())) // nearly always
+        return a.merit() > b.merit();
     if (!(a.several() && b.several() && a.feasible() && b.feasible())) {
         const Fitness* const both[] = {&a, &b};
         const std::vector<double> worth = merits(both);
