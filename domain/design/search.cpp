@@ -33,6 +33,10 @@ constexpr double settled = 0.005;
 constexpr int most_refinements = 2;
 const char* const settling = "score | refine lm 40 sharpen=8 | best 2 | refine lm 40 sharpen=5 | "
                              "score judged | refine lm 16 sharpen=4";
+/// The way to go on with a scan's own waves, while there is time.
+const char* const going_on =
+    "score judged | until fitness 0.99 generations 1000 { parents | mutate 0.1 gaussian "
+    "0.003 | score judged | refine lm 10 sharpen=1 | plus 2 }";
 /// Share of the time for the first search, where another may follow; the least that one is begun for.
 constexpr double first_share = 0.5, least_share = 0.05;
 
@@ -295,7 +299,8 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     const std::string name = options.pipeline.empty() ? options.variant : "pipeline";
     const bool timed = std::isfinite(options.seconds);
     const bool makes_starts = name == "default" || name == "multistart";
-    const bool again = options.begins_anew && makes_starts && timed;
+    const bool goes_on = name == "like";
+    const bool again = options.begins_anew && (makes_starts || goes_on) && timed;
     SearchOptions first = options;
     first.settles_steps = options.settles_steps && (makes_starts || name == "in-line") && !given.phases;
     if (timed && (again || first.settles_steps))
@@ -314,10 +319,12 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
         if (spent || (options.reach && enough) || !(unsettled || (again && !enough)))
             break;
         DesignSetup setup = result.setup;
-        if (unsettled) {
-            --refinements;
-            setup = in_finer_steps(std::move(setup));
-            next.pipeline = settling;
+        if (unsettled || goes_on) {
+            if (unsettled) {
+                --refinements;
+                setup = in_finer_steps(std::move(setup));
+            }
+            next.pipeline = unsettled ? settling : going_on;
             next.starts.clear();
             for (const Answer& answer : result.alternatives)
                 next.starts.push_back(answer.genome);

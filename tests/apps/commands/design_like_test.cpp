@@ -25,7 +25,7 @@ void write_scan(const Folder& folder) {
 }
 
 const std::string brief =
-    "design --like scan.txt --nodes 128 --reach-similarity -9 --pipeline 'own 1 | score | "
+    "design --like scan.txt --nodes 128 --reach-similarity -1 --pipeline 'own 1 | score | "
     "refine lm 4' ";
 
 } // namespace
@@ -88,23 +88,23 @@ TEST_CASE("a verdict asked with noise or a hardness is a verdict under them") {
     write_scan(folder);
     const auto judged = [&](const std::string& flags) {
         const Ended ended =
-            rugosa("design --like scan.txt --nodes 128 --reach-similarity 0.2 --pipeline 'own 1 | "
-                   "score | refine lm 10' --quantity stiffness --pictures off --force --out r" +
+            rugosa("design --like scan.txt --nodes 128 --pipeline 'own 1 | score | refine lm 10' "
+                   "--quantity stiffness --pictures off --force --out r" +
                        flags,
                    folder.path());
         INFO(flags << ": " << ended.err << ended.out);
         CHECK(ended.code == (result_in(folder / "r")["summary"]["found"].get<bool>() ? 0 : 3));
         return result_in(folder / "r")["summary"];
     };
-    const json alone = judged("");
-    CHECK(alone["found"] == true);
-    const json calm = judged(" --noise 1e-9 --hardness 1e3");
+    const double alone = judged("")["judged"];
+    const std::string asked = " --reach-similarity " + std::to_string(alone - 0.01);
+    const json calm = judged(asked + " --noise 1e-9 --hardness 1e3");
     CHECK(calm["found"] == true);
     CHECK_THAT(calm["yielding"].get<std::string>(), Catch::StartsWith("elastic"));
-    const json noisy = judged(" --noise 0.01");
+    const json noisy = judged(asked + " --noise 0.01");
     CHECK(noisy["found"] == false);
-    CHECK(noisy["judged"] < alone["judged"]);
-    const json soft = judged(" --hardness 1e-3");
-    CHECK(soft["judged"] < alone["judged"]);
+    CHECK(noisy["judged"] < alone - 0.01);
+    const json soft = judged(asked + " --hardness 1e-3");
+    CHECK(soft["found"] == false);
     CHECK_THAT(soft["yielding"].get<std::string>(), Catch::StartsWith("yields"));
 }

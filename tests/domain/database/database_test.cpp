@@ -345,7 +345,8 @@ TEST_CASE("a database answers for every length and modulus, exactly as the drawn
         design.targets = {goal_of(own, 0.02, 0.9), goal_of(own, 0.02, 0.9, Quantity::area_at_pressure)};
         const auto starts = stored_starts(store, design, 1);
         REQUIRE(starts.size() == 1);
-        CHECK(similarity(design, starts[0]) > 0.999);
+        for (const Target& target : design.targets)
+            CHECK(similarity(target, curve_of(target.quantity, respond(starts[0], design.model))) > 0.999);
         design.max_pressure = 0.02 * own.pressure[7];
         CHECK(respond(stored_starts(store, design, 1)[0], design.model).pressure[7] ==
               Approx(*design.max_pressure));
