@@ -29,6 +29,9 @@ constexpr std::size_t shown_compromises = 24;
 
 /// A likeness that falls by more than this in finer load steps is not settled.
 constexpr double settled = 0.005;
+/// Steps that no search has seen, which are to confirm an answer, and up to how many nodes a finer grid, too.
+constexpr int confirming = 16;
+constexpr Index confirmed_on_finer = 1024;
 /// So often the steps may be refined, and the way to go on from what was found in coarser ones.
 constexpr int most_refinements = 2;
 const char* const settling = "score | refine lm 40 sharpen=8 | best 2 | refine lm 40 sharpen=5 | "
@@ -265,8 +268,26 @@ SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked,
     return result;
 }
 
-/// The earlier result with what a later search found and took.
-SearchResult joined(SearchResult earlier, SearchResult later) {
+/// Whether an answer's similarity falls from the set-up's load steps to four times as many.
+bool falls(const Answer& best) {
+    return std::min(best.similarity, best.similarity_refined) - best.judged() > settled;
+}
+
+/// Whether it falls on from there: a search may fit the curve to both.
+bool is_unconfirmed(const SearchResult& result) {
+    const Answer& best = result.best;
+    try {
+        const DesignSetup finest = in_finer_steps(as_reported(result.setup), confirming);
+        const Index refine = finest.model.grid.nodes <= confirmed_on_finer ? judged_refinement : 1;
+        return best.judged() - similarity(finest, best.genome, refine) > settled;
+    } catch (const std::exception&) { // no answer in so many steps: those there are stand
+        return false;
+    }
+}
+
+/// The earlier result with what a later search found and took. One in finer steps replaces it: it has
+/// judged the earlier answers anew.
+SearchResult joined(SearchResult earlier, SearchResult later, bool finer) {
     later.counters.asked += earlier.counters.asked;
     later.counters.evaluations += earlier.counters.evaluations;
     later.counters.remembered += earlier.counters.remembered;
@@ -275,7 +296,7 @@ SearchResult joined(SearchResult earlier, SearchResult later) {
     later.counters.given_up += earlier.counters.given_up;
     later.notes.insert(later.notes.begin(), earlier.notes.begin(), earlier.notes.end());
     later.pipeline = earlier.pipeline + "\n" + later.pipeline;
-    if (!better(later.best, earlier.best)) {
+    if (!finer && !better(later.best, earlier.best)) {
         later.best = earlier.best;
         later.alternatives = earlier.alternatives;
         later.setup = earlier.setup;
@@ -313,10 +334,12 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
         take_what_is_left(next, options, result, clock.seconds());
         const bool spent = next.evaluations < 1 || (timed && next.seconds < least_share * options.seconds) ||
                            (options.stop && options.stop->load());
+        if (spent)
+            break;
         const bool enough = best.within_limits && best.judged() >= options.reach.value_or(worth_the_name);
-        const bool unsettled =
-            refinements > 0 && std::min(best.similarity, best.similarity_refined) - best.judged() > settled;
-        if (spent || (options.reach && enough) || !(unsettled || (again && !enough)))
+        const bool reached = options.reach && enough;
+        const bool unsettled = refinements > 0 && ((!reached && falls(best)) || is_unconfirmed(result));
+        if (!unsettled && (enough || !again))
             break;
         DesignSetup setup = result.setup;
         if (unsettled || goes_on) {
@@ -332,8 +355,9 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
         next.settles_steps = refinements > 0;
         next.seed = ga::fold(options.seed, static_cast<std::uint64_t>(round));
         try {
-            result = joined(std::move(result),
-                            searched_once(setup, next, name + "-" + std::to_string(round), observers));
+            result =
+                joined(std::move(result),
+                       searched_once(setup, next, name + "-" + std::to_string(round), observers), unsettled);
         } catch (const NotConverged& nothing) {
             result.notes.push_back(nothing.what());
             break;

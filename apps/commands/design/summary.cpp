@@ -186,7 +186,7 @@ std::string making(const DesignRun& run) {
 std::string carries(const DesignRun& run) {
     const rough::Model& model = run.setup.model;
     const std::string body =
-        std::string(name_of(model.body.kernel)) + " body, length " + readable(model.grid.length, 5) + " mm";
+        std::string(name_of(model.body.kernel)) + " body, length " + brief(model.grid.length, 5) + " mm";
     const bool has_datum = model.body.kernel == rough::Kernel::free;
     std::string all;
     for (const rough::Target& target : run.setup.targets) {
@@ -200,7 +200,7 @@ std::string carries(const DesignRun& run) {
         else if (!has_datum)
             own = name + ": for this length alone";
         else
-            own = name + ": for this length and datum alone, " + readable(model.body.datum, 5) + " mm" +
+            own = name + ": for this length and datum alone, " + brief(model.body.datum, 5) + " mm" +
                   (quantity == Quantity::stiffness ? " (interface_stiffness carries over)" : "");
         if (all.find(own) == std::string::npos)
             join(all, own);

@@ -215,6 +215,18 @@ TEST_CASE("a design begins from a database's nearest curves and is better than t
     CHECK_THAT(ended.out, Catch::Contains("2000 stored curves screened"));
     const json result = result_in(folder / "r");
     CHECK(result["variants"]["in-line"]["similarity"].get<double>() > stored);
+    REQUIRE(rugosa("database query g.db --best 1 --out best.json --target '" RUGOSA_TEST_DATA
+                   "/target_heldout.csv'",
+                   folder.path())
+                .code == 0);
+    REQUIRE(rugosa("design --database g.db --seconds 1 --out quick" + target, folder.path()).code != 2);
+    rough::DesignSetup setup;
+    setup.model.grid.nodes = 128;
+    setup.targets = {rough::read_target(RUGOSA_TEST_DATA "/target_heldout.csv")};
+    const double queried =
+        rough::Judge(completed(setup)).of(rough::read_genome(folder / "best.json")).worst();
+    CHECK(result_in(folder / "quick")["variants"]["in-line"]["similarity_worst"].get<double>() >=
+          queried - 1e-9);
     for (const std::string words :
          {"--database none.db", "--database g.db --steps 10", "--database g.db --variant default"}) {
         const Ended refused = rugosa("design " + words + " --out other" + target, folder.path());

@@ -17,7 +17,7 @@ TEST_CASE("no answer is worse by 0.01 than reported in 16 times the load steps o
             setup.targets = {asked.target};
             SearchOptions options;
             options.seed = seed;
-            options.evaluations = 400;
+            options.reach = 0.97;
             options.settles_steps = true;
             options.alternatives = 2;
             const SearchResult found = search(setup, options);
