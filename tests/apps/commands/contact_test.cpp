@@ -205,6 +205,27 @@ TEST_CASE("a hardness is held, counted and told; friction writes partial slip be
     CHECK_FALSE(std::filesystem::exists(folder / "d.csv"));
 }
 
+TEST_CASE("a page beside the curve shows pressure and gap at some loads, and links to the files") {
+    const Folder folder;
+    folder.write("one wave.json", one_wave);
+    const auto ended =
+        rugosa("contact --genome 'one wave.json' --nodes 128 --pressures 0.1,0.2 --friction 0.3 "
+               "--out 'a curve.csv' --report page.html",
+               folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    const std::string page = rough::read_whole(folder / "page.html");
+    for (const char* part :
+         {"href=\"a%20curve.csv\"", "href=\"a%20curve.json\"", "href=\"a%20curve-slip.csv\"",
+          "no --modulus given", "Widest spot", "100 kPa", "200 kPa", "class=\"unseen\""})
+        CHECK_THAT(page, Catch::Contains(part));
+    check_refused(rugosa("contact --genome 'one wave.json' --out b.csv --report page.html", folder.path()),
+                  "page.html");
+    check_refused(rugosa("contact --genome 'one wave.json' --out b.csv --report no/page.html", folder.path()),
+                  "no");
+    CHECK_FALSE(std::filesystem::exists(folder / "b.csv"));
+}
+
 TEST_CASE("a curve is not written over unasked") {
     const Folder folder;
     folder.write("g.json", one_wave);

@@ -1,7 +1,9 @@
 #include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/profile/roughness.hpp"
+#include "domain/profile/solid.hpp"
 #include "domain/profile/spectrum.hpp"
+#include "domain/scan/scan.hpp"
 #include "tests/apps/program.hpp"
 
 #include <catch2/catch.hpp>
@@ -56,7 +58,20 @@ TEST_CASE("a genome's profile comes out as heights, solid, pictures, roughness a
         CHECK(heights[i][1] == profile.heights[rough::Index(i)]);
     }
     const auto numbers = nlohmann::json::parse(rough::read_whole(out / "profile.json"));
-    CHECK(numbers["Rz_mm"].get<double>() == roughness(profile).Rz);
+    CHECK(numbers["Pz_mm"].get<double>() == roughness(profile).Rz);
+    CHECK(numbers["PSm_mm"].get<double>() == roughness(profile).elements.RSm);
+    CHECK_FALSE(numbers.contains("Ra_mm"));
+    CHECK(numbers["lambda_c_mm"].is_null());
+    CHECK(rough::read_scan(out / "profile.x3p", {.detrend = rough::Detrend::none})
+              .profile.heights.isApprox(profile.heights, 1e-14));
+    CHECK(rough::read_whole(out / "profile.3mf") == three_mf(profile, {.magnify = 100}));
+    const auto bearing = rows(out / "bearing.csv", "material_ratio,height_mm");
+    CHECK(bearing.size() == 700);
+    CHECK(bearing.front()[1] == profile.heights.maxCoeff());
+    const std::string page = rough::read_whole(out / "report.html");
+    for (const char* part : {"href=\"profile.3mf\"", "href=\"profile.json\"",
+                             "<td data-label=\"Parameter\">Pa</td>", "A primary profile", "class=\"unseen\""})
+        CHECK_THAT(page, Catch::Contains(part));
     CHECK(numbers["m4_per_mm2"].get<double>() == roughness(profile).m4);
     CHECK(numbers["m2"].get<double>() == Approx(numbers["series"]["m2"].get<double>()).epsilon(0.5));
     CHECK(rows(out / "lines.csv", "wave_number_rad_per_mm,power_mm2").size() == 3);
@@ -82,6 +97,41 @@ TEST_CASE("a scan's profile is described like a genome's, without lines of its w
     CHECK(std::filesystem::exists(folder / "r" / "profile.stl"));
     CHECK_FALSE(std::filesystem::exists(folder / "r" / "lines.csv"));
     CHECK_FALSE(std::filesystem::exists(folder / "r" / "profile.svg"));
+}
+
+TEST_CASE("a filtered scan has Ra over whole cut-offs, an unfiltered one Pa; a spike is told and removed") {
+    const Folder folder;
+    std::string scan = "x [mm];z [um]\n";
+    for (int i = 0; i <= 2500; ++i)
+        scan += std::to_string(0.002 * i) + ";" +
+                std::to_string(std::cos(2 * M_PI * i / 100) + (i == 1203 ? 9 : 0)) + "\n";
+    folder.write("scan.csv", scan);
+    const auto numbers = [&](const std::string& flags) {
+        const auto ended =
+            rugosa("profile --profile scan.csv --pictures off --force --out r " + flags, folder.path());
+        INFO(ended.err);
+        REQUIRE(ended.code == 0);
+        CHECK_THAT(ended.out, Catch::Contains("1 outlier (at x = 2.406 mm)"));
+        return nlohmann::json::parse(rough::read_whole(folder / "r" / "profile.json"));
+    };
+    const auto filtered = numbers("--outliers remove --lambda-c 0.8 --lambda-s 0.0025");
+    CHECK(filtered["sections"] == 6);
+    CHECK(filtered["section_length_mm"] == 0.8);
+    CHECK(filtered["lambda_s_mm"] == 0.0025);
+    CHECK_FALSE(filtered.contains("Pa_mm"));
+    const double kept = 1 - std::pow(2, -16); // of waves of a quarter of the cut-off
+    CHECK(filtered["Ra_mm"].get<double>() == Approx(2e-3 / M_PI * kept).epsilon(2e-3));
+    CHECK(filtered["Rz_mm"].get<double>() == Approx(2e-3 * kept).epsilon(2e-3));
+    CHECK(filtered["RSm_mm"].get<double>() == Approx(0.2).epsilon(1e-3));
+    CHECK(numbers("")["Pt_mm"].get<double>() > 8e-3);
+    CHECK(numbers("--outliers remove")["Pt_mm"].get<double>() == Approx(2e-3).epsilon(1e-2));
+    for (const std::string flags : {"--lambda-c 6", "--lambda-c 0.1 --lambda-s 0.2", "--outliers some",
+                                    "--detrend plane", "--unit um,parsec"}) {
+        const auto refused = rugosa("profile --profile scan.csv --out n " + flags, folder.path());
+        INFO(refused.err);
+        CHECK(refused.code == 2);
+        CHECK(refused.error_lines() == 1);
+    }
 }
 
 TEST_CASE("profile refuses wrong use in one line and leaves nothing") {

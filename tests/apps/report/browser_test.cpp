@@ -78,7 +78,9 @@ std::string scan_text() {
 TEST_CASE("every page can be read on a phone and at a desk, in light and in dark, and fetches nothing",
           "[long]") {
     const PageCase made =
-        GENERATE(PageCase{"run '" + experiments + "paper.ini' --out r", "r/report.html", 11, 30},
+        GENERATE(PageCase{"profile --profile scan.txt --lambda-c 0.08 --out r", "r/report.html", 2, 3},
+                 PageCase{"contact --profile scan.txt --out c.csv --report c.html", "c.html", 3, 6},
+                 PageCase{"run '" + experiments + "paper.ini' --out r", "r/report.html", 11, 30},
                  PageCase{"run '" + experiments +
                               "variants.ini' --set experiment.budget=60 --set experiment.seeds=1 --out r",
                           "r/report.html", 2, 4},

@@ -132,3 +132,17 @@ TEST_CASE("numbers for reading keep their significant digits") {
     CHECK(readable(9.996) == "10.0");
     CHECK(readable(999999.9) == "1.00 × 10⁶");
 }
+
+TEST_CASE("every point of a short line, and some of a long one, tell their values under the pointer") {
+    app::Plot plot;
+    plot.series.push_back({"it's <A & B>", Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(0.5, -7, 1e-9)});
+    plot.series.push_back({"", Eigen::VectorXd::LinSpaced(900, 1, 3), Eigen::VectorXd::LinSpaced(900, 0, 1)});
+    const std::string picture = app::svg({plot}).front();
+    CHECK_THAT(picture, Catch::Contains("<title>it's &lt;A &amp; B&gt;: 1, 0.5</title>") &&
+                            Catch::Contains(": 3, 1e-09</title>") && Catch::Contains("<title>1, 0</title>") &&
+                            !Catch::Contains("onmouse"));
+    std::size_t titles = 0;
+    for (std::size_t at = 0; (at = picture.find("<title>", at)) != std::string::npos; ++at)
+        ++titles;
+    CHECK(titles <= 3 + 60 + 1); // and the label in the key
+}
