@@ -2,31 +2,51 @@
 
 #include "apps/prompt/voice.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <iostream>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace app {
 
 namespace {
 constexpr const char* clear_line = "\r\033[K";
+std::atomic<bool> stands = false;
+
+/// What fits into a terminal's line: a longer one would wrap, and its first part stay.
+std::string cut(std::string text) {
+    winsize size{};
+    constexpr std::size_t usual = 80;
+    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+    std::size_t left = (known ? size.ws_col : usual) - 1, at = 0;
+    for (; at < text.size(); ++at) {
+        const bool begins = (static_cast<unsigned char>(text[at]) & 0xC0) != 0x80; // a letter of UTF-8
+        if (begins && left-- == 0)
+            break;
+    }
+    text.resize(at);
+    return text;
 }
+} // namespace
 
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0 && voice() != Voice::quiet) {}
 
-Progress::~Progress() {
-    if (shown_)
+Progress::~Progress() { clear_progress(); }
+
+void clear_progress() {
+    if (stands.exchange(false))
         std::cerr << clear_line << std::flush;
 }
 
 void Progress::show(const std::string& text) {
     const auto now = Clock::now();
     using namespace std::chrono_literals;
-    if (!terminal_ || now - start_ < 1s || (shown_ && now - last_ < 100ms))
+    if (!terminal_ || now - start_ < 1s || (stands && now - last_ < 100ms))
         return;
-    std::cerr << clear_line << std::chrono::duration_cast<std::chrono::seconds>(now - start_).count()
-              << " s  " << text << std::flush;
-    shown_ = true;
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - start_).count();
+    std::cerr << clear_line << cut(std::to_string(seconds) + " s  " + text) << std::flush;
+    stands = true;
     last_ = now;
 }
 

@@ -1,5 +1,6 @@
 #include "apps/prompt/voice.hpp"
 
+#include "apps/prompt/progress.hpp"
 #include "domain/errors.hpp"
 
 #include <algorithm>
@@ -36,13 +37,15 @@ void take_voice(std::vector<std::string>& words) {
 Voice voice() { return kept(); }
 
 void say(const std::string& remark) {
-    if (voice() != Voice::quiet)
-        std::cout << remark << "\n";
+    if (voice() == Voice::quiet)
+        return;
+    clear_progress();
+    std::cout << remark << "\n";
 }
 
 void tell(const std::string& detail) {
     if (voice() == Voice::verbose)
-        std::cout << detail << "\n";
+        say(detail);
 }
 
 std::string error_mark() {

@@ -5,6 +5,16 @@
 
 using namespace rough;
 
+namespace {
+
+ContactOptions with_states() {
+    ContactOptions options;
+    options.states = true;
+    return options;
+}
+
+} // namespace
+
 TEST_CASE("along the profile pressure and gap exclude each other, and the pressures make up the load") {
     std::mt19937_64 random(4);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
@@ -13,7 +23,7 @@ TEST_CASE("along the profile pressure and gap exclude each other, and the pressu
                                        {.nodes = 400, .wraps = wraps});
         const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
         const Body body{.kernel = kernel, .effective_modulus = 7};
-        const auto curve = solve_contact(profile, body, {0.05 * range, 0.3 * range}, {.states = true});
+        const auto curve = solve_contact(profile, body, {0.05 * range, 0.3 * range}, with_states());
         for (std::size_t j = 0; j < 2; ++j) {
             const Interface at = interface_at(profile, body, curve.steps[j], curve.states[j]);
             CHECK((at.pressure.array() * at.gap.array()).abs().maxCoeff() <
@@ -31,7 +41,7 @@ TEST_CASE("two equal waves touch in two spots, which a periodic body joins acros
     for (Index i = 0; i < 200; ++i)
         profile.heights[i] = 0.01 * std::cos(2 * 3.14159265358979 * double(i) / 100);
     const Body body{.kernel = Kernel::periodic};
-    const auto curve = solve_contact(profile, body, {0.004}, {.states = true});
+    const auto curve = solve_contact(profile, body, {0.004}, with_states());
     const Interface at = interface_at(profile, body, curve.steps[0], curve.states[0]);
     CHECK(at.spots == 2); // one of them about x = 0
     CHECK(2 * at.widest == Approx(0.01 * double(curve.steps[0].contact_nodes)));
