@@ -17,6 +17,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 
@@ -133,8 +134,12 @@ void tell_roughness(const rough::Roughness& r, bool is_roughness) {
     const auto row = [](const std::string& name, double value, const std::string& unit,
                         const std::string& meaning) {
         char line[160];
-        std::snprintf(line, sizeof line, "  %-14s %12.6g %-5s %s", name.c_str(), value, unit.c_str(),
-                      meaning.c_str());
+        if (std::isfinite(value))
+            std::snprintf(line, sizeof line, "  %-14s %12.6g %-5s %s", name.c_str(), value, unit.c_str(),
+                          meaning.c_str());
+        else
+            std::snprintf(line, sizeof line, "  %-14s %12s %-5s %s", name.c_str(), "none", "",
+                          meaning.c_str());
         say(line);
     };
     for (const Parameter& one : parameters(r, is_roughness))

@@ -70,7 +70,7 @@ std::string contact_page(const ContactShown& shown) {
     const Unit high = pressure_unit(peak), deep = length_unit(widest_gap);
     pressure.y = {"Pressure (" + high.name + ")", false, 0, unset};
     gap.y = {"Gap (" + deep.name + ")", false, 0, unset};
-    for (std::size_t i = 0; i < steps.size(); ++i) {
+    for (std::size_t i = steps.size(); i-- > 0;) { // the lightest load is drawn last, over the others
         const rough::LoadStep& step = curve.steps[i];
         const rough::Interface& at = along[i];
         const std::string label = readable(mean.factor * step.pressure) + " " + mean.name;
@@ -79,11 +79,11 @@ std::string contact_page(const ContactShown& shown) {
         gap.series.push_back({label, x, deep.factor * at.gap.cwiseMax(0), colour, Style::line, 1.2});
         const Unit width = length_unit(at.widest), open = length_unit(at.gap.mean());
         const Unit top = pressure_unit(at.pressure.maxCoeff());
-        table.rows.push_back({label, readable(step.pressure / model.body.effective_modulus),
-                              percent(step.contact_fraction), std::to_string(at.spots),
-                              readable(width.factor * at.widest) + " " + width.name,
-                              readable(top.factor * at.pressure.maxCoeff()) + " " + top.name,
-                              readable(open.factor * at.gap.mean()) + " " + open.name});
+        table.rows.insert(table.rows.begin(), {label, readable(step.pressure / model.body.effective_modulus),
+                                               percent(step.contact_fraction), std::to_string(at.spots),
+                                               readable(width.factor * at.widest) + " " + width.name,
+                                               readable(top.factor * at.pressure.maxCoeff()) + " " + top.name,
+                                               readable(open.factor * at.gap.mean()) + " " + open.name});
     }
 
     const Index last = response.steps() - 1;

@@ -4,6 +4,7 @@
 #include "apps/report/units.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 
@@ -92,7 +93,7 @@ std::string profile_page(const ProfileShown& shown) {
     const rough::Roughness& r = shown.roughness;
     const auto all = parameters(r, shown.is_roughness);
     const auto in_words = [](const Parameter& one) {
-        if (!one.is_height)
+        if (!one.is_height || !std::isfinite(one.value))
             return readable(one.value);
         const Unit unit = length_unit(one.value);
         return readable(unit.factor * one.value) + " " + unit.name;

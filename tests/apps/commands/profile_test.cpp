@@ -46,7 +46,7 @@ TEST_CASE("a genome's profile comes out as heights, solid, pictures, roughness a
     const auto ended = rugosa("profile surface.json --nodes 700 --magnify 100", folder.path());
     INFO(ended.err);
     REQUIRE(ended.code == 0);
-    CHECK_THAT(ended.out, Catch::Contains("3 waves") && Catch::Contains("Rz"));
+    CHECK_THAT(ended.out, Catch::Contains("3 waves") && Catch::Contains("Pz"));
     const auto out = folder / "out" / "surface";
 
     const rough::Genome read = rough::read_genome(folder / "surface.json");
@@ -59,7 +59,8 @@ TEST_CASE("a genome's profile comes out as heights, solid, pictures, roughness a
     }
     const auto numbers = nlohmann::json::parse(rough::read_whole(out / "profile.json"));
     CHECK(numbers["Pz_mm"].get<double>() == roughness(profile).Rz);
-    CHECK(numbers["PSm_mm"].get<double>() == roughness(profile).elements.RSm);
+    CHECK(numbers["PSm_mm"].is_null()); // one long wave has no whole element
+    CHECK(numbers["Pk_mm"].get<double>() == roughness(profile).core.Rk);
     CHECK_FALSE(numbers.contains("Ra_mm"));
     CHECK(numbers["lambda_c_mm"].is_null());
     CHECK(rough::read_scan(out / "profile.x3p", {.detrend = rough::Detrend::none})
@@ -121,7 +122,7 @@ TEST_CASE("a filtered scan has Ra over whole cut-offs, an unfiltered one Pa; a s
     CHECK_FALSE(filtered.contains("Pa_mm"));
     const double kept = 1 - std::pow(2, -16); // of waves of a quarter of the cut-off
     CHECK(filtered["Ra_mm"].get<double>() == Approx(2e-3 / M_PI * kept).epsilon(2e-3));
-    CHECK(filtered["Rz_mm"].get<double>() == Approx(2e-3 * kept).epsilon(2e-3));
+    CHECK(filtered["Rz_mm"].get<double>() == Approx(2e-3 * kept).epsilon(4e-3));
     CHECK(filtered["RSm_mm"].get<double>() == Approx(0.2).epsilon(1e-3));
     CHECK(numbers("")["Pt_mm"].get<double>() > 8e-3);
     CHECK(numbers("--outliers remove")["Pt_mm"].get<double>() == Approx(2e-3).epsilon(1e-2));
