@@ -95,7 +95,11 @@ def line_of(name, site):
 
 
 def build(tree, folder, targets, mutants, jobs):
-    """Builds; breaks that the compiler refuses are taken out until it is content."""
+    """Builds; breaks that the compiler refuses are taken out until it is content, and remembered for the next run."""
+    memory = folder / "refused.json"
+    refused_before = {tuple(one) for one in json.loads(memory.read_text())} if memory.exists() else set()
+    mutants = {number: (name, site) for number, (name, site) in mutants.items() if (name, site[3]) not in refused_before}
+    write_tree(tree, mutants)
     if not (folder / "CMakeCache.txt").exists():
         subprocess.run(["cmake", "-S", tree, "-B", folder, "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DCMAKE_CXX_FLAGS=-w"],
                        check=True, stdout=subprocess.DEVNULL)
@@ -116,6 +120,8 @@ def build(tree, folder, targets, mutants, jobs):
         if not refused:
             sys.exit("tests/mutation: the build fails without a break at fault:\n" + output[-3000:])
         print(f"{len(refused)} breaks do not compile and are left out", file=sys.stderr)
+        refused_before |= {(mutants[number][0], mutants[number][1][3]) for number in refused}
+        memory.write_text(json.dumps(sorted(refused_before)))
         mutants = {number: place for number, place in mutants.items() if number not in refused}
         write_tree(tree, mutants)
 
@@ -197,7 +203,6 @@ def main():
         sys.exit(f"tests/mutation: '{unknown.pop()}' given, expected ga, domain or apps")
 
     mutants = drawn(scopes, given.count, given.seed, given.files)
-    write_tree(given.tree, mutants)
     targets = sorted({program for scope in scopes for program in PROGRAMS[scope]})
     mutants = build(given.tree, given.build, targets, mutants, given.jobs)
     known = equivalents()

@@ -151,7 +151,6 @@ void check_stop(const ContactOptions& options) {
 void fail(const char* solver, const ContactProblem& problem, double approach, double residual,
           double tolerance) {
     std::ostringstream line;
-    line.precision(6);
     line << solver << " did not settle at an approach of " << approach * problem.displacement_unit
          << " mm: residual " << residual << " where " << tolerance << " is expected";
     throw NotConverged(line.str());

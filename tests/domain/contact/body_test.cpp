@@ -1,4 +1,6 @@
+#include "domain/contact/kernel.hpp"
 #include "domain/contact/names.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/model.hpp"
 
@@ -64,6 +66,14 @@ TEST_CASE("what cannot be a body is refused by the name of its value", "[contact
         "datum|datum: 0.5 mm given, expected more than 0.5025 mm, (L + spacing)/4"));
     CHECK(refusal(flat).starts_with("strip width|strip width: -1 mm given"));
     CHECK(refusal(soft).starts_with("modulus|modulus: 0 MPa"));
+}
+
+TEST_CASE("a datum is refused up to a quarter of the length and a spacing, and taken beyond", "[contact]") {
+    const Profile profile = two_mm();
+    const double limit = datum_limit(profile);
+    CHECK(limit == Approx(2.01 / 4));
+    CHECK_THROWS_AS(solve_contact(profile, {Kernel::free, 1, limit * (1 - 1e-12), 0}, {0.01}), InputError);
+    CHECK(solve_contact(profile, {Kernel::free, 1, limit * (1 + 1e-6), 0}, {0.01}).steps[0].pressure > 0);
 }
 
 TEST_CASE("kernels and solvers are known by name both ways", "[contact]") {
