@@ -37,8 +37,8 @@ double strip_entry(double r, double b) {
 } // namespace
 
 double profile_length(const Profile& profile, Kernel kernel) {
-    return profile.spacing *
-           static_cast<double>(kernel == Kernel::periodic ? profile.nodes() : profile.nodes() - 1);
+    const Index columns = profile.shape().columns;
+    return profile.spacing * static_cast<double>(kernel == Kernel::periodic ? columns : columns - 1);
 }
 
 double elements(const Profile& profile, Kernel kernel) {

@@ -51,7 +51,7 @@ class ActiveSet {
     StepSolution press_to(double load, double& approach, std::optional<Eigen::VectorXd> guess) {
         for (int round = 0; round < most_rounds; ++round) {
             if (!guess)
-                approach += (load - load_.pressure.sum()) / tangent_.pressure.sum();
+                approach += advance_to(load);
             start(approach, guess);
             settle(approach, std::max(near_load, options_.tolerance));
             solver_.tangent(set_, near_load, false, tangent_);
@@ -63,7 +63,7 @@ class ActiveSet {
         if (purpose_ == Purpose::guess)
             return step_solution(set_, load_, tangent_, false);
         for (int round = 0; round < most_rounds; ++round) {
-            approach += (load - load_.pressure.sum()) / tangent_.pressure.sum();
+            approach += advance_to(load);
             start(approach, {});
             settle(approach, options_.tolerance);
             StepSolution step = finished(approach, options_.tolerance);
@@ -76,6 +76,12 @@ class ActiveSet {
     long applies() const { return solver_.applies(); }
 
   private:
+    /// Newton's step; where nothing touches yet, that of a single node.
+    double advance_to(double load) const {
+        const double stiffness = tangent_.pressure.sum();
+        return (load - load_.pressure.sum()) * (stiffness > 0 ? 1 / stiffness : problem_.column[0]);
+    }
+
     /// The tangent, and the load as good as the tolerance.
     StepSolution finished(double approach, double tolerance) {
         for (;;) {

@@ -66,7 +66,7 @@ TEST_CASE("on small areas every solver agrees with the oracle in extended precis
              {std::pair(Extent{16, 16}, 0.01), std::pair(Extent{16, 9}, 0.013),
               std::pair(Extent{5, 14}, 0.004)}) {
             const Profile map = noise(shape, 0.01, row_spacing, 3);
-            const auto displacements = steps_of(map, kernel, 6, 0.9);
+            const auto displacements = steps_of(map, kernel, 3, 0.8);
             const Oracle oracle = consult_oracle(map, on(kernel), displacements);
             for (const Solver solver : {Solver::automatic, Solver::nested, Solver::nnls, Solver::active_set,
                                         Solver::polonsky_keer}) {
@@ -148,10 +148,10 @@ TEST_CASE("a sphere on a half-space follows Hertz, with an error of order 2 in t
           "[contact][areas]") {
     constexpr double radius = 10, modulus = 1.3;
     double before = 0;
-    for (const Index n : {33, 65, 129}) {
+    for (const Index n : {25, 49}) {
         const double h = 1.0 / static_cast<double>(n - 1);
         double worst = 0;
-        for (int k = 0; k < 6; ++k) {
+        for (int k = 0; k < 4; ++k) {
             const double x0 = 0.5 + 0.13 * k * h, y0 = 0.5 - 0.09 * k * h, a = 0.2 + 0.03 * k;
             const Profile sphere = map_of({n, n}, h, h, [&](double x, double y) {
                 return -((x - x0) * (x - x0) + (y - y0) * (y - y0)) / (2 * radius);
@@ -172,7 +172,7 @@ TEST_CASE("a sphere on a half-space follows Hertz, with an error of order 2 in t
 
 TEST_CASE("a circular flat punch has the stiffness 2 E* a", "[contact][areas]") {
     constexpr double modulus = 1.3, a = 0.31;
-    for (const Index n : {33, 65, 129}) {
+    for (const Index n : {25, 49}) {
         const double h = 1.0 / static_cast<double>(n - 1);
         const Profile punch = map_of(
             {n, n}, h, h, [&](double x, double y) { return std::hypot(x - 0.5, y - 0.5) < a ? 0.0 : -1.0; });
@@ -202,7 +202,7 @@ TEST_CASE("an extruded wave follows Westergaard up to full contact", "[contact][
 }
 
 TEST_CASE("a double sine follows Johnson, Greenwood and Higginson at both ends", "[contact][areas]") {
-    constexpr Index n = 128;
+    constexpr Index n = 64;
     constexpr double height = 1e-3, modulus = 1, full = std::numbers::sqrt2 * pi * modulus * height;
     const Profile wave = map_of({n, n}, 1.0 / n, 1.0 / n, [](double x, double y) {
         return height * std::cos(2 * pi * x) * std::cos(2 * pi * y);
@@ -268,8 +268,8 @@ TEST_CASE("an area's solution changed by a millionth no longer passes its certif
 
 TEST_CASE("on isotropic self-affine maps the real area at light load lies between Persson and Bush",
           "[contact][areas]") {
-    for (const unsigned seed : {1u, 2u}) {
-        const Profile map = maps::self_affine(256, 0.8, seed, 0.1);
+    for (const unsigned seed : {1u}) {
+        const Profile map = maps::self_affine(128, 0.8, seed, 0.1);
         const double slope = maps::rms_slope(map);
         std::vector<double> pressures;
         for (const double area : {0.02, 0.04, 0.06})
