@@ -29,6 +29,11 @@ constexpr Index coarsest = 1024;
 /// From one grid to the next coarser one; an area's nodes grow by its square.
 constexpr Index line_stride = 4, area_stride = 2;
 
+/// The approach of full contact, infinite where there is none.
+double full_contact(const ContactProblem& problem) {
+    return problem.kernel == Kernel::periodic ? problem.gap.mean() : std::numeric_limits<double>::infinity();
+}
+
 enum class Purpose { curve, guess };
 
 class ActiveSet {
@@ -49,9 +54,10 @@ class ActiveSet {
     /// The same to a load: Newton's method on the approach, loosely until it is near. `approach` is where to
     /// begin and becomes the one found.
     StepSolution press_to(double load, double& approach, std::optional<Eigen::VectorXd> guess) {
+        approach = std::min(approach, (1 - 1e-9) * full_contact(problem_)); // a coarser grid's is another
         for (int round = 0; round < most_rounds; ++round) {
             if (!guess)
-                approach += advance_to(load);
+                approach = advanced(approach, load);
             start(approach, guess);
             settle(approach, std::max(near_load, options_.tolerance));
             solver_.tangent(set_, near_load, false, tangent_);
@@ -63,7 +69,7 @@ class ActiveSet {
         if (purpose_ == Purpose::guess)
             return step_solution(set_, load_, tangent_, false);
         for (int round = 0; round < most_rounds; ++round) {
-            approach += advance_to(load);
+            approach = advanced(approach, load);
             start(approach, {});
             settle(approach, options_.tolerance);
             StepSolution step = finished(approach, options_.tolerance);
@@ -76,10 +82,14 @@ class ActiveSet {
     long applies() const { return solver_.applies(); }
 
   private:
-    /// Newton's step; where nothing touches yet, that of a single node.
-    double advance_to(double load) const {
+    /// By Newton's step; where nothing touches yet, that of a single node. It passes the root from below, but
+    /// never full contact, beyond which there is no solution.
+    double advanced(double approach, double load) const {
         const double stiffness = tangent_.pressure.sum();
-        return (load - load_.pressure.sum()) * (stiffness > 0 ? 1 / stiffness : problem_.column[0]);
+        const double next =
+            approach + (load - load_.pressure.sum()) * (stiffness > 0 ? 1 / stiffness : problem_.column[0]);
+        const double full = full_contact(problem_);
+        return next < full ? next : 0.5 * (approach + full);
     }
 
     /// The tangent, and the load as good as the tolerance.
@@ -294,8 +304,7 @@ Solution guess(const ContactProblem& problem, ContactOptions options) {
 /// method from above, where no more than one node would touch.
 StepSolution press_small_to(double load, double& approach, const ContactProblem& problem,
                             NestedContact& contact) {
-    const double full =
-        problem.kernel == Kernel::periodic ? problem.gap.mean() : std::numeric_limits<double>::infinity();
+    const double full = full_contact(problem);
     approach = std::min(problem.gap.minCoeff() + load * problem.column[0], (1 - 1e-9) * full);
     for (int round = 0;; ++round) {
         StepSolution step = contact.press(approach);

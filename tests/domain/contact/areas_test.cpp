@@ -180,7 +180,7 @@ TEST_CASE("a circular flat punch has the stiffness 2 E* a", "[contact][areas]") 
         // the circle of as many cells
         const double as_many = h * std::sqrt(static_cast<double>(curve.steps[0].contact_nodes) / pi);
         CHECK(curve.steps[0].pressure == Approx(2 * modulus * as_many * 1e-3).epsilon(0.5 * h / a));
-        CHECK(curve.steps[0].tangent_stiffness * 1e-3 == Approx(curve.steps[0].pressure).epsilon(1e-9));
+        CHECK(curve.steps[0].tangent_stiffness * 1e-3 == Approx(curve.steps[0].pressure).epsilon(1e-6));
     }
 }
 
@@ -213,7 +213,7 @@ TEST_CASE("a double sine follows Johnson, Greenwood and Higginson at both ends",
     // Light: two Hertz contacts a cell. A count of nodes errs by a part of the edge.
     CHECK(area(0) == Approx(pi * std::pow(3 * 0.002 / (8 * pi), 2.0 / 3)).epsilon(0.12));
     CHECK(area(2) == Approx(1 - 1.5 / pi * 0.1).epsilon(0.003));
-    CHECK(area(3) == Approx(1 - 1.5 / pi * 0.03).epsilon(0.001));
+    CHECK(area(3) == Approx(1 - 1.5 / pi * 0.03).epsilon(0.003));
     CHECK(area(1) > area(0));
     CHECK(area(1) < area(2));
     for (const LoadStep& step : curve.steps)
