@@ -1,4 +1,5 @@
 #include "apps/commands/commands.hpp"
+#include "apps/prompt/area_settings.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/scan_settings.hpp"
@@ -11,6 +12,8 @@
 #include "apps/report/units.hpp"
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/contact/names.hpp"
+#include "domain/contact/solve.hpp"
+#include "domain/contact/spots.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/partial_slip.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -42,7 +45,7 @@ std::vector<Setting> contact_settings() {
         {"friction", "",
          "friction coefficient: writes CURVE-slip.csv, partial slip under the last load [none]"},
     };
-    return joined({settings, scan_settings(), model_settings()});
+    return joined({area_settings(), settings, scan_settings(), model_settings()});
 }
 
 /// CURVE.json beside CURVE.csv.
@@ -116,6 +119,42 @@ struct Pressed {
     std::vector<std::string> notes; ///< what was read, and what strains the model
 };
 
+/// CURVE-spots.csv beside CURVE.csv.
+std::filesystem::path spots_beside(const std::filesystem::path& curve) {
+    auto spots = curve;
+    return spots.replace_filename(curve.stem().string() + "-spots" + curve.extension().string());
+}
+
+/// The contact spots of the last load step, the largest first.
+std::string spots_csv(const AreaScene& scene, const rough::Response& response) {
+    rough::ContactOptions options = scene.model.contact;
+    options.states = true;
+    const auto last =
+        rough::solve_contact(scene.map, scene.model.body, {response.displacement.tail(1)[0]}, options);
+    const auto sizes = rough::contact_spots(last.states[0].nodes, scene.map.shape(), scene.model.grid.wraps);
+    std::vector<double> nodes(sizes.begin(), sizes.end()), areas;
+    for (const double count : nodes)
+        areas.push_back(count * scene.map.spacing * scene.map.row_spacing);
+    const auto values = [](const std::vector<double>& from) {
+        return Eigen::VectorXd(
+            Eigen::Map<const Eigen::VectorXd>(from.data(), static_cast<rough::Index>(from.size())));
+    };
+    return csv({"nodes", "area_mm2"}, {values(nodes), values(areas)});
+}
+
+Pressed pressed_area(const Settings& settings, const std::filesystem::path& spots) {
+    AreaScene scene = area_from(settings, contact_settings());
+    scene.model = loaded(scene.model, settings);
+    rough::AccountedResponse result = rough::respond_exactly(scene.map, scene.model);
+    result.account.resolved_nodes = scene.map.nodes();
+    result.account.grids = {scene.map.nodes()};
+    const std::string table = spots_csv(scene, result.response);
+    rough::write_atomically(spots, table);
+    tell(spots.string() + ": " + std::to_string(std::count(table.begin(), table.end(), '\n') - 1) +
+         " contact spots under the last load");
+    return {{}, scene.model, std::move(result), scene.notes};
+}
+
 Pressed pressed(const Settings& settings) {
     rough::Source source = source_from(settings, nodes_from(settings, 0));
     rough::Model model = loaded(model_from(settings, source), settings);
@@ -151,7 +190,10 @@ std::string from_page(const std::filesystem::path& file, const std::filesystem::
 
 int contact(const Words& words) {
     if (shows_help(
-            words, "contact (--genome G.json | --profile SCAN.txt [--unit U]) --out CURVE.csv [flags]",
+            words,
+            "contact (--genome G.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) --out "
+            "CURVE.csv "
+            "[flags]",
             "Presses a rough profile on an elastic body, load step by load step, and writes displacement, "
             "mean pressure, contact fraction, tangent and interface stiffness, each step with its KKT "
             "residual; "
@@ -163,11 +205,13 @@ int contact(const Words& words) {
              "contact --genome surface.json --pressures 0.01,0.02,0.05 --out curve.csv",
              "contact --genome surface.json --to-pressure 0.05 --friction 0.3 --out curve.csv",
              "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv "
-             "--report curve.html"}))
+             "--report curve.html",
+             "contact --surface map.txt --unit um --spacing 0.5x0.5 --kernel periodic --out curve.csv",
+             "contact --genome surface.json --nodes 128x128 --length 1x1 --out curve.csv"}))
         return 0;
     const Settings settings = read_command_line(words, contact_settings());
-    if (settings.has("genome") == settings.has("profile"))
-        throw rough::InputError("contact: expected either --genome or --profile");
+    if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
+        throw rough::InputError("contact: expected one of --genome, --profile and --surface");
     if (!settings.has("out"))
         throw rough::InputError("contact: --out is missing, expected the curve file to write");
     expect_common(settings);
@@ -191,10 +235,18 @@ int contact(const Words& words) {
                                     " is no file, expected one that another can stand beside");
         slip_file = expect_writable(slip_file, settings);
     }
+    const bool area = asks_for_area(settings);
+    if (area && !has_account)
+        throw rough::InputError("--out: " + settings.text("out") +
+                                " is no file, expected one that an area's spots can stand beside");
+    if (area && settings.has("report"))
+        throw rough::InputError("--report: given with an area, expected a profile");
     std::filesystem::path page;
     if (settings.has("report"))
         page = expect_writable(settings.text("report"), settings);
-    const auto [source, model, result, notes] = pressed(settings);
+    const auto [source, model, result, notes] =
+        area ? pressed_area(settings, expect_writable(spots_beside(settings.text("out")), settings))
+             : pressed(settings);
     for (const std::string& note : notes)
         say(note);
     const rough::Response& response = result.response;

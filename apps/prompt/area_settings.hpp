@@ -1,0 +1,25 @@
+#pragma once
+
+#include "apps/prompt/settings.hpp"
+#include "domain/mwm/genome.hpp"
+#include "domain/response/model.hpp"
+
+namespace app {
+
+/// The flag that names a measured area.
+std::vector<Setting> area_settings();
+
+/// Whether the settings ask for an area: by --surface, or by --nodes or --length as a pair.
+bool asks_for_area(const Settings& settings);
+
+/// An area as the settings give it, and what it is pressed on.
+struct AreaScene {
+    rough::Profile map;             ///< heights, mm
+    rough::Model model;             ///< complete, with the map's grid
+    std::vector<std::string> notes; ///< what was done to it, a line each
+};
+/// The area of --surface or of --genome; `known` are the command's settings. Throws rough::InputError on what
+/// only a profile has.
+AreaScene area_from(const Settings& settings, const std::vector<Setting>& known);
+
+} // namespace app
