@@ -56,6 +56,16 @@ double expected_contact(const ContactProblem& problem, ContactOptions options) {
 
 double apply_cost(double nodes) { return per_transform * nodes * std::log2(2 * nodes); }
 
+/// Numbers that an area's transforms turn over those of a line of as many nodes, which is padded to twice its
+/// length: four times as many padded along both axes, and none where it is periodic.
+double turned(const ContactProblem& problem) {
+    return !problem.is_area() ? 1 : problem.kernel == Kernel::periodic ? 0.5 : 2;
+}
+
+double active_set_cost(const ContactProblem& problem, double steps) {
+    return turned(problem) * active_set_cost(static_cast<double>(problem.nodes()), steps);
+}
+
 } // namespace
 
 double nested_cost(double nodes, double contact, double steps) {
@@ -69,7 +79,7 @@ double most_nested_work(const ContactProblem& problem) {
     if (problem.nodes() <= always_nested)
         return std::numeric_limits<double>::infinity();
     const double steps = static_cast<double>(problem.approach.size());
-    return patience * active_set_cost(static_cast<double>(problem.nodes()), steps) / per_elimination;
+    return patience * active_set_cost(problem, steps) / per_elimination;
 }
 
 SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options) {
@@ -83,7 +93,7 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
     const double n = static_cast<double>(problem.nodes()),
                  steps = static_cast<double>(problem.approach.size());
     const double m = std::ceil(expected_contact(problem, options) * n);
-    const double nested = nested_cost(n, m, steps), active_set = active_set_cost(n, steps);
+    const double nested = nested_cost(n, m, steps), active_set = active_set_cost(problem, steps);
     // Half as much again, as the estimate comes from a coarse grid.
     const double memory = 1.5 * GrowingFactor::bytes(static_cast<Index>(m));
     reason.precision(2);
