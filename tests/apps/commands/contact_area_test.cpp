@@ -1,0 +1,91 @@
+#include "tests/apps/program.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <fstream>
+#include <sstream>
+
+using app::testing::Ended;
+using app::testing::Folder;
+using app::testing::rugosa;
+
+namespace {
+
+const std::string one_wave =
+    R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]}]}]})";
+
+std::vector<std::vector<double>> rows_of(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    std::vector<std::vector<double>> rows;
+    std::string line;
+    for (std::getline(in, line); std::getline(in, line);) {
+        rows.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');)
+            rows.back().push_back(std::stod(cell));
+    }
+    return rows;
+}
+
+} // namespace
+
+TEST_CASE("a genome of one ridge pressed as a periodic area has its profile's curve") {
+    const Folder folder;
+    folder.write("g.json", one_wave);
+    const std::string common = "contact --genome g.json --kernel periodic --steps 6 --solver nested ";
+    const Ended area = rugosa(common + "--nodes 40x6 --length 0.84942x0.1 --out area.csv", folder.path()),
+                line = rugosa(common + "--nodes 40 --out line.csv", folder.path());
+    INFO(area.err);
+    REQUIRE(area.code == 0);
+    REQUIRE(line.code == 0);
+    const auto of_area = rows_of(folder / "area.csv"), of_line = rows_of(folder / "line.csv");
+    REQUIRE(of_area.size() == 6);
+    for (std::size_t j = 0; j < 6; ++j)
+        for (const std::size_t column : {0, 1, 2, 3, 5})
+            CHECK(of_area[j][column] == Approx(of_line[j][column]).epsilon(1e-9));
+    const auto spots = rows_of(folder / "area-spots.csv"); // the wave's one stripe, whole round the period
+    REQUIRE(spots.size() == 1);
+    CHECK(spots[0][0] / 240 == Approx(of_line[5][2]));
+}
+
+TEST_CASE("a map in micrometres is pressed on its own nodes, and scales as its unit") {
+    const Folder folder;
+    folder.write("um.txt", "0 1 0.5\n0.25 3 1\n0 1.5 2.5\n0.5 0 1\n");
+    folder.write("mm.txt", "0 0.001 0.0005\n0.00025 0.003 0.001\n0 0.0015 0.0025\n0.0005 0 0.001\n");
+    const Ended um = rugosa("contact --surface um.txt --unit um --spacing 10x20 --out um.csv", folder.path()),
+                mm = rugosa("contact --surface mm.txt --spacing 0.01x0.02 --out mm.csv", folder.path());
+    INFO(um.err);
+    REQUIRE(um.code == 0);
+    REQUIRE(mm.code == 0);
+    const auto one = rows_of(folder / "um.csv"), other = rows_of(folder / "mm.csv");
+    REQUIRE(one.size() == 20);
+    for (std::size_t j = 0; j < 20; ++j) {
+        CHECK(one[j][1] == Approx(other[j][1]).epsilon(1e-12));
+        CHECK(one[j][5] > one[j][3]); // K_i
+    }
+    CHECK(one.back()[0] == Approx(0.003));
+}
+
+TEST_CASE("what an area cannot be pressed with is refused in one line") {
+    const Folder folder;
+    folder.write("g.json", one_wave);
+    folder.write("map.txt", "0 1 2\n1 2 3\n");
+    folder.write("hole.txt", "0 1 2\n1 NaN 3\n");
+    for (const auto& [words, expected] :
+         {std::pair("--surface map.txt", "--spacing"), std::pair("--surface map.txt --spacing 1x", "1x"),
+          std::pair("--surface hole.txt --spacing 1", "hole.txt:2"),
+          std::pair("--surface map.txt --spacing 1 --kernel strip", "strip"),
+          std::pair("--surface map.txt --spacing 1 --datum 3", "--datum"),
+          std::pair("--surface map.txt --spacing 1 --friction 0.3", "--friction"),
+          std::pair("--surface map.txt --spacing 1 --nodes 4x4", "--nodes"),
+          std::pair("--surface map.txt --genome g.json", "one of"),
+          std::pair("--genome g.json --nodes 8x1e9", "--nodes"),
+          std::pair("--genome g.json --nodes 8x8 --accuracy 0.1", "--accuracy")}) {
+        const Ended ended = rugosa("contact " + std::string(words) + " --out c.csv", folder.path());
+        INFO(words << ": " << ended.err);
+        CHECK(ended.code == 2);
+        CHECK(ended.error_lines() == 1);
+        CHECK_THAT(ended.err, Catch::Contains(expected));
+        CHECK(!std::filesystem::exists(folder / "c.csv"));
+    }
+}
