@@ -118,6 +118,9 @@ AreaScene area_from(const Settings& settings, const std::vector<Setting>& known)
         const rough::Grid across = model_from(y, source).grid;
         grid.rows = across.nodes;
         grid.width = across.length;
+        if (static_cast<double>(grid.nodes) * static_cast<double>(grid.rows) > 1e7)
+            throw rough::InputError("--nodes: '" + settings.text("nodes") +
+                                    "' given, expected at most 1e7 in all");
         scene.map = sample(*source.genome, grid);
         if (grid.wraps)
             if (const std::string note = fit_note(*source.genome, grid); !note.empty())

@@ -24,7 +24,7 @@ Profile read_map(const std::filesystem::path& path, const MapLayout& layout) {
             const double height =
                 unit * table.column[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].value;
             if (!std::isfinite(height))
-                throw InputError(file + ":" + std::to_string(table.line[static_cast<std::size_t>(j)]) +
+                throw InputError(at(file, table.line[static_cast<std::size_t>(j)]) +
                                  ": no height in column " + std::to_string(i + 1) + ", expected " +
                                  std::to_string(shape.columns) + " numbers a row");
             map.heights[j * shape.columns + i] = height;

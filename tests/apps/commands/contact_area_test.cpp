@@ -73,7 +73,7 @@ TEST_CASE("what an area cannot be pressed with is refused in one line") {
     folder.write("hole.txt", "0 1 2\n1 NaN 3\n");
     for (const auto& [words, expected] :
          {std::pair("--surface map.txt", "--spacing"), std::pair("--surface map.txt --spacing 1x", "1x"),
-          std::pair("--surface hole.txt --spacing 1", "hole.txt:2"),
+          std::pair("--surface hole.txt --spacing 1", "hole.txt, line 2"),
           std::pair("--surface map.txt --spacing 1 --kernel strip", "strip"),
           std::pair("--surface map.txt --spacing 1 --datum 3", "--datum"),
           std::pair("--surface map.txt --spacing 1 --friction 0.3", "--friction"),
