@@ -134,11 +134,13 @@ Friedman friedman(const std::vector<std::vector<double>>& blocks) {
         const std::vector<double> rank = ranks(block);
         squared += squares(rank);
         for (std::size_t j = 0; j < treatments; ++j)
-            result.mean_ranks[j] += rank[j] / n;
+            result.mean_ranks[j] += rank[j];
     }
     double between = 0;
-    for (const double mean : result.mean_ranks)
+    for (double& mean : result.mean_ranks) {
+        mean /= n;
         between += (mean - (k + 1) / 2) * (mean - (k + 1) / 2);
+    }
     const double within = squared - n * k * (k + 1) * (k + 1) / 4;
     if (within > 1e-9) { // otherwise every block is one tie
         result.statistic = (k - 1) * n * n * between / within;
