@@ -36,6 +36,9 @@ constexpr Index confirmed_on_finer = 1024;
 constexpr int most_refinements = 2;
 const char* const settling = "score | refine lm 40 sharpen=8 | best 2 | refine lm 40 sharpen=5 | "
                              "score judged | refine lm 16 sharpen=4";
+/// The same where the answer falls in steps beyond those it was judged in alone.
+const char* const confirming_way =
+    "score | best 2 | refine lm 16 sharpen=8 | score judged | refine lm 6 sharpen=3";
 /// The way to go on with a scan's own waves, while there is time.
 const char* const going_on =
     "score judged | until fitness 0.99 generations 1000 { parents | mutate 0.1 gaussian "
@@ -338,7 +341,8 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
             break;
         const bool enough = best.within_limits && best.judged() >= options.reach.value_or(worth_the_name);
         const bool reached = options.reach && enough;
-        const bool unsettled = refinements > 0 && ((!reached && falls(best)) || is_unconfirmed(result));
+        const bool fallen = refinements > 0 && !reached && falls(best);
+        const bool unsettled = fallen || (refinements > 0 && is_unconfirmed(result));
         if (!unsettled && (enough || !again))
             break;
         DesignSetup setup = result.setup;
@@ -347,7 +351,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
                 --refinements;
                 setup = in_finer_steps(std::move(setup));
             }
-            next.pipeline = unsettled ? settling : going_on;
+            next.pipeline = fallen ? settling : unsettled ? confirming_way : going_on;
             next.starts.clear();
             for (const Answer& answer : result.alternatives)
                 next.starts.push_back(answer.genome);
