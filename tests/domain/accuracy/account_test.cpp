@@ -6,7 +6,10 @@ using namespace rough;
 using Catch::Contains;
 
 TEST_CASE("an account says in words what was solved, what was left out and how wrong that may be") {
-    Account account{.resolved_nodes = 512, .grids = {512}, .rows = 20, .solved_rows = 20};
+    Account account;
+    account.resolved_nodes = 512;
+    account.grids = {512};
+    account.rows = account.solved_rows = 20;
     account.solver = Solver::nested;
     CHECK(in_words(account) ==
           "Solved on 512 nodes; 20 of 20 load steps solved by nested. This is the model as given; what its "
@@ -18,8 +21,11 @@ TEST_CASE("an account says in words what was solved, what was left out and how w
                Contains("the resolved grid, as 2 coarser one(s) up to 128 nodes did not suffice; 7 of 20 "
                         "load steps solved") &&
                    Contains("read between them") && Contains("3 node(s) bear the hardness"));
-    account = {.accuracy = 0.01, .resolved_nodes = 512, .grids = {32, 64, 96, 128}, .read_grids = 3};
-    account.rows = account.solved_rows = 20;
+    account.accuracy = 0.01;
+    account.grids = {32, 64, 96, 128};
+    account.read_grids = 3;
+    account.solved_rows = 20;
+    account.held_nodes = 0;
     account.used.resize(5);
     account.dropped.resize(2);
     account.window = {-1e-6, 2e-6};
