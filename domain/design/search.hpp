@@ -40,11 +40,11 @@ struct SearchOptions {
     /// Ends when an answer's worst similarity (Judgement) is this; a pipeline that makes its own starts is
     /// begun up to eight times for it.
     std::optional<double> reach = {};
-    /// Where four times the load steps lower the answer's similarity by more than 0.005, the search goes on
-    /// in so many (in_finer_steps, twice at most). `default`, `in-line` and `multistart` only.
+    /// Where 4 times the load steps, or 16 times, lower the answer's similarity by more than 0.005, the search
+    /// goes on in 4 times as many (in_finer_steps, twice at most). `default`, `in-line`, `multistart` only.
     bool settles_steps = false;
-    /// Begins anew from other starts while there are seconds left and nothing is worth the name. `default`
-    /// and `multistart` only.
+    /// Begins anew from other starts while there are seconds left and nothing is worth the name: `default`
+    /// and `multistart`. `like` goes on from what it has.
     bool begins_anew = false;
     std::size_t alternatives = 3; ///< different answers to return, the best among them
     /// Answers of the pipeline, and best ones of its way, compared on the finer grid at the end.
@@ -81,9 +81,9 @@ struct SearchResult {
     DesignSetup setup;                ///< what the answers are of: the one given, or in finer load steps
 };
 
-/// The ways to search that have a name, as text: `default`, `in-line`, `multistart`, `plain`, `sog`, `gco`,
-/// `cco`, for two targets `mcco` and `nsga2`, `map-elites`, `esch`, `crs2`. Those that do not begin with `shape` or
-/// `sample` work on the Sobol database.
+/// The ways to search that have a name, as text: `default`, `like`, `in-line`, `multistart`, `plain`, `sog`,
+/// `gco`, `cco`, `mcco` and `nsga2` (two targets), `map-elites`, `esch`, `crs2`. Those that do not begin with
+/// `shape`, `own` or `sample` work on the Sobol database.
 const std::map<std::string, std::string>& design_variants();
 
 /// Whether the genome (in final amplitude) is within every limit.
