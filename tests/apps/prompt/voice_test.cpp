@@ -45,6 +45,7 @@ TEST_CASE("no colour and no progress reach a pipe") {
 TEST_CASE("a line of progress fits the terminal and is taken away before anything is said") {
     int terminal = -1;
     winsize size{24, 20, 0, 0};
+    std::cout << std::flush; // or the child would say it, too
     const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
     REQUIRE(child >= 0);
     if (child == 0) {

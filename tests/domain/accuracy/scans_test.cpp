@@ -52,9 +52,8 @@ Coverage coverage_of(unsigned first, unsigned count, double accuracy, int steps,
         CHECK(cheap.account.estimated_error <= accuracy);
         result.covered += covered;
         result.worst = std::max(result.worst, error / accuracy);
-        // On the same nodes and to no narrower a tolerance, a load step costs no more than an exact one.
+        // On the same nodes and by the same solver a load step costs as much as an exact one.
         CHECK(cheap.account.grids == exact.account.grids);
-        CHECK(cheap.account.tolerance >= exact.account.tolerance);
         result.most_work = std::max(result.most_work, static_cast<double>(cheap.account.solved_rows) /
                                                           exact.account.solved_rows);
         result.steps += cheap.account.solved_rows;
