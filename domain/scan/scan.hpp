@@ -18,9 +18,9 @@ struct ScanOptions {
     Index row = 0;     ///< of an areal map, the row to take, 1 the first; 0: the file is no map
     Index nodes = 0;   ///< resample to that many even nodes, >= 2; 0: as many as the file has points
     bool remove_outliers = false; ///< put what the nodes around foretell in the place of outliers
-    /// cut-offs of the Gaussian filters that take off shorter (lambda_s) and longer waves (lambda_c), after
-    /// the form, mm; 0: none
-    double lambda_s = 0, lambda_c = 0;
+    /// cut-off of the Gaussian filter that takes off shorter waves, after the form, mm; 0: none
+    double lambda_s = 0;
+    double lambda_c = 0; ///< of the one that takes off longer waves, mm; 0: none
 };
 
 /// A measured profile, ready for contact, and what was read and done, in one line.
