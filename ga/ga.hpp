@@ -1,8 +1,8 @@
 #pragma once
 
 /// @file
-/// The whole engine but refinement (ga/refinement/refinement.hpp), text (ga/text/), checkpoints and
-/// observers.
+/// The whole engine but refinement (ga/refinement/refinement.hpp), operators that learn and niches
+/// (ga/adaptation/adaptation.hpp), text (ga/text/), checkpoints and observers.
 #include "ga/islands.hpp"
 #include "ga/pair.hpp"
 #include "ga/pareto/pareto.hpp"

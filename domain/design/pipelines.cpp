@@ -107,9 +107,9 @@ const ga::Variants& design_variants() {
                   "parents | pareto goal1 goal2 | best 40 } | front"},
         // Many surfaces of one response: elites of every wave length and skewness, moved along the gradients
         // of these and brought back to the target.
-        {"map-elites",
-         "shape 40 | score | best 20 | refine lm 15 | repeat 30 { emit 16 wavelength skewness sigma=0.3 "
-         "| score | refine lm 8 | map-elites wavelength skewness cells=12 }"},
+        {"atlas", "shape 60 | score | best 24 | refine lm 30 sharpen=4 | repeat 60 { above 0.96 at_least=8 | "
+                  "emit 12 wavelength skewness sigma=0.07 | score | refine lm 25 sharpen=6 | "
+                  "map-elites wavelength skewness cells=20 } | best 40 | refine lm 25 sharpen=6"},
         // Global optimisers of NLopt on every gene of the best start.
         {"esch", "score | best 1 | refine nlopt GN_ESCH 5000"},
         {"crs2", "score | best 1 | refine nlopt GN_CRS2_LM 5000"},

@@ -82,7 +82,7 @@ struct SearchResult {
 };
 
 /// The ways to search that have a name, as text: `default`, `like`, `in-line`, `multistart`, `plain`, `sog`,
-/// `gco`, `cco`, `mcco` and `nsga2` (two targets), `map-elites`, `esch`, `crs2`. Those that do not begin with
+/// `gco`, `cco`, `mcco` and `nsga2` (two targets), `atlas`, `esch`, `crs2`. Those that do not begin with
 /// `shape`, `own` or `sample` work on the Sobol database.
 const std::map<std::string, std::string>& design_variants();
 

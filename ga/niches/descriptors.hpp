@@ -11,7 +11,8 @@ template <class G>
 struct Descriptor {
     std::string name;                   ///< as pipelines call it
     std::function<double(const G&)> of; ///< of a genome
-    double lower, upper;                ///< the range that is divided into cells
+    double lower;                       ///< of the range that is divided into cells
+    double upper;                       ///< of that range, above `lower`
     /// Its derivatives with respect to all genes; where there is none, differences stand for them.
     std::function<std::vector<double>(const G&)> gradient = {};
 };

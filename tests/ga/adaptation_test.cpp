@@ -185,7 +185,7 @@ TEST_CASE("CMA-ES learns nothing from individuals that it did not make") {
 
 TEST_CASE("CMA-ES goes on well from children that were refined far from where they were drawn") {
     evaluations_to(
-        1e-9, {6, functions::rosenbrock},
+        1e-9, {6, functions::sphere},
         pipeline("sample 1 | score | until fitness 1e-9 { cma-es sigma=0.001 | score | refine nlopt "
                  "LN_COBYLA 15 }"),
         1, 20000);

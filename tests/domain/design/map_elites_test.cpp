@@ -1,26 +1,20 @@
 #include "domain/design/search.hpp"
-#include "domain/target/like.hpp"
-#include "tests/domain/random_genome.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/target/target.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rough;
 
-TEST_CASE("the elites of wave length and skewness are twenty different surfaces with one stiffness curve") {
+TEST_CASE("the elites of wave length and skewness are twenty different surfaces with one stiffness curve",
+          "[long]") {
     DesignSetup setup;
     setup.model.grid = {129, 0.84942};
-    std::mt19937_64 random(3);
-    const Genome genome =
-        rough::testing::random_genome(random, 1, 2, 0.84942, 8 * setup.model.grid.spacing());
-    setup.targets = {target_like(sample(genome, setup.model.grid), completed(setup.model), "a genome",
-                                 Quantity::stiffness, 12)};
+    setup.max_pressure = 1.6e-4;
+    setup.targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
     SearchOptions options;
-    options.pipeline =
-        "shape 24 | score | best 12 | refine lm 10 | repeat 12 { emit 12 wavelength skewness sigma=0.3 | "
-        "score | refine lm 8 | map-elites wavelength skewness cells=12 }";
+    options.variant = "atlas";
     options.alternatives = 20;
-    options.compared = 1;
-    options.threads = 2;
     const SearchResult found = search(setup, options);
     REQUIRE(found.alternatives.size() == 20);
     std::vector<Profile> profiles;
