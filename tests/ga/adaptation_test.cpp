@@ -188,7 +188,7 @@ TEST_CASE("CMA-ES goes on well from children that were refined far from where th
         1e-9, {6, functions::sphere},
         pipeline("sample 1 | score | until fitness 1e-9 { cma-es sigma=0.001 | score | refine nlopt "
                  "LN_COBYLA 15 }"),
-        1, 20000);
+        1, 60000);
 }
 
 TEST_CASE("the means of L-SHADE's history are weighted Lehmer means, and a CR of 0 is final") {
