@@ -13,7 +13,10 @@ const std::map<std::string, Contestants>& usual_contestants() {
               {"blend",
                "sample 40 | score | " + on +
                    "tournament 2 | cross blend | mutate 1/n gaussian 0.02 | score | plus } | best 1"},
-              {"bobyqa", "sample 1 | score | refine nlopt LN_BOBYQA 2000"}}},
+              {"bobyqa", "sample 1 | score | refine nlopt LN_BOBYQA 2000"},
+              {"bipop-cma-es", "sample 1 | score | " + on + "cma-es | score } | best 1"},
+              {"rand-1-bin", "sample 20 | score | " + on + "de | score | duel } | best 1"},
+              {"lshade", "sample 18n | score | " + on + "l-shade | score | duel } | best 1"}}},
             {"fronts",
              {{"nsga2",
                "sample 100 | pareto objectives | " + on + vary + "pareto objectives | plus 100 } | front"},

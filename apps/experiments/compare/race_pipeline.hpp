@@ -2,6 +2,7 @@
 
 #include "apps/experiments/compare/race.hpp"
 #include "ga/number.hpp"
+#include "ga/adaptation/vocabulary.hpp"
 #include "ga/refinement/vocabulary.hpp"
 #include "ga/text/parser.hpp"
 
@@ -77,9 +78,10 @@ ga::Stage<BenchmarkProblem<G>> stage_of(const Instance<G>& instance, std::string
             text.replace(at, word.size(), meaning);
     };
     put("1/n", ga::number(1 / static_cast<double>(instance.genes)));
+    put("18n", std::to_string(18 * instance.genes));
     put("objectives", names);
-    return ga::Parser<BenchmarkProblem<G>>(ga::with_refinement(ga::vocabulary<BenchmarkProblem<G>>()))
-        .parse(text);
+    auto registry = ga::with_refinement(ga::vocabulary<BenchmarkProblem<G>>());
+    return ga::Parser<BenchmarkProblem<G>>(ga::with_adaptation(std::move(registry))).parse(text);
 }
 
 template <class G>
