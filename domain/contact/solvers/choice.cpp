@@ -62,7 +62,7 @@ double turned(const ContactProblem& problem) {
     return !problem.is_area() ? 1 : problem.kernel == Kernel::periodic ? 0.5 : 2;
 }
 
-double active_set_cost(const ContactProblem& problem, double steps) {
+double iterative_cost(const ContactProblem& problem, double steps) {
     return turned(problem) * active_set_cost(static_cast<double>(problem.nodes()), steps);
 }
 
@@ -79,7 +79,7 @@ double most_nested_work(const ContactProblem& problem) {
     if (problem.nodes() <= always_nested)
         return std::numeric_limits<double>::infinity();
     const double steps = static_cast<double>(problem.approach.size());
-    return patience * active_set_cost(problem, steps) / per_elimination;
+    return patience * iterative_cost(problem, steps) / per_elimination;
 }
 
 SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options) {
@@ -93,7 +93,7 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
     const double n = static_cast<double>(problem.nodes()),
                  steps = static_cast<double>(problem.approach.size());
     const double m = std::ceil(expected_contact(problem, options) * n);
-    const double nested = nested_cost(n, m, steps), active_set = active_set_cost(problem, steps);
+    const double nested = nested_cost(n, m, steps), active_set = iterative_cost(problem, steps);
     // Half as much again, as the estimate comes from a coarse grid.
     const double memory = 1.5 * GrowingFactor::bytes(static_cast<Index>(m));
     reason.precision(2);
