@@ -36,7 +36,7 @@ TEST_CASE("contact advances to a summit's upper two fifths, and beside contact n
         for (const int i : contact)
             touching[static_cast<std::size_t>(i)] = 1;
         return advancing_nodes(Eigen::Map<const Eigen::ArrayXd>(depth.begin(), std::ssize(depth)), touching,
-                               0.5);
+                               {std::ssize(depth)}, 0.5);
     };
     CHECK(advanced({0, 1, 2, 1.3, 1.1, 0}, {}) == Nodes{2, 3}); // surest first
     CHECK(advanced({0, 0.5, 0.4}, {}).empty());

@@ -71,7 +71,7 @@ inline rough::Profile walk(std::uint64_t seed) {
     double height = 0;
     for (double& one : z)
         one = height += 1e-4 * random.normal();
-    return {rough::detrended(z, rough::Detrend::line), grid.spacing()};
+    return {rough::detrended({z, grid.spacing()}, rough::Detrend::line), grid.spacing()};
 }
 
 inline std::vector<Scan> all() {
