@@ -1,6 +1,7 @@
 #include "apps/experiments/chart/course.hpp"
 #include "apps/experiments/chart/plots.hpp"
 #include "apps/experiments/chart/tables.hpp"
+#include "apps/experiments/chart/words.hpp"
 #include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
@@ -178,6 +179,11 @@ TEST_CASE("the chart's page says which method to take, and its table has a row a
             "iterations,outcome\nhertz,free,nested,64,20,0,",
             0) == 0);
     CHECK(std::count(table.begin(), table.end(), '\n') == 5);
+    for (const ChartRun& run : data.runs)
+        CHECK(data.at(run.setting) == &run);
+    CHECK(data.at(nested(4096, 20)) == nullptr);
+    CHECK(enumerated({"a"}) == "a");
+    CHECK(enumerated({"a", "b", "c"}) == "a, b and c");
     CHECK(fastest_by_grid(data).rows.size() == 1);
     CHECK(fastest_by_error(data, error_kinds[1]).rows.size() == 1);
     const std::string page = chart_page(data);
