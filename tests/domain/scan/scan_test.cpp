@@ -186,15 +186,7 @@ TEST_CASE("a layout of its own that is no profile, or ends early, is refused wit
     const std::string head = "aISO-1.0\nNumPoints = 3\nNumProfiles = 1\nXscale = 1e-6\nZscale = 1e-6\n";
     CHECK_THAT(refusal("aISO-1.0\nXscale = 1e-6\nNumProfiles = 4\n*\n1\n2\n1\n*\n"),
                Catch::Contains("3 heights") && Catch::Contains("NumProfiles times"));
-    CHECK_THAT(refusal("aISO-1.0
-NumProfiles = 1
-*
-1
-2
-1
-*
-Xscale = 1e-6
-"),
+    CHECK_THAT(refusal("aISO-1.0\nNumProfiles = 1\n*\n1\n2\n1\n*\nXscale = 1e-6\n"),
                Catch::Contains("an Xscale before the heights"));
     CHECK_THAT(refusal(head + "*\n1\n2\n"), Catch::Contains("ends early"));
     CHECK_THAT(refusal(head + "*\n1\nx\n3\n*\n"), Catch::Contains("line 8") && Catch::Contains("'x'"));
