@@ -1,6 +1,7 @@
 #pragma once
 
-#include <sstream>
+#include "domain/plain_stream.hpp"
+
 #include <stdexcept>
 #include <string>
 
@@ -24,7 +25,7 @@ struct NotConverged : std::runtime_error {
 /// The parts of a line put together; numbers to nine digits.
 template <typename... Parts>
 std::string line_of(const Parts&... parts) {
-    std::ostringstream line;
+    PlainStream line;
     line.precision(9);
     (line << ... << parts);
     return line.str();

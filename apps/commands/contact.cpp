@@ -66,6 +66,7 @@ std::vector<double> pressures_from(const Settings& settings) {
     std::istringstream words(settings.text("pressures"));
     for (std::string word; std::getline(words, word, ',');) {
         std::istringstream number(word);
+        number.imbue(std::locale::classic());
         double pressure = 0;
         const double before = pressures.empty() ? 0 : pressures.back();
         if (!(number >> pressure) || !(number >> std::ws).eof() || !(pressure > before))

@@ -1,10 +1,10 @@
 #include "apps/prompt/model_settings.hpp"
 
 #include "domain/contact/names.hpp"
+#include "domain/plain_stream.hpp"
 
 #include <iomanip>
 #include <limits>
-#include <sstream>
 
 namespace app {
 
@@ -12,7 +12,7 @@ namespace {
 
 /// A number as it would be given: 1e-6.
 std::string plain(double value) {
-    std::ostringstream text;
+    rough::PlainStream text;
     text << std::setprecision(15) << value;
     std::string digits = text.str();
     if (const auto at = digits.find("e-0"); at != std::string::npos)

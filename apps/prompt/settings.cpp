@@ -1,5 +1,6 @@
 #include "apps/prompt/settings.hpp"
 
+#include "domain/plain_stream.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
 #include "ga/number.hpp"
@@ -304,7 +305,7 @@ std::string described(const std::vector<Setting>& known) {
     for (const Setting& setting : known)
         if (std::find(groups.begin(), groups.end(), setting.group) == groups.end())
             groups.push_back(setting.group);
-    std::ostringstream out;
+    rough::PlainStream out;
     for (const std::string& group : groups) {
         std::vector<Setting> members;
         std::copy_if(known.begin(), known.end(), std::back_inserter(members),

@@ -1,5 +1,6 @@
 #include "apps/report/csv.hpp"
 
+#include "domain/plain_stream.hpp"
 #include "domain/response/interface.hpp"
 #include "domain/text/words.hpp"
 
@@ -47,7 +48,7 @@ void Csv::put(const std::string& given) {
 void Csv::put(double number) { put_number(text_, number); }
 
 std::string csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns) {
-    std::ostringstream out;
+    rough::PlainStream out;
     out.precision(17);
     for (std::size_t c = 0; c < header.size(); ++c)
         out << (c ? "," : "") << header[c];

@@ -3,6 +3,7 @@
 #include "apps/report/gnuplot.hpp"
 #include "apps/report/plot_svg.hpp"
 #include "domain/errors.hpp"
+#include "domain/plain_stream.hpp"
 #include "ga/stopwatch.hpp"
 
 #include <boost/property_tree/exceptions.hpp>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace app {
@@ -42,7 +42,7 @@ std::string drawn(const Series& series) {
     static constexpr std::array<int, 9> points = {7,  7, 7, 5, 9,
                                                   13, 7, 5, 7}; // circle, square, triangle, diamond
     const auto colour = static_cast<std::size_t>(series.colour);
-    std::ostringstream out;
+    rough::PlainStream out;
     const std::string ink = " lc rgb '" + gnuplot_colour(series.colour) + "'";
     const std::string dash = " dt " + std::to_string(static_cast<int>(series.dash) + 1);
     switch (series.style) {
@@ -169,7 +169,7 @@ std::vector<std::string> documents_of(const std::string& text) {
 
 /// Pictures of all plots by one process; none of them and a reason where it fails.
 Drawing drawn_together(const std::vector<Plot>& plots, const std::string& name, double seconds) {
-    std::ostringstream script;
+    rough::PlainStream script;
     script.precision(6);
     script << "set encoding utf8\nset minussign\nset border 3\nset tics nomirror out scale 0.4\nset "
               "grid\nset samples 2\n";

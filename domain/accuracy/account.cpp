@@ -1,15 +1,14 @@
 #include "domain/accuracy/account.hpp"
 
 #include "domain/contact/names.hpp"
-
-#include <sstream>
+#include "domain/plain_stream.hpp"
 
 namespace rough {
 
 namespace {
 
 std::string grid_words(const Account& account) {
-    std::ostringstream words;
+    PlainStream words;
     const std::size_t count = account.grids.size();
     if (account.extrapolated()) {
         const auto first = count - static_cast<std::size_t>(account.read_grids);
@@ -34,7 +33,7 @@ std::string grid_words(const Account& account) {
 } // namespace
 
 std::string in_words(const Account& account) {
-    std::ostringstream words;
+    PlainStream words;
     words.precision(2);
     words << grid_words(account) << "; " << account.solved_rows << " of " << account.rows
           << " load steps solved by " << name_of(account.solver);

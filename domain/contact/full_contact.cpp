@@ -4,12 +4,12 @@
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/errors.hpp"
+#include "domain/plain_stream.hpp"
 
 #include <array>
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <sstream>
 #include <tuple>
 
 namespace rough {
@@ -30,7 +30,7 @@ double sum_of_tangents(const ContactProblem& problem) {
     const Eigen::VectorXd image = split_operator(problem).apply(tangent.pressure);
     const double residual = (image.array() - 1).abs().maxCoeff();
     if (!(residual <= tolerance)) {
-        std::ostringstream line;
+        PlainStream line;
         line << "full contact did not settle: residual " << residual << " where " << tolerance
              << " is expected";
         throw NotConverged(line.str());

@@ -3,6 +3,7 @@
 #include "domain/contact/names.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/numerics/statistics.hpp"
+#include "domain/plain_stream.hpp"
 #include "domain/problem/setup.hpp"
 #include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
@@ -12,7 +13,6 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
 namespace rough {
 
@@ -45,7 +45,7 @@ Model with_kernel(Model model, Kernel kernel) {
 
 template <class... Parts>
 void flag(Trust& trust, const Parts&... parts) {
-    std::ostringstream line;
+    PlainStream line;
     line.precision(3);
     (line << ... << parts);
     trust.flags.push_back(line.str());

@@ -1,12 +1,12 @@
 #include "domain/mwm/genome.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/plain_stream.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <set>
-#include <sstream>
 
 namespace rough {
 
@@ -14,7 +14,7 @@ namespace {
 
 template <class... Parts>
 [[noreturn]] void refuse(const std::string& where, const Parts&... parts) {
-    std::ostringstream line;
+    PlainStream line;
     line.precision(17);
     line << where << ": ";
     (line << ... << parts);

@@ -1,10 +1,10 @@
 #include "domain/target/out_of_reach.hpp"
 
+#include "domain/plain_stream.hpp"
 #include "domain/response/interface.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace rough {
 
@@ -15,7 +15,7 @@ constexpr double negligible = 1e-6;
 
 template <class... Parts>
 std::string line_of(const Parts&... parts) {
-    std::ostringstream line;
+    PlainStream line;
     (line << ... << parts);
     return line.str();
 }

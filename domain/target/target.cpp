@@ -1,11 +1,11 @@
 #include "domain/target/target.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/plain_stream.hpp"
 #include "domain/response/interface.hpp"
 #include "domain/target/target_table.hpp"
 
 #include <cmath>
-#include <sstream>
 #include <vector>
 
 namespace rough {
@@ -102,7 +102,7 @@ Target read_target(const std::filesystem::path& file, double conductance_to_stif
 }
 
 std::string to_csv(const Target& target) {
-    std::ostringstream out;
+    PlainStream out;
     out.precision(17);
     for (const auto& [key, value] : target.recorded)
         out << "# " << key << ": " << value << "\n";

@@ -5,9 +5,9 @@
 #include "apps/prompt/scan_settings.hpp"
 #include "apps/report/units.hpp"
 #include "domain/database/starts.hpp"
+#include "domain/design/like.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/setup.hpp"
-#include "domain/target/like.hpp"
 #include "domain/text/words.hpp"
 
 #include <algorithm>
@@ -19,8 +19,6 @@ namespace {
 
 /// A target whose exact bound is below this is called out of reach, where --reach-similarity is not given.
 constexpr double exact_enough = 0.999;
-/// Contact fractions are counts: with fewer nodes in contact at a target's first point one is too much.
-constexpr double first_nodes = 16;
 
 std::vector<rough::Target> goals_from(const Settings& settings, const rough::Model& model) {
     std::vector<rough::Target> goals;
@@ -60,37 +58,14 @@ void take_range(const Settings& settings, const std::string& name, double& from,
                                 ", expected from no greater than to");
 }
 
-constexpr rough::Quantity quantities_of_scans[][2] = {
-    {rough::Quantity::stiffness, rough::Quantity::area_at_pressure},
-    {rough::Quantity::stiffness, rough::Quantity::stiffness},
-    {rough::Quantity::area_at_pressure, rough::Quantity::area_at_pressure},
-    {rough::Quantity::interface_stiffness, rough::Quantity::interface_stiffness}};
-
-/// The scan's own response as targets, all that are asked for.
-std::vector<rough::Target> goals_like(const Settings& settings, const rough::DesignSetup& setup,
-                                      const rough::Model& own, const std::string& name) {
-    const auto& asked = quantities_of_scans[settings.one_of(
-        "quantity", {"both", "stiffness", "area", "interface_stiffness"})];
-    std::vector<rough::Target> goals;
-    for (const rough::Quantity quantity : {asked[0], asked[1]})
-        if (goals.empty() || quantity != asked[0])
-            goals.push_back(target_like(*setup.like, own, name, quantity, settings.whole("points", 2, 100000),
-                                        setup.max_pressure.value_or(0)));
-    return goals;
-}
-
-bool of_area(const std::vector<rough::Target>& goals) {
-    return std::any_of(goals.begin(), goals.end(),
-                       [](const rough::Target& goal) { return rough::is_area(goal.quantity); });
-}
-
-/// A scan's nodes where area is asked for, or so many that it begins with some of them; 512 to 2048.
-rough::Index nodes_like(const std::vector<rough::Target>& goals, rough::Index scan) {
-    double nodes = static_cast<double>(scan);
-    for (const rough::Target& goal : goals)
-        if (rough::is_area(goal.quantity))
-            nodes = std::max(nodes, first_nodes / goal.y[0]);
-    return of_area(goals) ? static_cast<rough::Index>(std::clamp(nodes, 512., 2048.)) : rough::Grid().nodes;
+/// What --quantity names, of a scan.
+std::vector<rough::Quantity> quantities_from(const Settings& settings) {
+    using rough::Quantity;
+    const std::vector<Quantity> all[] = {{Quantity::stiffness, Quantity::area_at_pressure},
+                                         {Quantity::stiffness},
+                                         {Quantity::area_at_pressure},
+                                         {Quantity::interface_stiffness}};
+    return all[settings.one_of("quantity", {"both", "stiffness", "area", "interface_stiffness"})];
 }
 
 void take_bounds(const Settings& settings, rough::DesignSetup& setup) {
@@ -172,10 +147,8 @@ DesignRun design_from(const Settings& settings) {
         run.accounts.push_back(scan.account);
         rough::Model own = model_from(settings, scan);
         own.grid.nodes = scan.measured.nodes();
-        setup.like = scan.on(own.grid);
-        setup.model = own;
-        setup.targets = goals_like(settings, setup, own, scan.name);
-        setup.model.grid.nodes = nodes_from(settings, nodes_like(setup.targets, own.grid.nodes));
+        setup = like(setup, scan.on(own.grid), own, scan.name, quantities_from(settings),
+                     settings.whole("points", 2, 100000), nodes_from(settings, 0));
     } else {
         expect_none(settings, joined({scan_settings(), {{"points", "", ""}, {"quantity", "", ""}}}),
                     "given with --target, expected with --like only");
@@ -198,10 +171,9 @@ DesignRun design_from(const Settings& settings) {
     if (settings.given("variant") && settings.given("pipeline"))
         throw rough::InputError("design: expected either --variant or --pipeline");
     rough::SearchOptions& options = run.options;
-    options.variant = settings.has("variant")                ? settings.text("variant")
-                      : settings.has("database")             ? "in-line"
-                      : setup.like && of_area(setup.targets) ? "like"
-                                                             : "default";
+    options.variant = settings.has("variant")    ? settings.text("variant")
+                      : settings.has("database") ? "in-line"
+                                                 : usual_variant(setup);
     options.pipeline = settings.text("pipeline");
     if (!options.pipeline.empty())
         options.variant = "pipeline";

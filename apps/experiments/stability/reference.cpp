@@ -2,10 +2,10 @@
 
 #include "domain/contact/solvers/oracle.hpp"
 #include "domain/contact/solvers/problem.hpp"
+#include "domain/plain_stream.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace app {
 
@@ -20,7 +20,7 @@ bool within(double value, double least, double most, double tolerance) {
 }
 
 std::string words(std::size_t step, const char* what, double given, double least, double most) {
-    std::ostringstream line;
+    rough::PlainStream line;
     line.precision(12);
     line << what << " of step " << step + 1 << " is " << given << " where the reference has " << least;
     if (most > least)

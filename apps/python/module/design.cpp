@@ -80,6 +80,21 @@ void take_limits(Keywords& keywords, DesignSetup& setup) {
     take("lambda_to", setup.bounds.lambda_to);
 }
 
+/// What a design like a measured profile is asked for.
+std::vector<rough::Quantity> quantities_named(const std::string& name) {
+    using rough::Quantity;
+    static const std::map<std::string, std::vector<Quantity>> all{
+        {"both", {Quantity::stiffness, Quantity::area_at_pressure}},
+        {"stiffness", {Quantity::stiffness}},
+        {"area", {Quantity::area_at_pressure}},
+        {"interface_stiffness", {Quantity::interface_stiffness}}};
+    const auto found = all.find(name);
+    if (found == all.end())
+        throw rough::InputError("quantity: '" + name +
+                                "' given, expected both, stiffness, area or interface_stiffness");
+    return found->second;
+}
+
 SearchOptions options_from(Keywords& keywords) {
     SearchOptions options;
     options.pipeline = keywords.take<std::string>("pipeline", "");
@@ -123,17 +138,18 @@ Design designed(const std::optional<Eigen::VectorXd>& pressure,
     if (like) {
         if (!setup.targets.empty())
             throw py::type_error("design: like given with a target, expected one of them");
-        setup.like = profile_from(*like, spacing, "design: like");
-        rough::Model own = model_from(keywords, *setup.like);
-        setup.targets = {target_like(*setup.like, own, "like")};
-        setup.model = own;
-        setup.model.grid.nodes = rough::Grid().nodes;
+        const rough::Profile profile = profile_from(*like, spacing, "design: like");
+        const rough::Index nodes = keywords.take<rough::Index>("nodes", 0);
+        setup = rough::like(setup, profile, model_from(keywords, profile), "like",
+                            quantities_named(keywords.take<std::string>("quantity", "both")), 20, nodes);
     } else {
         setup.model = model_from(keywords);
     }
     keywords.expect_none_left();
     if (setup.targets.empty())
         throw py::type_error("design: expected target_pressure and target_stiffness, target= or like=");
+    if (options.variant.empty())
+        options.variant = usual_variant(setup);
     design.wanted = options.reach.value_or(design.wanted);
     design.out_of_reach = rough::out_of_reach(setup.targets, exactly(setup).model, setup.max_pressure);
     Interruptible interrupt;

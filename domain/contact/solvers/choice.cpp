@@ -4,11 +4,11 @@
 #include "domain/contact/solvers/growing_factor.hpp"
 #include "domain/contact/solvers/nested.hpp"
 #include "domain/errors.hpp"
+#include "domain/plain_stream.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace rough {
 
@@ -83,7 +83,7 @@ double most_nested_work(const ContactProblem& problem) {
 }
 
 SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options) {
-    std::ostringstream reason;
+    PlainStream reason;
     if (std::isfinite(problem.cap))
         return {Solver::active_set, "active-set: pressures are held at the hardness, contact is not nested"};
     if (problem.nodes() <= always_nested || problem.approach.empty() || problem.approach.back() == 0) {

@@ -2,10 +2,10 @@
 
 #include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
+#include "domain/plain_stream.hpp"
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace rough {
 
@@ -150,7 +150,7 @@ void check_stop(const ContactOptions& options) {
 
 void fail(const char* solver, const ContactProblem& problem, double approach, double residual,
           double tolerance) {
-    std::ostringstream line;
+    PlainStream line;
     line << solver << " did not settle at an approach of " << approach * problem.displacement_unit
          << " mm: residual " << residual << " where " << tolerance << " is expected";
     throw NotConverged(line.str());

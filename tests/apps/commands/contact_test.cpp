@@ -138,9 +138,9 @@ TEST_CASE("bad input to contact gets one line and exit code 2, and leaves no fil
         {"--genome g.json --poisson 0.7", "--poisson: 0.7 given"},
         {"--genome g.json --modulus 0", "--modulus: 0 given"},
         {"--genome g.json --no-such-flag 3", "unknown flag"},
-        {"--genome g.json --profile g.json", "either --genome or --profile"},
+        {"--genome g.json --profile g.json", "one of --genome, --profile and --surface"},
         {"--genome g.json --unit um", "expected with --profile only"},
-        {"", "either --genome or --profile"},
+        {"", "one of --genome, --profile and --surface"},
     };
     for (const auto& [words, expected] : cases)
         check_refused(rugosa("contact --out c.csv " + words, folder.path()), expected);

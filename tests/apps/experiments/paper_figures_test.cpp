@@ -40,7 +40,7 @@ PaperRun run_of_three() {
             target.variants.push_back(variant);
         }
         for (const double share : {0.07, 0.25})
-            target.thresholds.push_back({.p_bar = 3, .variant = "gco", .share_above = share});
+            target.thresholds.push_back({.p_bar = 3, .variant = "gco", .share_above = share, .parents = {}});
         run.targets.push_back(target);
     }
     return run;

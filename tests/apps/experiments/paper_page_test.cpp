@@ -44,7 +44,7 @@ TEST_CASE("the report shows Figures 1 to 11, a verdict for every claim, and how 
                                    "# The search",
                                    "figure figure-7",
                                    "figure figure-8",
-                                   "# What it stands on",
+                                   "# Model and database",
                                    "figure figure-1",
                                    "figure figure-2",
                                    "figure figure-3",

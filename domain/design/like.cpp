@@ -1,0 +1,46 @@
+#include "domain/design/like.hpp"
+
+#include "domain/target/like.hpp"
+
+#include <algorithm>
+
+namespace rough {
+
+namespace {
+
+/// Contact fractions are counts: with fewer nodes in contact at a target's first point one is too much.
+constexpr double first_nodes = 16;
+
+bool asks_for_area(const DesignSetup& setup) {
+    return std::any_of(setup.targets.begin(), setup.targets.end(),
+                       [](const Target& target) { return is_area(target.quantity); });
+}
+
+Index enough_nodes(const DesignSetup& setup) {
+    if (!asks_for_area(setup))
+        return Grid().nodes;
+    double nodes = static_cast<double>(setup.like->nodes());
+    for (const Target& target : setup.targets)
+        if (is_area(target.quantity))
+            nodes = std::max(nodes, first_nodes / target.y[0]);
+    return static_cast<Index>(std::clamp(nodes, 512., 2048.));
+}
+
+} // namespace
+
+DesignSetup like(DesignSetup setup, Profile profile, const Model& own, const std::string& name,
+                 const std::vector<Quantity>& quantities, Index points, Index nodes) {
+    setup.like = std::move(profile);
+    setup.model = own;
+    for (const Quantity quantity : quantities)
+        setup.targets.push_back(
+            target_like(*setup.like, own, name, quantity, points, setup.max_pressure.value_or(0)));
+    setup.model.grid.nodes = nodes > 0 ? nodes : enough_nodes(setup);
+    return setup;
+}
+
+std::string usual_variant(const DesignSetup& setup) {
+    return setup.like && asks_for_area(setup) ? "like" : "default";
+}
+
+} // namespace rough
