@@ -29,6 +29,7 @@ void put_number(std::ostream& out, double number) {
 } // namespace
 
 Csv::Csv(const std::string& header, int digits) : names_(rough::listed(header)) {
+    text_.imbue(std::locale::classic());
     text_.precision(digits);
     text_ << header << "\n";
 }

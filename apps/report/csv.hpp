@@ -1,11 +1,11 @@
 #pragma once
 
-#include "domain/plain_stream.hpp"
 #include "domain/response/response.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <optional>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -56,7 +56,7 @@ class Csv {
         return value;
     }
 
-    rough::PlainStream text_;
+    std::ostringstream text_;
     std::vector<std::string> names_;
     nlohmann::json rows_ = nlohmann::json::array();
 };
