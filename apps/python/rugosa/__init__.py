@@ -32,4 +32,7 @@ def read(file, **options):
     return read_profile(file, **options)[0]
 
 
+InputError.__doc__ = "What was given cannot be used: one line says what, and what was expected."
+NotConverged.__doc__ = "A solver ended without an answer that its certificate bears out."
+UsageError.__doc__ = "A pipeline cannot work: one line says where and why."
 _show.attach(Curve, Profile, Design)
