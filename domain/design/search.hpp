@@ -40,8 +40,9 @@ struct SearchOptions {
     /// Ends when an answer's worst similarity (Judgement) is this; a pipeline that makes its own starts is
     /// begun up to eight times for it.
     std::optional<double> reach = {};
-    /// Where 4 times the load steps, or 16 times, lower the answer's similarity by more than 0.005, the search
-    /// goes on in 4 times as many (in_finer_steps, twice at most). `default`, `in-line`, `multistart` only.
+    /// Where 4 times the load steps, or 16 times, lower the answer's similarity by more than 0.005, the
+    /// search goes on in 4 times as many (in_finer_steps, twice at most). `default`, `in-line`, `multistart`
+    /// only.
     bool settles_steps = false;
     /// Begins anew from other starts while there are seconds left and nothing is worth the name: `default`
     /// and `multistart`. `like` goes on from what it has.

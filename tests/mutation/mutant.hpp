@@ -16,6 +16,4 @@ inline bool rugosa_reached(int id) {
 }
 
 /// Whether this break is the one that is tried.
-inline bool rugosa_mutant(int id) {
-    return id == rugosa_tried || (rugosa_tried < 0 && rugosa_reached(id));
-}
+inline bool rugosa_mutant(int id) { return id == rugosa_tried || (rugosa_tried < 0 && rugosa_reached(id)); }

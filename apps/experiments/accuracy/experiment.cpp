@@ -187,7 +187,8 @@ class AccuracyStudy {
 
 std::vector<Setting> accuracy_study_settings() {
     const std::vector<Setting> settings{
-        {"accuracy.accuracies", "3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4", "accuracies to try, separated by commas"},
+        {"accuracy.accuracies", "3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4",
+         "accuracies to try, separated by commas"},
         {"accuracy.surfaces", "5", "random surfaces of each kind"},
         {"accuracy.smooth-H", "1.4", "H of the smooth surfaces"},
         {"accuracy.rough-H", "0.6", "H of the rough ones"},

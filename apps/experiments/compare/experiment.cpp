@@ -223,7 +223,8 @@ Experiment compare_experiment() {
             "medians with intervals, when targets are reached (runtime ECDF, expected runtimes), and rank "
             "tests "
             "with correction, as result.json, runs.csv, ert.csv, ecdf.csv, tests.csv and report.html. In a "
-            "pipeline 1/n is one gene's share, 18n 18 times the genes, objectives the names of all. libpagmo's pagmo:cmaes, "
+            "pipeline 1/n is one gene's share, 18n 18 times the genes, objectives the names of all. "
+            "libpagmo's pagmo:cmaes, "
             "pagmo:de, "
             "pagmo:sade and pagmo:sga run beside where rugosa was built with it.",
         .settings = compare_settings(),

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/experiments/compare/race.hpp"
-#include "ga/number.hpp"
 #include "ga/adaptation/vocabulary.hpp"
+#include "ga/number.hpp"
 #include "ga/refinement/vocabulary.hpp"
 #include "ga/text/parser.hpp"
 
