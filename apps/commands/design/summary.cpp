@@ -131,7 +131,7 @@ std::string worst_case(const DesignRun& run) {
     std::string all = readable(best.similarity, 4) + " as designed, " + readable(best.similarity_refined, 4) +
                       " on a grid 4 times finer, " + readable(best.similarity_stepped, 4) +
                       " in 4 times the load steps, " + readable(best.similarity_worst, 4) +
-                      " at worst, both together among these";
+                      " at worst (the least of these and of both together)";
     if (!run.trust)
         return all + "; there was no time to verify more";
     double noisy = HUGE_VAL;
@@ -166,21 +166,24 @@ std::string yielding(const DesignRun& run) {
     return all;
 }
 
+/// "shortest wave 0.0146 mm (limit 0.0133 mm)"
+std::string in_words(const rough::Margin& margin) {
+    const bool in_mm = margin.name.ends_with("_mm");
+    const std::string unit = in_mm ? " mm" : "";
+    std::string name = margin.name.substr(0, margin.name.size() - (in_mm ? 3 : 0));
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name + " " + readable(margin.value) + unit +
+           (margin.limit > 0
+                ? (margin.holds() ? " (limit " : " (beyond the limit ") + readable(margin.limit) + unit + ")"
+                : "");
+}
+
 std::string making(const DesignRun& run) {
-    std::string kept, free;
-    for (const rough::Margin& margin : run.margins) {
-        std::string name = margin.name;
-        std::replace(name.begin(), name.end(), '_', ' ');
-        if (margin.limit > 0)
-            join(kept,
-                 name + " " + readable(margin.value) + (margin.holds() ? " keeps " : " breaks ") +
-                     readable(margin.limit),
-                 ", ");
-        else
-            join(free, name + " " + readable(margin.value), ", ");
-    }
-    return (run.found.best.within_limits ? "yes: " : "no: ") + kept +
-           (free.empty() ? "" : "; no limit was set for " + free);
+    std::string limited, free;
+    for (const rough::Margin& margin : run.margins)
+        join(margin.limit > 0 ? limited : free, in_words(margin), ", ");
+    return (run.found.best.within_limits ? "yes: " : "no: ") + limited +
+           (free.empty() ? "" : "; without a limit: " + free);
 }
 
 std::string carries(const DesignRun& run) {
@@ -247,8 +250,8 @@ Summary summary_of(const DesignRun& run) {
     for (const auto& [name, share] : summary.not_asked)
         join(off, name + " was not asked for and is off by up to " + percent(share));
     if (!run.setup.like)
-        off = "nothing is known of what the target's file does not say; the answer touches on " +
-              percent(run.response.contact_fraction.tail(1)[0]) + " at its last load";
+        off = "everything but the target's quantities; at the last load " +
+              percent(run.response.contact_fraction.tail(1)[0]) + " of the nodes touch";
     add("not_asked_for", "Not asked for", off);
     add("worst_case", "At worst", worst_case(run));
     add("yielding", "Elastic", yielding(run));
