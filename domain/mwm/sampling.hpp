@@ -23,7 +23,8 @@ Eigen::MatrixXd wave_basis(const Genome& genome, const Grid& grid);
 /// One ridge of a chromosome on an area: -amplitude cos(k_x x + k_y y + phase), and a constant.
 struct PlaneWave {
     double amplitude; ///< G_n, mm, of the sign of A, scale included
-    double k_x, k_y;  ///< 1/mm
+    double k_x;       ///< wave number along x, 1/mm
+    double k_y;       ///< wave number along y, 1/mm
     double phase;     ///< phi, rad
     double moved = 0; ///< how far the wave vector was moved to fit a grid that wraps, over its length
     bool fitted =
