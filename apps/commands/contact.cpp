@@ -94,10 +94,10 @@ rough::Model loaded(rough::Model model, const Settings& settings) {
     return model;
 }
 
-/// CURVE-slip.csv beside CURVE.csv.
-std::filesystem::path slip_beside(const std::filesystem::path& curve) {
-    auto slip = curve;
-    return slip.replace_filename(curve.stem().string() + "-slip" + curve.extension().string());
+/// CURVE-NAME.csv beside CURVE.csv.
+std::filesystem::path beside(const std::filesystem::path& curve, const std::string& name) {
+    return std::filesystem::path(curve).replace_filename(curve.stem().string() + "-" + name +
+                                                         curve.extension().string());
 }
 
 std::string slip_csv(const rough::PartialSlip& slip) {
@@ -119,12 +119,6 @@ struct Pressed {
     rough::AccountedResponse result;
     std::vector<std::string> notes; ///< what was read, and what strains the model
 };
-
-/// CURVE-spots.csv beside CURVE.csv.
-std::filesystem::path spots_beside(const std::filesystem::path& curve) {
-    auto spots = curve;
-    return spots.replace_filename(curve.stem().string() + "-spots" + curve.extension().string());
-}
 
 /// The contact spots of the last load step, the largest first.
 std::string spots_csv(const AreaScene& scene, const rough::Response& response) {
@@ -224,7 +218,7 @@ int contact(const Words& words) {
     if (has_account)
         account = expect_writable(account, settings);
 
-    std::filesystem::path slip_file = slip_beside(settings.text("out"));
+    std::filesystem::path slip_file = beside(settings.text("out"), "slip");
     if (settings.has("friction")) {
         settings.positive("friction");
         if (settings.has("hardness"))
@@ -246,7 +240,7 @@ int contact(const Words& words) {
     if (settings.has("report"))
         page = expect_writable(settings.text("report"), settings);
     const auto [source, model, result, notes] =
-        area ? pressed_area(settings, expect_writable(spots_beside(settings.text("out")), settings))
+        area ? pressed_area(settings, expect_writable(beside(settings.text("out"), "spots"), settings))
              : pressed(settings);
     for (const std::string& note : notes)
         say(note);

@@ -10,6 +10,7 @@
 #include "apps/report/output.hpp"
 #include "apps/report/recorder.hpp"
 #include "apps/report/units.hpp"
+#include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/checkpoint.hpp"
@@ -89,7 +90,7 @@ int design(const Words& words) {
     run.options.keeping = rough::Keeping{
         checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); }, checkpoint_interval()};
     if (!run.out_of_reach.empty())
-        run.options.evaluations = 3000; // the nearest curve is enough
+        run.options.evaluations = rough::enough_for_the_nearest;
     double best = -HUGE_VAL;
     const auto report_progress = [&](const ga::Event<rough::Genome>& event) {
         for (const auto& individual : event.population)

@@ -8,6 +8,7 @@
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/target/like.hpp"
+#include "domain/target/names.hpp"
 #include "domain/target/out_of_reach.hpp"
 #include "domain/target/recorded.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -15,9 +16,6 @@
 namespace app {
 
 namespace {
-
-const std::vector<std::string> quantity_names{"stiffness", "area", "area-displacement", "load",
-                                              "interface_stiffness"};
 
 std::vector<Setting> target_settings() {
     const std::vector<Setting> settings{
@@ -47,7 +45,7 @@ struct Made {
 };
 
 Made made_target(const Settings& settings) {
-    const auto quantity = static_cast<rough::Quantity>(settings.one_of("quantity", quantity_names));
+    const auto quantity = static_cast<rough::Quantity>(settings.one_of("quantity", rough::quantity_names()));
     const rough::Index points = settings.whole("points", 1, 1000000);
     if (settings.has("formula")) {
         if (!settings.has("to"))

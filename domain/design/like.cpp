@@ -1,6 +1,8 @@
 #include "domain/design/like.hpp"
 
+#include "domain/errors.hpp"
 #include "domain/target/like.hpp"
+#include "domain/target/names.hpp"
 
 #include <algorithm>
 
@@ -37,6 +39,20 @@ DesignSetup like(DesignSetup setup, Profile profile, const Model& own, const std
             target_like(*setup.like, own, name, quantity, points, setup.max_pressure.value_or(0)));
     setup.model.grid.nodes = nodes > 0 ? nodes : enough_nodes(setup);
     return setup;
+}
+
+const std::vector<std::string>& names_of_likeness() {
+    static const std::vector<std::string> names{"both", "stiffness", "area", "interface_stiffness"};
+    return names;
+}
+
+std::vector<Quantity> likeness_named(const std::string& name) {
+    const auto& names = names_of_likeness();
+    if (std::find(names.begin(), names.end(), name) == names.end())
+        refuse_value("quantity", "'", name, "' given, expected both, stiffness, area or interface_stiffness");
+    if (name == "both")
+        return {Quantity::stiffness, Quantity::area_at_pressure};
+    return {quantity_named(name)};
 }
 
 std::string usual_variant(const DesignSetup& setup) {

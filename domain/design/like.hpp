@@ -12,6 +12,12 @@ DesignSetup like(DesignSetup setup, Profile profile, const Model& own, const std
                  const std::vector<Quantity>& quantities = {Quantity::stiffness, Quantity::area_at_pressure},
                  Index points = 20, Index nodes = 0);
 
+/// What a scan may be asked for by name: both (stiffness and contact area), stiffness, area or
+/// interface_stiffness.
+const std::vector<std::string>& names_of_likeness();
+/// The quantities of that name. Throws InputError on another word.
+std::vector<Quantity> likeness_named(const std::string& name);
+
 /// The named pipeline (design_variants) that a set-up is searched by where nothing else is asked for: `like`
 /// for the contact area of a measured profile, else `default`.
 std::string usual_variant(const DesignSetup& setup);

@@ -1,14 +1,10 @@
 #include "domain/problem/pipeline.hpp"
 
-#include "ga/adaptation/vocabulary.hpp"
-#include "ga/refinement/vocabulary.hpp"
-#include "ga/text/vocabulary.hpp"
+#include "ga/text/whole_vocabulary.hpp"
 
 namespace rough {
 
-ga::Registry<DesignProblem> engine_words() {
-    return ga::with_adaptation(ga::with_refinement(ga::vocabulary<DesignProblem>()));
-}
+ga::Registry<DesignProblem> engine_words() { return ga::whole_vocabulary<DesignProblem>(); }
 
 } // namespace rough
 

@@ -6,6 +6,7 @@
 #include "apps/report/units.hpp"
 #include "domain/database/starts.hpp"
 #include "domain/design/like.hpp"
+#include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/setup.hpp"
 #include "domain/text/words.hpp"
@@ -16,9 +17,6 @@
 namespace app {
 
 namespace {
-
-/// A target whose exact bound is below this is called out of reach, where --reach-similarity is not given.
-constexpr double exact_enough = 0.999;
 
 std::vector<rough::Target> goals_from(const Settings& settings, const rough::Model& model) {
     std::vector<rough::Target> goals;
@@ -56,16 +54,6 @@ void take_range(const Settings& settings, const std::string& name, double& from,
     if (from > to)
         throw rough::InputError(shown(name + "-from", from) + ", " + shown(name + "-to", to) +
                                 ", expected from no greater than to");
-}
-
-/// What --quantity names, of a scan.
-std::vector<rough::Quantity> quantities_from(const Settings& settings) {
-    using rough::Quantity;
-    const std::vector<Quantity> all[] = {{Quantity::stiffness, Quantity::area_at_pressure},
-                                         {Quantity::stiffness},
-                                         {Quantity::area_at_pressure},
-                                         {Quantity::interface_stiffness}};
-    return all[settings.one_of("quantity", {"both", "stiffness", "area", "interface_stiffness"})];
 }
 
 void take_bounds(const Settings& settings, rough::DesignSetup& setup) {
@@ -147,7 +135,9 @@ DesignRun design_from(const Settings& settings) {
         run.accounts.push_back(scan.account);
         rough::Model own = model_from(settings, scan);
         own.grid.nodes = scan.measured.nodes();
-        setup = like(setup, scan.on(own.grid), own, scan.name, quantities_from(settings),
+        setup = like(setup, scan.on(own.grid), own, scan.name,
+                     rough::likeness_named(
+                         rough::names_of_likeness()[settings.one_of("quantity", rough::names_of_likeness())]),
                      settings.whole("points", 2, 100000), nodes_from(settings, 0));
     } else {
         expect_none(settings, joined({scan_settings(), {{"points", "", ""}, {"quantity", "", ""}}}),
@@ -207,11 +197,9 @@ DesignRun design_from(const Settings& settings) {
                                std::to_string(options.starts.size()));
     }
 
-    run.out_of_reach = rough::out_of_reach(setup.targets, setup.model, setup.max_pressure);
-    for (const auto& reason : run.out_of_reach)
-        run.bound = std::min(run.bound, reason.bound);
-    if (run.bound >= options.reach.value_or(exact_enough))
-        run.out_of_reach.clear(); // a bound that leaves room is no verdict
+    const rough::Unreachable beyond = rough::unreachable(setup, options.reach);
+    run.out_of_reach = beyond.reasons;
+    run.bound = beyond.bound;
     return run;
 }
 

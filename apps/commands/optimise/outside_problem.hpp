@@ -45,7 +45,7 @@ struct OutsideProblem {
                 if constexpr (std::same_as<G, std::vector<bool>>)
                     genome[i] = stream.chance(0.5);
                 else
-                    genome[i] = stream.uniform(genes.lower, genes.upper);
+                    genome[i] = stream.uniform(range[i].lower, range[i].upper);
             return genome;
         }
     }

@@ -4,10 +4,9 @@
 #include "apps/commands/optimise/search.hpp"
 #include "apps/report/output.hpp"
 #include "domain/errors.hpp"
-#include "ga/adaptation/vocabulary.hpp"
 #include "ga/checkpoint.hpp"
 #include "ga/observers/progress.hpp"
-#include "ga/refinement/vocabulary.hpp"
+#include "ga/text/whole_vocabulary.hpp"
 
 namespace app {
 
@@ -38,8 +37,7 @@ void search_by_children(OutsideSearch& asked, Children& children) {
     using P = OutsideProblem<G>;
     const ga::Stopwatch clock;
     const auto parsed = [&](std::size_t objectives) {
-        ga::Parser<P> parser(ga::with_adaptation(ga::with_refinement(ga::vocabulary<P>())),
-                             outside_variants(asked.genes, objectives));
+        ga::Parser<P> parser(ga::whole_vocabulary<P>(), outside_variants(asked.genes, objectives));
         return asked.pipeline.empty() ? parser.variant(asked.variant) : parser.parse(asked.pipeline);
     };
     const std::string given = asked.variant;

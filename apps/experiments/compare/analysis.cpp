@@ -14,13 +14,6 @@ constexpr std::size_t resamples = 300;
 using Areas = std::vector<std::vector<double>>; // [variant][seed]
 
 /// The mean areas on a problem, a variant each.
-std::vector<double> mean_areas(const Areas& problem) {
-    std::vector<double> means;
-    for (const auto& seeds : problem)
-        means.push_back(rough::mean(seeds));
-    return means;
-}
-
 /// Less is better, as ranks count from the smallest.
 std::vector<double> negative(std::vector<double> values) {
     for (double& value : values)
@@ -78,7 +71,8 @@ void judge_ranks(GroupResult& group) {
     const std::size_t variants = group.shares.size();
     std::vector<std::vector<double>> blocks;
     for (const Areas& problem : group.areas)
-        blocks.push_back(negative(mean_areas(problem)));
+        blocks.push_back(
+            negative(rough::column(problem, [](const auto& seeds) { return rough::mean(seeds); })));
     if (blocks.size() == 1) { // its seeds, each an instance
         blocks.clear();
         for (std::size_t s = 0; s < group.areas[0][0].size(); ++s)
@@ -139,9 +133,6 @@ double expected_runtime(const std::vector<Reached>& runs, std::size_t target) {
     return sum / static_cast<double>(successes(runs, target));
 }
 
-double mean_area(const GroupResult& group, std::size_t problem, std::size_t variant) {
-    return rough::mean(group.areas[problem][variant]);
-}
 double mean_area(const GroupResult& group, std::size_t variant) {
     return rough::mean(
         rough::column(group.areas, [&](const Areas& areas) { return rough::mean(areas[variant]); }));

@@ -57,9 +57,8 @@ struct GroupResult {
 
 std::vector<GroupResult> analysed(const Contest& contest);
 
-/// Mean area of a variant on a group's problem, or on all.
+/// Mean area of a variant over a group's problems.
 double mean_area(const GroupResult& group, std::size_t variant);
-double mean_area(const GroupResult& group, std::size_t problem, std::size_t variant);
 
 /// The report as a web page.
 std::string contest_page(const Contest& contest, const std::vector<GroupResult>& groups);

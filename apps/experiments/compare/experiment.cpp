@@ -1,7 +1,6 @@
 #include "apps/experiments/experiment.hpp"
 
 #include "apps/experiments/compare/contest.hpp"
-#include "apps/experiments/compare/pagmo.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "domain/text/words.hpp"
 #include "ga/parallel.hpp"
@@ -116,12 +115,9 @@ std::optional<rough::DesignSetup> roughness_from(const Settings& settings) {
 Contest contest_from(const Settings& settings, const Origin& origin) {
     Contest contest;
     contest.origin = origin;
-    const std::string place = settings.place("compare.seeds");
-    const double seeds = rough::number_from(text_of(settings, "compare.seeds", "15", "5"), place);
-    if (!(seeds >= 1 && seeds <= 1000 && seeds == std::floor(seeds)))
-        throw rough::InputError(place + ": " + settings.text("compare.seeds") +
-                                " given, expected a whole number from 1 to 1000");
-    contest.seeds = static_cast<long>(seeds);
+    contest.seeds = settings.has("compare.seeds")     ? settings.whole("compare.seeds", 1, 1000)
+                    : settings.is_on("compare.quick") ? 5
+                                                      : 15;
     contest.budget = text_of(settings, "compare.budget", "1e4*D", "1e3*D");
     std::vector<Benchmark> problems;
     const auto roughness = roughness_from(settings);

@@ -55,10 +55,7 @@ Table standing(const GroupResult& group) {
         {"Variant", "Mean rank", "Area", "Better than", "Problems on which it is better than, all told"},
         {},
         {false, true, true, false, true}};
-    std::vector<std::size_t> order;
-    for (std::size_t v = 0; v < variants.size(); ++v)
-        order.push_back(v);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const auto order = ga::in_order(variants.size(), [&](std::size_t a, std::size_t b) {
         return group.ranks.mean_ranks[a] < group.ranks.mean_ranks[b];
     });
     for (const std::size_t v : order) {
@@ -109,9 +106,10 @@ Table each_problem(const GroupResult& group) {
 } // namespace
 
 std::string contest_page(const Contest& contest, const std::vector<GroupResult>& groups) {
-    Page page("Variants compared", "Every variant on every problem, " + std::to_string(contest.seeds) +
-                                       " runs each of " + contest.budget +
-                                       " evaluations (D: genes). A run that ends early begins anew.");
+    Page page("Variants compared",
+              "Every variant on every problem, " + std::to_string(contest.seeds) + " runs each of " +
+                  contest.budget +
+                  " evaluations (D: genes). A pipeline that ends early begins anew, but on roughness.");
     std::size_t number = 0;
     for (const GroupResult& group : groups) {
         page.section(group.name);

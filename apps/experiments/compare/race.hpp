@@ -41,23 +41,15 @@ class Tally {
     Reached reached_;
 };
 
-///@{
 /// Runs a pipeline on an instance until its targets are reached or its budget is spent; where it ends before,
-/// it begins anew, as COCO has it. In its text `1/n` is one gene's share, and `objectives` stands for the
-/// names of all.
-Reached raced(const RealInstance& instance, const std::string& pipeline, const std::vector<double>& targets,
+/// it begins anew, as COCO has it. In its text `1/n` is one gene's share, `18n` 18 times the genes, and
+/// `objectives` stands for the names of all.
+template <class G>
+Reached raced(const Instance<G>& instance, const std::string& pipeline, const std::vector<double>& targets,
               const Attempt& attempt);
-Reached raced(const BitsInstance& instance, const std::string& pipeline, const std::vector<double>& targets,
-              const Attempt& attempt);
-Reached raced(const TourInstance& instance, const std::string& pipeline, const std::vector<double>& targets,
-              const Attempt& attempt);
-///@}
 
-///@{
 /// Throws ga::UsageError on a pipeline that cannot be run on such an instance.
-void expect_fits(const RealInstance& instance, const std::string& pipeline);
-void expect_fits(const BitsInstance& instance, const std::string& pipeline);
-void expect_fits(const TourInstance& instance, const std::string& pipeline);
-///@}
+template <class G>
+void expect_fits(const Instance<G>& instance, const std::string& pipeline);
 
 } // namespace app

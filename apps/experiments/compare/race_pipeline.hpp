@@ -1,10 +1,9 @@
 #pragma once
 
 #include "apps/experiments/compare/race.hpp"
-#include "ga/adaptation/vocabulary.hpp"
 #include "ga/number.hpp"
-#include "ga/refinement/vocabulary.hpp"
 #include "ga/text/parser.hpp"
+#include "ga/text/whole_vocabulary.hpp"
 
 namespace app {
 
@@ -80,18 +79,17 @@ ga::Stage<BenchmarkProblem<G>> stage_of(const Instance<G>& instance, std::string
     put("1/n", ga::number(1 / static_cast<double>(instance.genes)));
     put("18n", std::to_string(18 * instance.genes));
     put("objectives", names);
-    auto registry = ga::with_refinement(ga::vocabulary<BenchmarkProblem<G>>());
-    return ga::Parser<BenchmarkProblem<G>>(ga::with_adaptation(std::move(registry))).parse(text);
+    return ga::Parser<BenchmarkProblem<G>>(ga::whole_vocabulary<BenchmarkProblem<G>>()).parse(text);
 }
 
 template <class G>
-void expect_pipeline_fits(const Instance<G>& instance, const std::string& pipeline) {
+void expect_fits(const Instance<G>& instance, const std::string& pipeline) {
     ga::check(stage_of(instance, pipeline), BenchmarkProblem<G>(instance), {});
 }
 
 template <class G>
-Reached raced_by_pipeline(const Instance<G>& instance, const std::string& pipeline,
-                          const std::vector<double>& targets, const Attempt& attempt) {
+Reached raced(const Instance<G>& instance, const std::string& pipeline, const std::vector<double>& targets,
+              const Attempt& attempt) {
     const BenchmarkProblem<G> problem(instance);
     const auto stage = stage_of(instance, pipeline);
     Tally tally(targets, attempt);

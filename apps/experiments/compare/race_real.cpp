@@ -2,13 +2,7 @@
 
 namespace app {
 
-Reached raced(const RealInstance& instance, const std::string& pipeline, const std::vector<double>& targets,
-              const Attempt& attempt) {
-    return raced_by_pipeline(instance, pipeline, targets, attempt);
-}
-
-void expect_fits(const RealInstance& instance, const std::string& pipeline) {
-    expect_pipeline_fits(instance, pipeline);
-}
+template Reached raced(const RealInstance&, const std::string&, const std::vector<double>&, const Attempt&);
+template void expect_fits(const RealInstance&, const std::string&);
 
 } // namespace app

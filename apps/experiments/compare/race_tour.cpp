@@ -2,13 +2,7 @@
 
 namespace app {
 
-Reached raced(const TourInstance& instance, const std::string& pipeline, const std::vector<double>& targets,
-              const Attempt& attempt) {
-    return raced_by_pipeline(instance, pipeline, targets, attempt);
-}
-
-void expect_fits(const TourInstance& instance, const std::string& pipeline) {
-    expect_pipeline_fits(instance, pipeline);
-}
+template Reached raced(const TourInstance&, const std::string&, const std::vector<double>&, const Attempt&);
+template void expect_fits(const TourInstance&, const std::string&);
 
 } // namespace app

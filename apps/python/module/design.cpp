@@ -16,16 +16,12 @@ struct Design {
     DesignSetup setup;
     rough::SearchResult found;
     double wanted = rough::worth_the_name;
-    std::vector<rough::OutOfReach> out_of_reach;
+    rough::Unreachable beyond;
     Curve curve;
     bool interrupted = false;
 
-    bool is_found() const { return found.best.judged() >= wanted && found.best.within_limits; }
-    double bound() const {
-        double least = 1;
-        for (const auto& reason : out_of_reach)
-            least = std::min(least, reason.bound);
-        return least;
+    bool is_found() const {
+        return found.best.judged() >= wanted && found.best.within_limits && beyond.reasons.empty();
     }
 };
 
@@ -80,26 +76,10 @@ void take_limits(Keywords& keywords, DesignSetup& setup) {
     take("lambda_to", setup.bounds.lambda_to);
 }
 
-/// What a design like a measured profile is asked for.
-std::vector<rough::Quantity> quantities_named(const std::string& name) {
-    using rough::Quantity;
-    static const std::map<std::string, std::vector<Quantity>> all{
-        {"both", {Quantity::stiffness, Quantity::area_at_pressure}},
-        {"stiffness", {Quantity::stiffness}},
-        {"area", {Quantity::area_at_pressure}},
-        {"interface_stiffness", {Quantity::interface_stiffness}}};
-    const auto found = all.find(name);
-    if (found == all.end())
-        throw rough::InputError("quantity: '" + name +
-                                "' given, expected both, stiffness, area or interface_stiffness");
-    return found->second;
-}
-
 SearchOptions options_from(Keywords& keywords) {
     SearchOptions options;
     options.pipeline = keywords.take<std::string>("pipeline", "");
-    options.variant =
-        keywords.take<std::string>("variant", options.pipeline.empty() ? "default" : "pipeline");
+    options.variant = keywords.take<std::string>("variant", options.pipeline.empty() ? "" : "pipeline");
     options.seed = keywords.take("seed", options.seed);
     options.threads = keywords.take("threads", 0);
     options.seconds = keywords.take("seconds", options.seconds);
@@ -141,7 +121,7 @@ Design designed(const std::optional<Eigen::VectorXd>& pressure,
         const rough::Profile profile = profile_from(*like, spacing, "design: like");
         const rough::Index nodes = keywords.take<rough::Index>("nodes", 0);
         setup = rough::like(setup, profile, model_from(keywords, profile), "like",
-                            quantities_named(keywords.take<std::string>("quantity", "both")), 20, nodes);
+                            rough::likeness_named(keywords.take<std::string>("quantity", "both")), 20, nodes);
     } else {
         setup.model = model_from(keywords);
     }
@@ -151,7 +131,9 @@ Design designed(const std::optional<Eigen::VectorXd>& pressure,
     if (options.variant.empty())
         options.variant = usual_variant(setup);
     design.wanted = options.reach.value_or(design.wanted);
-    design.out_of_reach = rough::out_of_reach(setup.targets, exactly(setup).model, setup.max_pressure);
+    design.beyond = rough::unreachable(setup, options.reach);
+    if (!design.beyond.reasons.empty())
+        options.evaluations = std::min(options.evaluations, rough::enough_for_the_nearest);
     Interruptible interrupt;
     options.stop = &interrupt.stop();
     Callback callback(interrupt.stop());
@@ -162,8 +144,7 @@ Design designed(const std::optional<Eigen::VectorXd>& pressure,
         const py::gil_scoped_release unlocked;
         design.found = search(setup, options, observers);
         setup = exactly(design.found.setup);
-        rough::Model model = setup.model;
-        design.curve.response = respond(setup, design.found.best.genome, model).responses.front();
+        design.curve.response = respond(setup, design.found.best.genome, setup.model).responses.front();
     }
     callback.rethrow();
     design.interrupted = interrupt.asked();
@@ -231,12 +212,14 @@ void add_design(py::module_& module) {
                                [](const Design& d) { return d.found.best.similarity_worst; })
         .def_property_readonly("found", &Design::is_found,
                                "similarity_worst is what was asked for, 0.99 by default.")
-        .def_property_readonly("bound", &Design::bound, "No profile whatever has a higher similarity.")
+        .def_property_readonly(
+            "bound", [](const Design& d) { return d.beyond.bound; },
+            "No profile whatever has a higher similarity.")
         .def_property_readonly(
             "out_of_reach",
             [](const Design& d) {
                 std::vector<std::string> reasons;
-                for (const auto& reason : d.out_of_reach)
+                for (const auto& reason : d.beyond.reasons)
                     reasons.push_back(reason.verdict());
                 return reasons;
             },
@@ -270,7 +253,8 @@ void add_design(py::module_& module) {
         "Finds a rough profile that answers as a target asks.\n\n"
         "target_pressure (MPa) with target_stiffness (MPa/mm), target_interface_stiffness or\n"
         "target_contact_fraction; or target=Target, list of Targets or file; or like=Profile, whose own\n"
-        "stiffness is the target. Keywords as the program's flags: max_pressure, variant, pipeline,\n"
+        "stiffness and contact area are the targets (quantity='both'). Keywords as the program's flags: "
+        "max_pressure, variant, pipeline,\n"
         "seconds, evaluations, seed, threads, reach_similarity, alternatives, shortest_wave,\n"
         "largest_slope, largest_height, smallest_radius, hurst_from, hurst_to, gamma_from, gamma_to,\n"
         "lambda_from, lambda_to, starts (Genomes), progress (a callable of path, generations,\n"

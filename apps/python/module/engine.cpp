@@ -1,9 +1,5 @@
 #include "apps/python/module/engine.hpp"
 
-#include "ga/text/listing.hpp"
-
-#include <nlohmann/json.hpp>
-
 namespace rugosa::python {
 
 using app::Genes;

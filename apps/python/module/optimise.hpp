@@ -1,9 +1,9 @@
 #pragma once
 
 #include "apps/python/module/engine.hpp"
-#include "ga/refinement/vocabulary.hpp"
 #include "ga/run.hpp"
 #include "ga/text/parser.hpp"
+#include "ga/text/whole_vocabulary.hpp"
 
 #include <pybind11/numpy.h>
 
@@ -69,22 +69,12 @@ struct PythonProblem : app::OutsideProblem<G> {
     PythonProblem(const Optimisation& asked, Callback& call)
         : app::OutsideProblem<G>(asked.genes, asked.minimise), object(asked.problem),
           has_gradient(py::hasattr(object, "gradient")), callback(&call) {
-        for (std::size_t i = 0; i < this->range.size() && i < asked.lower.size(); ++i) {
+        for (std::size_t i = 0; i < asked.lower.size(); ++i) {
             this->range[i].lower = asked.lower[i];
             this->range[i].upper = asked.upper[i];
         }
     }
 
-    G sample(ga::Stream& stream) const {
-        if constexpr (!std::same_as<G, std::vector<double>>) {
-            return app::OutsideProblem<G>::sample(stream);
-        } else {
-            G genome;
-            for (const ga::Variable& gene : this->range)
-                genome.push_back(stream.uniform(gene.lower, gene.upper));
-            return genome;
-        }
-    }
     /// Of the objective that `refine` climbs.
     std::vector<double> gradient(const G& genome,
                                  const std::string&) const requires std::same_as<G, std::vector<double>> {
@@ -197,7 +187,7 @@ void optimise(Optimisation& asked) {
     Interruptible interrupt;
     Callback callback(interrupt.stop());
     const P problem(asked, callback);
-    auto registry = ga::with_refinement(ga::vocabulary<P>());
+    auto registry = ga::whole_vocabulary<P>();
     for (const py::object& each : asked.operators) {
         const auto name = each.attr("name").cast<std::string>();
         registry.add(name, "yours", "written in Python", PythonOperator{{}, each, name, &callback});

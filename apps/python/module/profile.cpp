@@ -1,4 +1,5 @@
 #include "apps/python/module/python.hpp"
+#include "apps/report/profile_page.hpp"
 
 namespace rugosa::python {
 
@@ -31,14 +32,9 @@ namespace {
 py::dict parameters_of(const Profile& profile) {
     const rough::Roughness r = roughness(profile);
     py::dict all;
-    for (const auto& [name, value] : {std::pair{"Ra", r.Ra},
-                                      {"Rq", r.Rq},
-                                      {"Rsk", r.Rsk},
-                                      {"Rku", r.Rku},
-                                      {"Rz", r.Rz},
-                                      {"Rt", r.Rt},
-                                      {"Rdq", r.Rdq},
-                                      {"rms_curvature", r.rms_curvature},
+    for (const app::Parameter& one : app::parameters(r, false))
+        all[py::str(one.name)] = one.value;
+    for (const auto& [name, value] : {std::pair{"rms_curvature", r.rms_curvature},
                                       {"m0", r.m0},
                                       {"m2", r.m2},
                                       {"m4", r.m4},
@@ -46,11 +42,6 @@ py::dict parameters_of(const Profile& profile) {
         all[name] = value;
     return all;
 }
-
-struct Read {
-    Profile profile;
-    std::string account;
-};
 
 } // namespace
 
@@ -60,7 +51,7 @@ void add_profile(py::module_& module) {
                         ">>> import numpy, rugosa\n"
                         ">>> x = numpy.arange(512) / 512\n"
                         ">>> wave = rugosa.Profile(0.01 * numpy.cos(2 * numpy.pi * x), 1 / 512)\n"
-                        ">>> round(wave.roughness()['Rq'], 6)\n"
+                        ">>> round(wave.roughness()['Pq'], 6)\n"
                         "0.007071\n")
         .def(py::init([](const py::object& heights, double spacing) {
                  return profile_from(heights, spacing, "Profile");
@@ -71,7 +62,8 @@ void add_profile(py::module_& module) {
             py::return_value_policy::reference_internal, "N heights, mm: a read-only view.")
         .def_readonly("spacing", &Profile::spacing, "Distance of the nodes, mm.")
         .def_property_readonly("nodes", &Profile::nodes, "How many.")
-        .def("roughness", &parameters_of, "Ra, Rq, Rz, ... (mm), slopes, spectral moments and bandwidth.")
+        .def("roughness", &parameters_of,
+             "Pa, Pq, Pz, ... (ISO 21920-2; heights in mm), spectral moments and bandwidth.")
         .def(
             "spectrum",
             [](const Profile& profile) {

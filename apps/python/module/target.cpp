@@ -2,37 +2,7 @@
 
 namespace rugosa::python {
 
-using rough::Quantity;
 using rough::Target;
-
-namespace {
-
-const std::map<std::string, Quantity>& quantities() {
-    static const std::map<std::string, Quantity> all{{"stiffness", Quantity::stiffness},
-                                                     {"interface_stiffness", Quantity::interface_stiffness},
-                                                     {"area", Quantity::area_at_pressure},
-                                                     {"area-displacement", Quantity::area_at_displacement},
-                                                     {"load", Quantity::load_at_displacement}};
-    return all;
-}
-
-Quantity quantity_named(const std::string& name) {
-    const auto found = quantities().find(name);
-    if (found == quantities().end())
-        throw rough::InputError(
-            "quantity: '" + name +
-            "' given, expected stiffness, interface_stiffness, area, area-displacement or load");
-    return found->second;
-}
-
-std::string name_of(Quantity quantity) {
-    for (const auto& [name, value] : quantities())
-        if (value == quantity)
-            return name;
-    return "";
-}
-
-} // namespace
 
 void add_target(py::module_& module) {
     py::class_<Target>(module, "Target",
@@ -50,7 +20,7 @@ void add_target(py::module_& module) {
                      throw rough::InputError("Target: " + std::to_string(x.size()) + " x and " +
                                              std::to_string(y.size()) + " y given, expected as many");
                  Target target;
-                 target.quantity = quantity_named(quantity);
+                 target.quantity = rough::quantity_named(quantity);
                  target.name = quantity;
                  target.x = x;
                  target.y = y;
@@ -74,7 +44,7 @@ void add_target(py::module_& module) {
                 keywords.expect_none_left();
                 return rough::target_like(genome ? sample(surface.cast<const rough::Genome&>(), under.grid)
                                                  : own,
-                                          under, "like", quantity_named(quantity), points, last);
+                                          under, "like", rough::quantity_named(quantity), points, last);
             },
             py::arg("surface"), py::arg("spacing") = py::none(), py::kw_only(),
             py::arg("quantity") = "stiffness", py::arg("points") = 20, py::arg("last") = 0.0,
@@ -86,12 +56,12 @@ void add_target(py::module_& module) {
         .def_property_readonly(
             "y", [](const Target& t) -> const Eigen::VectorXd& { return t.y; },
             py::return_value_policy::reference_internal)
-        .def_property_readonly("quantity", [](const Target& t) { return name_of(t.quantity); })
+        .def_property_readonly("quantity", [](const Target& t) { return rough::name_of(t.quantity); })
         .def_readwrite("weight", &Target::weight, "(0, 1]: a misfit counts so much.")
         .def("to_csv", &rough::to_csv, "As a target file.")
         .def("__len__", &Target::points)
         .def("__repr__", [](const Target& t) {
-            return "<rugosa.Target of " + name_of(t.quantity) + ", " + std::to_string(t.points()) +
+            return "<rugosa.Target of " + rough::name_of(t.quantity) + ", " + std::to_string(t.points()) +
                    " points>";
         });
 }

@@ -71,6 +71,8 @@ class Design(WithFolder):
         design = rugosa.design(like=rugosa.Profile(rough_heights(), 0.004), pipeline="shape 4 | score | best 1",
                                nodes=64)
         self.assertEqual([t.quantity for t in design.targets], ["stiffness", "area"])
+        found = rugosa.design(like=rough_heights(), spacing=0.004, nodes=64, evaluations=30, threads=1)
+        self.assertIn("own", found.pipeline)  # the search that the program takes for a scan's area
         with self.assertRaisesRegex(TypeError, "expected one of them"):
             rugosa.design(PRESSURE, STIFFNESS, like=rough_heights(), spacing=0.004)
 

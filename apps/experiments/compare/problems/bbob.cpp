@@ -101,34 +101,6 @@ std::vector<double> order_of(const std::vector<double>& numbers) {
 
 } // namespace
 
-const char* Bbob::name(int function) {
-    static const std::array<const char*, functions> names{"sphere",
-                                                          "separable ellipsoid",
-                                                          "separable Rastrigin",
-                                                          "Büche-Rastrigin",
-                                                          "linear slope",
-                                                          "attractive sector",
-                                                          "step ellipsoid",
-                                                          "Rosenbrock",
-                                                          "rotated Rosenbrock",
-                                                          "ellipsoid",
-                                                          "discus",
-                                                          "bent cigar",
-                                                          "sharp ridge",
-                                                          "different powers",
-                                                          "Rastrigin",
-                                                          "Weierstrass",
-                                                          "Schaffers F7",
-                                                          "ill-conditioned Schaffers F7",
-                                                          "Griewank-Rosenbrock",
-                                                          "Schwefel",
-                                                          "Gallagher's 101 peaks",
-                                                          "Gallagher's 21 peaks",
-                                                          "Katsuura",
-                                                          "Lunacek bi-Rastrigin"};
-    return names.at(static_cast<std::size_t>(function - 1));
-}
-
 Array Bbob::scales(double condition) const { return Eigen::pow(condition, ramp_ / 2); }
 
 Bbob::Bbob(int function, int dimension, int instance)

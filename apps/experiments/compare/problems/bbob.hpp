@@ -12,8 +12,6 @@ namespace app {
 class Bbob {
   public:
     static constexpr int functions = 24;
-    /// As the report calls it.
-    static const char* name(int function);
 
     /// @param function   1 to 24
     /// @param dimension  2 to 40

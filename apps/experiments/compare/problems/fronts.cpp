@@ -80,9 +80,8 @@ constexpr int across = 31; // divisions of an edge of a surface: 528 points
 Points undominated(const Points& points) {
     Points kept;
     for (const ga::Point& a : points)
-        if (std::none_of(points.begin(), points.end(), [&](const ga::Point& b) {
-                return a != b && std::equal(b.begin(), b.end(), a.begin(), std::less_equal<>());
-            }))
+        if (std::none_of(points.begin(), points.end(),
+                         [&](const ga::Point& b) { return ga::dominates(a, b); }))
             kept.push_back(a);
     return kept;
 }
