@@ -32,50 +32,49 @@ auto interruptible(rough::Model& model, Solve solve) {
     throw py::error_already_set();
 }
 
-Curve of_profile(const rough::Profile& profile, Keywords& keywords, bool gradient) {
-    rough::Model model = model_from(keywords, profile);
-    keywords.expect_none_left();
+/// Presses heights; `in_genes` pulls rows of derivatives in heights back where they are a genome's.
+template <class Accounted, class Pull>
+Curve pressed(const rough::Profile& surface, rough::Model model, bool gradient, Accounted accounted,
+              Pull pull) {
     return interruptible(model, [&] {
         Curve curve;
         if (gradient) {
-            auto both = respond_with_gradient(profile, model.body, model.loading, model.contact);
+            auto both = respond_with_gradient(surface, model.body, model.loading, model.contact);
             curve.response = std::move(both.response);
-            curve.pressure_gradient = std::move(both.gradient.pressure);
-            curve.displacement_gradient = both.gradient.last_displacement.transpose();
+            auto rows = pull(std::move(both.gradient));
+            curve.pressure_gradient = std::move(rows.pressure);
+            curve.displacement_gradient = rows.last_displacement.transpose();
         } else if (model.accuracy > 0) {
-            auto within = respond_within(profile, model, model.accuracy);
+            auto within = accounted(model);
             curve.response = std::move(within.response);
             curve.account = in_words(within.account);
         } else {
-            curve.response = respond(profile, model);
+            curve.response = respond(surface, model);
         }
         return curve;
     });
 }
 
-Curve of_genome(const rough::Genome& genome, Keywords& keywords, bool gradient) {
-    rough::Model model = model_from(keywords);
+Curve of_surface(const rough::Profile& surface, Keywords& keywords, bool gradient) {
+    const rough::Model model = model_from(keywords, surface);
     keywords.expect_none_left();
-    return interruptible(model, [&] {
-        Curve curve;
-        if (gradient) {
-            const auto both =
-                respond_with_gradient(sample(genome, model.grid), model.body, model.loading, model.contact);
-            const auto jacobian = rough::in_genes(both.gradient, [&](const Eigen::MatrixXd& rows) {
-                return rough::pulled_back(rows, genome, model.grid);
+    return pressed(
+        surface, model, gradient,
+        [&](const rough::Model& m) { return respond_within(surface, m, m.accuracy); },
+        [](auto rows) { return rows; });
+}
+
+Curve of_genome(const rough::Genome& genome, Keywords& keywords, bool gradient) {
+    const rough::Model model = model_from(keywords);
+    keywords.expect_none_left();
+    return pressed(
+        sample(genome, model.grid), model, gradient,
+        [&](const rough::Model& m) { return respond_accounted(genome, m); },
+        [&](const auto& rows) {
+            return rough::in_genes(rows, [&](const Eigen::MatrixXd& each) {
+                return rough::pulled_back(each, genome, model.grid);
             });
-            curve.response = both.response;
-            curve.pressure_gradient = jacobian.pressure;
-            curve.displacement_gradient = jacobian.last_displacement.transpose();
-        } else if (model.accuracy > 0) {
-            auto within = respond_accounted(genome, model);
-            curve.response = std::move(within.response);
-            curve.account = in_words(within.account);
-        } else {
-            curve.response = respond(genome, model);
-        }
-        return curve;
-    });
+        });
 }
 
 py::tuple slip_of(const Curve& curve, double friction) {
@@ -113,7 +112,9 @@ void add_contact(py::module_& module) {
                       "Under accuracy=: what was modelled and how wrong it may be.")
         .def_property_readonly(
             "pressure_gradient", [](const Curve& c) -> const Eigen::MatrixXd& { return c.pressure_gradient; },
-            inside, "With gradient=True: dp/dheights (steps x N, MPa/mm), of a genome dp/dgenes.")
+            inside,
+            "With gradient=True: dp/dheights (steps x N, MPa/mm; an area row after row), of a genome "
+            "dp/dgenes.")
         .def_property_readonly(
             "displacement_gradient",
             [](const Curve& c) -> const VectorXd& { return c.displacement_gradient; }, inside,
@@ -135,20 +136,22 @@ void add_contact(py::module_& module) {
         });
     module.def(
         "contact",
-        [](const py::object& surface, std::optional<double> spacing, bool gradient, const py::kwargs& model) {
+        [](const py::object& surface, const Spacing& spacing, bool gradient, const py::kwargs& model) {
             Keywords keywords(model, "contact");
             if (!py::isinstance<rough::Genome>(surface))
-                return of_profile(profile_from(surface, spacing, "contact"), keywords, gradient);
+                return of_surface(surface_from(surface, spacing, "contact"), keywords, gradient);
             if (spacing)
                 throw py::type_error("contact: spacing given with a Genome, expected nodes and length");
             return of_genome(surface.cast<const rough::Genome&>(), keywords, gradient);
         },
         py::arg("heights"), py::arg("spacing") = py::none(), py::kw_only(), py::arg("gradient") = false,
         "Presses a rough surface on an elastic body, load step by load step.\n\n"
-        "heights: N heights (mm) with their spacing (mm), a Profile, or a Genome.\n"
+        "heights: N heights (mm) of a line, or N_y x N_x of an area, with their spacing (mm; a pair along x\n"
+        "and y), a Profile, a Surface, or a Genome.\n"
         "Model keywords, as the program's flags: kernel ('free', 'periodic', 'strip'), datum, strip_width,\n"
         "modulus, poisson, steps, reach, to_pressure, pressures, hardness, solver, tolerance, accuracy;\n"
-        "of a Genome also nodes and length. Returns a Curve. Raises InputError, NotConverged.\n\n"
+        "of a Genome also nodes and length (pairs along x and y for an area). An area has no datum,\n"
+        "strip_width or accuracy. Returns a Curve. Raises InputError, NotConverged.\n\n"
         ">>> import numpy, rugosa\n"
         ">>> x = (numpy.arange(512) - 255.5) / 512\n"
         ">>> curve = rugosa.contact(-x**2 / 2, 1 / 512)\n"

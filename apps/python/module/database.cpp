@@ -1,5 +1,6 @@
 #include "apps/python/module/python.hpp"
 #include "domain/database/law.hpp"
+#include "domain/database/starts.hpp"
 
 namespace rugosa::python {
 
@@ -14,14 +15,25 @@ struct Stored {
     rough::Genome genome;
 };
 
-std::vector<Stored> queried(const GenomeStore& store, const std::vector<rough::Target>& targets,
-                            std::size_t best, double max_pressure, int threads) {
+std::vector<Stored> queried(const GenomeStore& store,
+                            const std::variant<rough::Target, std::vector<rough::Target>>& asked,
+                            std::size_t best, double max_pressure, int threads, const py::kwargs& model) {
+    rough::DatabaseScale scale;
+    if (!model.empty()) {
+        Keywords keywords(model, "query");
+        scale = rough::scale_to(store, model_from(keywords));
+        keywords.expect_none_left();
+    }
+    const auto* one = std::get_if<rough::Target>(&asked);
+    std::vector<rough::Target> targets = one ? std::vector{*one} : std::get<1>(asked);
     const py::gil_scoped_release unlocked;
+    for (rough::Target& target : targets)
+        target = unscaled(std::move(target), scale);
     std::vector<Stored> found;
     const auto curves = store.curves(rough::need_fractions(targets));
     for (const rough::Match& match :
-         screen(curves, store.setup().model, targets, {max_pressure, best, threads})) {
-        found.push_back({match.index, match.similarity, store.genome(match.index)});
+         screen(curves, store.setup().model, targets, {max_pressure / scale.pressure, best, threads})) {
+        found.push_back({match.index, match.similarity, drawn_out(store.genome(match.index), scale.length)});
         found.back().genome.scale *= match.scale;
     }
     return found;
@@ -75,13 +87,9 @@ void add_database(py::module_& module) {
              "Adds genomes until there are that many.")
         .def("query", &queried, py::arg("targets"), py::arg("best") = 10, py::kw_only(),
              py::arg("max_pressure") = 0.0, py::arg("threads") = 0,
-             "The stored genomes nearest to a list of targets, best first.")
-        .def(
-            "query",
-            [](const GenomeStore& store, const rough::Target& target, std::size_t best, double max_pressure,
-               int threads) { return queried(store, {target}, best, max_pressure, threads); },
-            py::arg("target"), py::arg("best") = 10, py::kw_only(), py::arg("max_pressure") = 0.0,
-            py::arg("threads") = 0)
+             "The stored genomes nearest to a Target or a list of them, best first. Model keywords are "
+             "compared\n"
+             "with the database's, but for length and modulus, which it is scaled to exactly.")
         .def("genome", &GenomeStore::genome, py::arg("index"), "As it is stored.")
         .def("__len__", &GenomeStore::stored);
 }

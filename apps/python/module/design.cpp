@@ -114,7 +114,7 @@ Design designed(const std::optional<Eigen::VectorXd>& pressure,
         options.starts = *starts;
     const py::object progress = keywords.take<py::object>("progress", py::none());
     const auto like = keywords.take<py::object>("like");
-    const auto spacing = keywords.take<double>("spacing");
+    const Spacing spacing = keywords.take<OneOrTwo<double>>("spacing");
     if (like) {
         if (!setup.targets.empty())
             throw py::type_error("design: like given with a target, expected one of them");
@@ -197,14 +197,17 @@ void add_design(py::module_& module) {
         .def_property_readonly(
             "genome", [](const Design& d) -> const rough::Genome& { return d.found.best.genome; }, inside)
         .def_property_readonly(
-            "profile", [](const Design& d) { return sample(d.found.best.genome, d.setup.model.grid); },
-            "Its heights on the grid of the design.")
+            "profile",
+            [](const Design& d) { return as_python(sample(d.found.best.genome, d.setup.model.grid)); },
+            "Its heights on the grid of the design: a Profile, or a Surface.")
         .def_property_readonly(
             "heights",
-            [](const Design& d) { return sample(d.found.best.genome, d.setup.model.grid).heights; },
-            "N heights, mm.")
+            [](const py::object& self) -> py::object { return self.attr("profile").attr("heights"); },
+            "N heights, mm; of an area N_y x N_x.")
         .def_property_readonly(
-            "spacing", [](const Design& d) { return d.setup.model.grid.spacing(); }, "mm")
+            "spacing",
+            [](const py::object& self) -> py::object { return self.attr("profile").attr("spacing"); },
+            "Distance of the nodes, mm; of an area along x and y.")
         .def_property_readonly("similarity", [](const Design& d) { return d.found.best.similarity; })
         .def_property_readonly("similarity_refined",
                                [](const Design& d) { return d.found.best.similarity_refined; })

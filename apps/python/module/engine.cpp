@@ -1,5 +1,7 @@
 #include "apps/python/module/engine.hpp"
 
+#include "ga/variation/permutation.hpp"
+
 namespace rugosa::python {
 
 using app::Genes;
@@ -33,7 +35,7 @@ void take_genes(Optimisation& asked, const std::optional<Eigen::VectorXd>& lower
     asked.upper.assign(upper->begin(), upper->end());
 }
 
-Optimisation optimised(const py::object& problem, const std::optional<Eigen::VectorXd>& lower,
+Optimisation asked_for(const py::object& problem, const std::optional<Eigen::VectorXd>& lower,
                        const std::optional<Eigen::VectorXd>& upper, std::size_t bits, std::size_t permutation,
                        const std::string& pipeline, const std::string& variant, const py::object& minimise,
                        std::size_t objectives, long evaluations, double seconds, std::uint64_t seed,
@@ -61,17 +63,55 @@ Optimisation optimised(const py::object& problem, const std::optional<Eigen::Vec
     asked.seed = seed;
     asked.operators = std::move(operators);
     asked.observers = std::move(observers);
-    switch (asked.genes.kind) {
-    case Genes::Kind::real:
-        optimise_real(asked);
-        break;
-    case Genes::Kind::bits:
-        optimise_bits(asked);
-        break;
-    case Genes::Kind::permutation:
-        optimise_permutation(asked);
-    }
     return asked;
+}
+
+/// Calls with a genome of the kind that is asked for.
+template <class Call>
+auto by_kind(const Optimisation& asked, Call call) {
+    return asked.genes.kind == Genes::Kind::real   ? call(std::vector<double>())
+           : asked.genes.kind == Genes::Kind::bits ? call(std::vector<bool>())
+                                                   : call(ga::Permutation());
+}
+
+/// A search in a loop of the caller's: stays where it is, as its engine points at what was asked.
+struct Search {
+    Optimisation asked;
+    std::unique_ptr<Asking> engine;
+
+    explicit Search(Optimisation of) : asked(std::move(of)) {
+        engine = by_kind(asked, [this](auto genome) { return asking<decltype(genome)>(asked); });
+    }
+};
+
+///@{
+/// Functions of asked_for's arguments: the search carried out, and one that asks.
+template <class... Words>
+auto optimised(Optimisation (*read)(const py::object&, Words...)) {
+    return [read](const py::object& problem, Words... words) {
+        Optimisation asked = read(problem, std::forward<Words>(words)...);
+        by_kind(asked, [&](auto genome) { optimise<decltype(genome)>(asked); });
+        return asked;
+    };
+}
+template <class... Words>
+auto searching(Optimisation (*read)(const py::object&, Words...)) {
+    return [read](Words... words) {
+        return std::make_unique<Search>(read(py::none(), std::forward<Words>(words)...));
+    };
+}
+///@}
+
+/// Adds a function whose keywords are asked_for's.
+template <class Function, class... First>
+void add(py::module_& module, const char* name, Function function, const char* doc, First... first) {
+    module.def(name, function, first..., py::kw_only(), py::arg("lower") = py::none(),
+               py::arg("upper") = py::none(), py::arg("bits") = 0, py::arg("permutation") = 0,
+               py::arg("pipeline") = "", py::arg("variant") = "", py::arg("minimise") = false,
+               py::arg("objectives") = 1, py::arg("evaluations") = 10000,
+               py::arg("seconds") = std::numeric_limits<double>::infinity(), py::arg("seed") = 1,
+               py::arg("operators") = std::vector<py::object>(),
+               py::arg("observers") = std::vector<py::object>(), doc);
 }
 
 } // namespace
@@ -110,13 +150,30 @@ void add_engine(py::module_& module) {
         .def("__repr__", [](const Optimisation& o) {
             return "<rugosa.Optimisation of " + std::to_string(o.spent) + " evaluations>";
         });
-    module.def(
-        "optimise", &optimised, py::arg("problem"), py::kw_only(), py::arg("lower") = py::none(),
-        py::arg("upper") = py::none(), py::arg("bits") = 0, py::arg("permutation") = 0,
-        py::arg("pipeline") = "", py::arg("variant") = "", py::arg("minimise") = false,
-        py::arg("objectives") = 1, py::arg("evaluations") = 10000,
-        py::arg("seconds") = std::numeric_limits<double>::infinity(), py::arg("seed") = 1,
-        py::arg("operators") = std::vector<py::object>(), py::arg("observers") = std::vector<py::object>(),
+    py::class_<Search>(module, "Search", "A search that search() began.")
+        .def(
+            "ask", [](Search& s) { return s.engine->ask(); },
+            "Genomes to be evaluated, a row each; no rows when the search has ended.")
+        .def(
+            "tell", [](Search& s, const py::object& answers) { s.engine->tell(py::list(answers)); },
+            py::arg("answers"),
+            "One answer for each row that ask() gave, as evaluate of optimise() returns it.")
+        .def(
+            "result",
+            [](Search& s) {
+                s.engine->end();
+                return s.asked;
+            },
+            "Ends the search and returns what it found: an Optimisation.");
+    add(module, "search", searching(&asked_for),
+        "The search of optimise() in a loop of one's own; keywords as there.\n\n"
+        ">>> import rugosa\n"
+        ">>> search = rugosa.search(lower=[-5, -5], upper=[5, 5], minimise=True, evaluations=2000)\n"
+        ">>> while len(genes := search.ask()):\n"
+        "...     search.tell((genes**2).sum(axis=1))\n"
+        ">>> search.result().objectives[0] < 1e-3\n"
+        "True\n");
+    add(module, "optimise", optimised(&asked_for),
         "Runs a genetic algorithm on a problem of one's own.\n\n"
         "problem: a function of genes, or an object with evaluate(genes) or evaluate_batch(genes of many, a\n"
         "row each), and perhaps gradient(genes). evaluate returns a number, `objectives` many, or (numbers,\n"
@@ -131,7 +188,8 @@ void add_engine(py::module_& module) {
         ">>> found = rugosa.optimise(lambda x: float((x**2).sum()), lower=[-5, -5], upper=[5, 5],\n"
         "...                         minimise=True, evaluations=2000)\n"
         ">>> found.objectives[0] < 1e-3\n"
-        "True\n");
+        "True\n",
+        py::arg("problem"));
 }
 
 } // namespace rugosa::python

@@ -52,14 +52,16 @@ void add_genome(py::module_& module) {
             py::arg("genes"), "The genome with its genes replaced.")
         .def(
             "profile",
-            [](const Genome& genome, rough::Index nodes, double length, const std::string& kernel) {
-                if (nodes < 2 || !(length > 0))
-                    throw rough::InputError("nodes, length: expected 2 nodes at least and a length above 0");
-                return rough::sample(genome,
-                                     {nodes, length, rough::kernel_named(kernel) == rough::Kernel::periodic});
+            [](const Genome& genome, const OneOrTwo<rough::Index>& nodes, const OneOrTwo<double>& length,
+               const std::string& kernel) {
+                rough::Grid grid = grid_of(nodes, length);
+                grid.wraps = rough::kernel_named(kernel) == rough::Kernel::periodic;
+                return as_python(rough::sample(genome, grid));
             },
             py::arg("nodes") = 512, py::arg("length") = rough::standard_length, py::arg("kernel") = "free",
-            "Its heights at `nodes` nodes over `length` mm.")
+            "Its heights at `nodes` nodes over `length` mm: a Profile, or, where one of them is a pair along "
+            "x\n"
+            "and y, a Surface.")
         .def("__repr__", [](const Genome& genome) {
             std::size_t chromosomes = 0;
             for (const auto& series : genome.series)

@@ -38,16 +38,29 @@ bool Interruptible::asked() const { return holds_ && stop_; }
 
 namespace {
 
+/// What only a profile has.
+void expect_for_areas(const Keywords& keywords) {
+    for (const char* name : {"datum", "strip_width", "accuracy"})
+        if (keywords.has(name))
+            throw rough::InputError(std::string(name) + ": given with an area, expected none: it is for "
+                                                        "profiles alone");
+}
+
 rough::Model model_on(Keywords& keywords, const std::function<rough::Grid(bool wraps)>& grid) {
     rough::Model model;
     rough::Body& body = model.body;
     body.kernel = rough::kernel_named(keywords.take<std::string>("kernel", "free"));
+    model.grid = grid(body.kernel == rough::Kernel::periodic);
+    if (model.grid.is_area()) {
+        expect_for_areas(keywords);
+        if (body.kernel == rough::Kernel::strip)
+            throw rough::InputError("kernel: strip given with an area, expected free or periodic");
+    }
     body.effective_modulus =
         rough::effective_modulus(keywords.take("modulus", 1.0), keywords.take("poisson", 0.0));
     body.datum = keywords.take("datum", 0.0);
     body.strip_width = keywords.take("strip_width", 0.0);
     body.hardness = keywords.take("hardness", body.hardness);
-    model.grid = grid(body.kernel == rough::Kernel::periodic);
     rough::Loading& loading = model.loading;
     loading.steps = keywords.take("steps", loading.steps);
     loading.reach = keywords.take("reach", 0.0);
@@ -66,17 +79,41 @@ rough::Model model_on(Keywords& keywords, const std::function<rough::Grid(bool w
 
 } // namespace
 
-rough::Model model_from(Keywords& keywords) {
+rough::Grid grid_of(const OneOrTwo<rough::Index>& nodes, const OneOrTwo<double>& length) {
     rough::Grid grid;
-    grid.nodes = keywords.take("nodes", grid.nodes);
-    grid.length = keywords.take("length", grid.length);
+    std::tie(grid.nodes, grid.rows) = both(nodes);
+    std::tie(grid.length, grid.width) = both(length);
+    if (grid.nodes < 2 || grid.rows < 2 || !(grid.length > 0 && grid.width > 0))
+        throw rough::InputError("nodes, length: expected 2 nodes at least and a length above 0");
+    if (nodes.index() + length.index() == 0) { // a line
+        grid.rows = 1;
+        grid.width = 0;
+    } else if (static_cast<double>(grid.nodes) * static_cast<double>(grid.rows) > 1e7) {
+        throw rough::InputError("nodes: " + std::to_string(grid.nodes) + " x " + std::to_string(grid.rows) +
+                                " given, expected at most 1e7 in all");
+    }
+    return grid;
+}
+
+rough::Model model_from(Keywords& keywords) {
+    const rough::Grid usual;
+    const auto nodes = keywords.take("nodes", OneOrTwo<rough::Index>(usual.nodes));
+    const rough::Grid grid = grid_of(nodes, keywords.take("length", OneOrTwo<double>(usual.length)));
     return model_on(keywords, [&](bool) { return grid; });
 }
 
-rough::Model model_from(Keywords& keywords, const rough::Profile& profile) {
-    const rough::Index n = profile.nodes();
+rough::Model model_from(Keywords& keywords, const rough::Profile& surface) {
+    const auto [columns, rows] = surface.shape();
     return model_on(keywords, [&](bool wraps) {
-        return rough::Grid{n, profile.spacing * static_cast<double>(wraps ? n : n - 1)};
+        const auto length = [&](double spacing, rough::Index n) {
+            return spacing * static_cast<double>(wraps ? n : n - 1);
+        };
+        rough::Grid grid{columns, length(surface.spacing, columns)};
+        if (surface.is_area()) {
+            grid.rows = rows;
+            grid.width = length(surface.row_spacing, rows);
+        }
+        return grid;
     });
 }
 

@@ -1,11 +1,9 @@
 #pragma once
 
 #include "apps/python/module/engine.hpp"
-#include "ga/run.hpp"
+#include "ga/ask_tell.hpp"
 #include "ga/text/parser.hpp"
 #include "ga/text/whole_vocabulary.hpp"
-
-#include <pybind11/numpy.h>
 
 namespace rugosa::python {
 
@@ -62,13 +60,13 @@ inline app::Answer answer_of(const py::handle& given, std::size_t objectives) {
 /// one.
 template <class G>
 struct PythonProblem : app::OutsideProblem<G> {
-    py::object object;
+    const py::object* object; ///< the engine copies what it is given without the interpreter's lock
     bool has_gradient;
     Callback* callback;
 
     PythonProblem(const Optimisation& asked, Callback& call)
-        : app::OutsideProblem<G>(asked.genes, asked.minimise), object(asked.problem),
-          has_gradient(py::hasattr(object, "gradient")), callback(&call) {
+        : app::OutsideProblem<G>(asked.genes, asked.minimise), object(&asked.problem),
+          has_gradient(py::hasattr(*object, "gradient")), callback(&call) {
         for (std::size_t i = 0; i < asked.lower.size(); ++i) {
             this->range[i].lower = asked.lower[i];
             this->range[i].upper = asked.upper[i];
@@ -83,13 +81,20 @@ struct PythonProblem : app::OutsideProblem<G> {
             throw std::runtime_error("the problem has no gradient");
         (*callback)([&] {
             slopes =
-                object.attr("gradient")(py::array(py::cast(genome))).template cast<std::vector<double>>();
+                object->attr("gradient")(py::array(py::cast(genome))).template cast<std::vector<double>>();
         });
         if (slopes.size() != genome.size())
             throw std::runtime_error("the gradient has " + std::to_string(slopes.size()) + " numbers");
         return slopes;
     }
 };
+
+/// Throws InputError where a batch has more or fewer answers than genomes.
+inline void expect_answers(const std::string& of, std::size_t given, std::size_t expected) {
+    if (given != expected)
+        throw rough::InputError(of + ": " + std::to_string(given) + " answers given, expected " +
+                                std::to_string(expected));
+}
 
 /// The paid calls, made by Python with the interpreter's lock: all of a batch at once where the problem has
 /// `evaluate_batch`, else one after the other.
@@ -105,17 +110,15 @@ class ByPython : public ga::Evaluator<P> {
                 genomes.push_back(call.genome);
             const auto rows = rows_of<typename P::Genome>(genomes, problem.genes.count);
             const std::size_t objectives = problem.objectives().size();
-            if (py::hasattr(problem.object, "evaluate_batch")) {
-                const py::list answers(problem.object.attr("evaluate_batch")(rows));
-                if (answers.size() != calls.size())
-                    throw rough::InputError("evaluate_batch: " + std::to_string(answers.size()) +
-                                            " answers returned, expected " + std::to_string(calls.size()));
+            if (py::hasattr(*problem.object, "evaluate_batch")) {
+                const py::list answers(problem.object->attr("evaluate_batch")(rows));
+                expect_answers("evaluate_batch", answers.size(), calls.size());
                 for (std::size_t i = 0; i < calls.size(); ++i)
                     take(calls[i], answer_of(answers[i], objectives));
                 return;
             }
             const py::object evaluate =
-                py::hasattr(problem.object, "evaluate") ? problem.object.attr("evaluate") : problem.object;
+                py::hasattr(*problem.object, "evaluate") ? problem.object->attr("evaluate") : *problem.object;
             for (std::size_t i = 0; i < calls.size() && !watch.expired(); ++i)
                 take(calls[i], answer_of(evaluate(rows[py::int_(i)]), objectives));
         });
@@ -131,10 +134,22 @@ class ByPython : public ga::Evaluator<P> {
     app::BestKnown& record_;
 };
 
+/// One number each; NaN where there is none.
+template <class Population>
+py::array_t<double> fitness_of(const Population& population) {
+    py::array_t<double> fitness(population.size());
+    for (std::size_t i = 0; i < population.size(); ++i) {
+        const ga::Fitness& f = population[i].fitness;
+        fitness.mutable_at(i) =
+            f.known() && !f.has_failed() && !f.several() ? population[i].value() : std::nan("");
+    }
+    return fitness;
+}
+
 /// An operator written in Python: called with (genes, fitness, random), it returns a new array of genes, or
 /// positions of the individuals that stay.
 struct PythonOperator : ga::Operator {
-    py::object object;
+    const py::object* object;
     std::string name;
     Callback* callback;
 
@@ -148,17 +163,14 @@ struct PythonOperator : ga::Operator {
         ga::Population<G> made;
         (*callback)([&] {
             std::vector<const G*> genomes;
-            py::array_t<double> fitness(population.size());
-            for (std::size_t i = 0; i < population.size(); ++i) {
-                genomes.push_back(&population[i].genome);
-                const ga::Fitness& f = population[i].fitness;
-                fitness.mutable_at(i) =
-                    f.known() && !f.has_failed() && !f.several() ? population[i].value() : std::nan("");
-            }
+            const py::array_t<double> fitness = fitness_of(population);
+            for (const auto& individual : population)
+                genomes.push_back(&individual.genome);
             const std::size_t columns = context.problem().genes.count;
             const auto seed = static_cast<std::uint64_t>(context.stream(0).uniform(0, 0x1p53));
             const py::object random = py::module_::import("numpy.random").attr("default_rng")(seed);
-            const py::array answer = py::array::ensure(object(rows_of<G>(genomes, columns), fitness, random));
+            const py::array answer =
+                py::array::ensure((*object)(rows_of<G>(genomes, columns), fitness, random));
             if (answer && answer.ndim() == 1) {
                 for (const long i : answer.cast<std::vector<long>>())
                     made.push_back(population.at(static_cast<std::size_t>(i)));
@@ -180,64 +192,154 @@ struct PythonOperator : ga::Operator {
     }
 };
 
-/// Carries out a search for genomes of one type.
+/// A search as it was asked for, ready to run. Nothing in it owns what is Python's: it is copied and
+/// destroyed without the interpreter's lock.
+template <class G>
+struct Prepared {
+    using P = PythonProblem<G>;
+    Optimisation& asked;
+    Callback callback;
+    P problem;
+    ga::Stage<P> stage;
+    ga::RunOptions run;
+
+    Prepared(Optimisation& of, std::atomic<bool>& stop)
+        : asked(of), callback(stop), problem(of, callback), stage(parsed()) {
+        asked.searched = stage.text();
+        run.variant = asked.variant;
+        run.seed = asked.seed;
+        run.budget = {asked.evaluations, asked.seconds, &stop};
+    }
+
+    ga::Stage<P> parsed() {
+        auto registry = ga::whole_vocabulary<P>();
+        for (const py::object& each : asked.operators) {
+            const auto name = each.attr("name").template cast<std::string>();
+            registry.add(name, "yours", "written in Python", PythonOperator{{}, &each, name, &callback});
+        }
+        ga::Parser<P> parser(std::move(registry), app::outside_variants(asked.genes, asked.minimise.size()));
+        return asked.pipeline.empty() ? parser.variant(asked.variant) : parser.parse(asked.pipeline);
+    }
+
+    std::vector<ga::Observer<G>> observers() {
+        std::vector<ga::Observer<G>> all;
+        for (const py::object& each : asked.observers)
+            all.push_back([this, one = &each](const ga::Event<G>& event) {
+                callback([&] {
+                    py::dict told;
+                    told["path"] = event.path;
+                    told["generation"] = event.generation;
+                    told["genes"] = genes_of(event.population);
+                    told["fitness"] = fitness_of(event.population);
+                    told["evaluations"] = event.counters.asked;
+                    (*one)(told);
+                });
+            });
+        return all;
+    }
+
+    template <class Population>
+    py::array genes_of(const Population& population) const {
+        std::vector<const G*> genomes;
+        for (const auto& individual : population)
+            genomes.push_back(&individual.genome);
+        return rows_of<G>(genomes, problem.genes.count);
+    }
+
+    /// What a run without the interpreter's lock found goes to the Optimisation; an exception of Python's
+    /// ends it.
+    template <class Run>
+    void finish(Run found_by) {
+        ga::Result<G> found;
+        try {
+            const py::gil_scoped_release unlocked;
+            found = found_by();
+        } catch (const std::exception&) {
+            callback.rethrow();
+            throw;
+        }
+        callback.rethrow();
+        asked.population = genes_of(found.population);
+        asked.spent = found.counters.evaluations;
+        asked.stopped = found.stopped;
+        asked.notes = found.notes;
+    }
+};
+
 template <class G>
 void optimise(Optimisation& asked) {
-    using P = PythonProblem<G>;
     Interruptible interrupt;
-    Callback callback(interrupt.stop());
-    const P problem(asked, callback);
-    auto registry = ga::whole_vocabulary<P>();
-    for (const py::object& each : asked.operators) {
-        const auto name = each.attr("name").cast<std::string>();
-        registry.add(name, "yours", "written in Python", PythonOperator{{}, each, name, &callback});
-    }
-    ga::Parser<P> parser(std::move(registry), app::outside_variants(asked.genes, asked.minimise.size()));
-    const auto stage = asked.pipeline.empty() ? parser.variant(asked.variant) : parser.parse(asked.pipeline);
-    asked.searched = stage.text();
-    ByPython<P> evaluator(callback, asked.record);
-    ga::RunOptions run;
-    run.variant = asked.variant;
-    run.seed = asked.seed;
-    run.budget = {asked.evaluations, asked.seconds, &interrupt.stop()};
-    std::vector<ga::Observer<G>> observers;
-    for (const py::object& each : asked.observers)
-        observers.push_back([&, each](const ga::Event<G>& event) {
-            callback([&] {
-                std::vector<const G*> genomes;
-                std::vector<double> fitness;
-                for (const auto& individual : event.population) {
-                    genomes.push_back(&individual.genome);
-                    const ga::Fitness& f = individual.fitness;
-                    fitness.push_back(f.known() && !f.has_failed() && !f.several() ? individual.value()
-                                                                                   : std::nan(""));
-                }
-                py::dict told;
-                told["path"] = event.path;
-                told["generation"] = event.generation;
-                told["genes"] = rows_of<G>(genomes, problem.genes.count);
-                told["fitness"] = py::array(py::cast(fitness));
-                told["evaluations"] = event.counters.asked;
-                each(told);
-            });
-        });
-    ga::Result<G> found;
-    try {
-        const py::gil_scoped_release unlocked;
-        found = ga::run_by(evaluator, stage, problem, {}, run, std::move(observers));
-    } catch (const std::exception&) {
-        callback.rethrow();
-        throw;
-    }
-    callback.rethrow();
-    std::vector<const G*> genomes;
-    for (const auto& individual : found.population)
-        genomes.push_back(&individual.genome);
-    asked.population = rows_of<G>(genomes, problem.genes.count);
-    asked.spent = found.counters.evaluations;
-    asked.stopped = found.stopped;
-    asked.notes = found.notes;
+    Prepared<G> search(asked, interrupt.stop());
+    ByPython<PythonProblem<G>> evaluator(search.callback, asked.record);
+    search.finish([&] {
+        return ga::run_by(evaluator, search.stage, search.problem, {}, search.run, search.observers());
+    });
     asked.interrupted = interrupt.asked();
+}
+
+/// The same search, asking.
+template <class G>
+class AskingFor : public Asking {
+    using P = PythonProblem<G>;
+
+  public:
+    explicit AskingFor(Optimisation& asked)
+        : search_(asked, stop_),
+          engine_(search_.stage, search_.problem, {}, search_.run, search_.observers()) {}
+    ~AskingFor() override {
+        const py::gil_scoped_release unlocked; // its thread may call Python
+        engine_.stop();
+        stop_ = true;
+        try {
+            engine_.result();
+        } catch (...) { // told by ask() or end(), or of no interest
+        }
+    }
+
+    py::array ask() override {
+        search_.callback.rethrow();
+        {
+            const py::gil_scoped_release unlocked;
+            try {
+                open_ = engine_.ask();
+            } catch (...) {
+                if (!search_.callback.failed())
+                    throw;
+                open_.clear();
+            }
+        }
+        search_.callback.rethrow();
+        std::vector<const G*> genomes;
+        for (const auto& question : open_)
+            genomes.push_back(&question.genome);
+        return rows_of<G>(genomes, search_.problem.genes.count);
+    }
+    void tell(const py::list& answers) override {
+        expect_answers("tell", answers.size(), open_.size());
+        std::vector<app::Answer> read;
+        for (const py::handle& each : answers)
+            read.push_back(answer_of(each, search_.problem.objectives().size()));
+        const py::gil_scoped_release unlocked;
+        for (std::size_t i = 0; i < read.size(); ++i) {
+            search_.asked.record.take({app::genes_text(open_[i].genome), read[i]});
+            engine_.tell(open_[i].id, std::move(read[i]));
+        }
+        open_.clear();
+    }
+    void end() override {
+        search_.finish([&] { return engine_.result(); });
+    }
+
+  private:
+    std::atomic<bool> stop_ = false;
+    Prepared<G> search_;
+    ga::AskTell<P> engine_;
+    std::vector<typename ga::AskTell<P>::Question> open_;
+};
+
+template <class G>
+std::unique_ptr<Asking> asking(Optimisation& asked) {
+    return std::make_unique<AskingFor<G>>(asked);
 }
 
 } // namespace rugosa::python

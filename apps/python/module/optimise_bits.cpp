@@ -2,6 +2,7 @@
 
 namespace rugosa::python {
 
-void optimise_bits(Optimisation& asked) { optimise<std::vector<bool>>(asked); }
+template void optimise<std::vector<bool>>(Optimisation&);
+template std::unique_ptr<Asking> asking<std::vector<bool>>(Optimisation&);
 
 } // namespace rugosa::python

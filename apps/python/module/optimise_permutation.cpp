@@ -2,6 +2,7 @@
 
 namespace rugosa::python {
 
-void optimise_permutation(Optimisation& asked) { optimise<ga::Permutation>(asked); }
+template void optimise<ga::Permutation>(Optimisation&);
+template std::unique_ptr<Asking> asking<ga::Permutation>(Optimisation&);
 
 } // namespace rugosa::python

@@ -2,6 +2,7 @@
 
 namespace rugosa::python {
 
-void optimise_real(Optimisation& asked) { optimise<std::vector<double>>(asked); }
+template void optimise<std::vector<double>>(Optimisation&);
+template std::unique_ptr<Asking> asking<std::vector<double>>(Optimisation&);
 
 } // namespace rugosa::python

@@ -1,30 +1,55 @@
 #include "apps/python/module/python.hpp"
 #include "apps/report/profile_page.hpp"
+#include "domain/scan/map.hpp"
+
+#include <pybind11/numpy.h>
 
 namespace rugosa::python {
 
 using rough::Profile;
 
-Profile profile_from(const py::object& heights, std::optional<double> spacing, const std::string& of) {
-    Profile profile;
-    if (py::isinstance<Profile>(heights)) {
+Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& of) {
+    if (const bool map = py::isinstance<Surface>(heights); map || py::isinstance<Profile>(heights)) {
         if (spacing)
-            throw py::type_error(of + ": spacing given with a Profile, which has its own");
-        return heights.cast<const Profile&>();
+            throw py::type_error(of + ": spacing given with a surface, which has its own");
+        return map ? heights.cast<const Surface&>() : heights.cast<const Profile&>();
     }
     const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(heights);
     if (!array)
         throw py::error_already_set();
-    if (array.ndim() != 1)
+    if (array.ndim() != 1 && array.ndim() != 2)
         throw rough::InputError(of + ": heights of " + std::to_string(array.ndim()) +
-                                " dimensions given, expected one");
+                                " dimensions given, expected one or two");
     if (!spacing)
         throw py::type_error(of + ": spacing is missing, expected the distance of the nodes, mm");
-    if (!(*spacing > 0))
-        throw rough::InputError(of + ": spacing " + std::to_string(*spacing) + " given, expected above 0");
-    profile.heights = Eigen::Map<const Eigen::VectorXd>(array.data(), array.shape(0));
-    profile.spacing = *spacing;
+    if (array.ndim() == 1 && spacing->index() == 1)
+        throw py::type_error(of + ": two spacings given with heights along a line, expected one");
+    const auto [along, across] = both(*spacing);
+    for (const double distance : {along, across})
+        if (!(distance > 0))
+            throw rough::InputError(of + ": spacing " + rough::line_of(distance) +
+                                    " given, expected above 0");
+    Profile surface{Eigen::Map<const Eigen::VectorXd>(array.data(), array.size()), along};
+    if (array.ndim() == 2) {
+        if (array.shape(0) < 2 || array.shape(1) < 2)
+            throw rough::InputError(of + ": a map of " + std::to_string(array.shape(0)) + " x " +
+                                    std::to_string(array.shape(1)) +
+                                    " heights given, expected 2 x 2 at least");
+        surface.rows = array.shape(0);
+        surface.row_spacing = across;
+    }
+    return surface;
+}
+
+Profile profile_from(const py::object& heights, const Spacing& spacing, const std::string& of) {
+    Profile profile = surface_from(heights, spacing, of);
+    if (profile.is_area())
+        throw rough::InputError(of + ": heights of 2 dimensions given, expected one");
     return profile;
+}
+
+py::object as_python(Profile surface) {
+    return surface.is_area() ? py::cast(Surface{std::move(surface)}) : py::cast(std::move(surface));
 }
 
 namespace {
@@ -54,7 +79,7 @@ void add_profile(py::module_& module) {
                         ">>> round(wave.roughness()['Pq'], 6)\n"
                         "0.007071\n")
         .def(py::init([](const py::object& heights, double spacing) {
-                 return profile_from(heights, spacing, "Profile");
+                 return profile_from(heights, OneOrTwo<double>(spacing), "Profile");
              }),
              py::arg("heights"), py::arg("spacing"), "heights: N numbers, mm; spacing: their distance, mm.")
         .def_property_readonly(
@@ -76,11 +101,70 @@ void add_profile(py::module_& module) {
             return "<rugosa.Profile of " + std::to_string(p.nodes()) + " nodes, " +
                    rough::line_of(p.spacing) + " mm apart>";
         });
+    py::class_<Surface>(module, "Surface",
+                        "Heights over an area (mm): a row along x, y grows from row to row.\n\n"
+                        ">>> import numpy, rugosa\n"
+                        ">>> surface = rugosa.Surface(numpy.random.default_rng(1).random((32, 48)), 0.01)\n"
+                        ">>> surface.nodes, surface.heights.shape\n"
+                        "((48, 32), (32, 48))\n")
+        .def(py::init([](const py::object& heights, const OneOrTwo<double>& spacing) {
+                 Surface surface{surface_from(heights, spacing, "Surface")};
+                 if (!surface.is_area())
+                     throw rough::InputError("Surface: heights of 1 dimension given, expected two");
+                 return surface;
+             }),
+             py::arg("heights"), py::arg("spacing"),
+             "heights: N_y x N_x numbers, mm; spacing: their distance, mm, or those along x and y.")
+        .def_property_readonly(
+            "heights",
+            [](const py::object& self) {
+                const auto& surface = self.cast<const Surface&>();
+                const auto [columns, rows] = surface.shape();
+                py::array_t<double> heights({rows, columns}, surface.heights.data(), self);
+                heights.attr("flags").attr("writeable") = false;
+                return heights;
+            },
+            "N_y x N_x heights, mm: a read-only view.")
+        .def_property_readonly(
+            "spacing", [](const Surface& s) { return std::pair(s.spacing, s.row_spacing); },
+            "Distances of the nodes along x and y, mm.")
+        .def_property_readonly(
+            "nodes", [](const Surface& s) { return std::pair(s.shape().columns, s.rows); },
+            "How many along x and y.")
+        .def(
+            "row",
+            [](const Surface& s, rough::Index row) {
+                if (row < 0 || row >= s.rows)
+                    throw py::index_error("row " + std::to_string(row) + " given, expected 0 to " +
+                                          std::to_string(s.rows - 1));
+                const rough::Index columns = s.shape().columns;
+                return Profile{s.heights.segment(row * columns, columns), s.spacing};
+            },
+            py::arg("row"), "One row as a Profile, counted from 0.")
+        .def("__repr__", [](const Surface& s) {
+            return "<rugosa.Surface of " + std::to_string(s.shape().columns) + " x " +
+                   std::to_string(s.rows) + " nodes, " + rough::line_of(s.spacing) + " x " +
+                   rough::line_of(s.row_spacing) + " mm apart>";
+        });
+    module.def(
+        "read_surface",
+        [](const std::filesystem::path& file, const OneOrTwo<double>& spacing, const std::string& unit) {
+            const auto [along, across] = both(spacing);
+            return Surface{rough::read_map(file, {unit, along, across})};
+        },
+        py::arg("file"), py::kw_only(), py::arg("spacing"), py::arg("unit") = "",
+        "A measured area as it stands in a text matrix; spacing in `unit` (mm), as a pair along x and y.");
     module.def(
         "read_profile",
         [](const std::filesystem::path& file, const std::string& unit, double spacing,
-           const std::string& detrend, bool fill, rough::Index row) {
+           const std::string& detrend, bool fill, rough::Index row, const std::string& outliers,
+           double lambda_s, double lambda_c) {
             rough::ScanOptions options;
+            if (outliers != "keep" && outliers != "remove")
+                throw rough::InputError("outliers: '" + outliers + "' given, expected keep or remove");
+            options.remove_outliers = outliers == "remove";
+            options.lambda_s = lambda_s;
+            options.lambda_c = lambda_c;
             options.unit = unit;
             options.spacing = spacing;
             options.detrend = rough::detrend_named(detrend, "detrend");
@@ -91,6 +175,7 @@ void add_profile(py::module_& module) {
         },
         py::arg("file"), py::kw_only(), py::arg("unit") = "", py::arg("spacing") = 0.0,
         py::arg("detrend") = "line", py::arg("fill") = false, py::arg("row") = 0,
+        py::arg("outliers") = "keep", py::arg("lambda_s") = 0.0, py::arg("lambda_c") = 0.0,
         "(Profile, what was read and done to it in words) of a measured scan.");
 }
 

@@ -63,14 +63,35 @@ class Keywords {
     std::map<std::string, py::object> left_;
 };
 
+/// A number, or one along x and one along y.
+template <class Number>
+using OneOrTwo = std::variant<Number, std::pair<Number, Number>>;
+template <class Number>
+std::pair<Number, Number> both(const OneOrTwo<Number>& given) {
+    const Number* one = std::get_if<Number>(&given);
+    return one ? std::pair(*one, *one) : std::get<std::pair<Number, Number>>(given);
+}
+/// Distance of nodes, mm, where it is given.
+using Spacing = std::optional<OneOrTwo<double>>;
+
+/// Heights over an area; Python has them in two dimensions.
+struct Surface : rough::Profile {};
+
+/// So many nodes over so many mm; of an area where one of them is a pair.
+rough::Grid grid_of(const OneOrTwo<rough::Index>& nodes, const OneOrTwo<double>& length);
 /// The model that keywords named like the program's flags describe, for a genome: on 512 nodes over 0.84942
 /// mm unless `nodes` and `length` say otherwise.
 rough::Model model_from(Keywords& keywords);
-/// The same on a profile's own nodes.
-rough::Model model_from(Keywords& keywords, const rough::Profile& profile);
+/// The same on a surface's own nodes.
+rough::Model model_from(Keywords& keywords, const rough::Profile& surface);
 
-/// Heights (mm) and their distance as a caller gives them: a Profile, or an array and a spacing.
-rough::Profile profile_from(const py::object& heights, std::optional<double> spacing, const std::string& of);
+/// Heights (mm) and their distance as a caller gives them: a Profile or Surface, or an array of one or two
+/// dimensions and a spacing.
+rough::Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& of);
+/// The same where only a profile will do.
+rough::Profile profile_from(const py::object& heights, const Spacing& spacing, const std::string& of);
+/// As Python has it: a Surface where it is an area, else a Profile.
+py::object as_python(rough::Profile surface);
 
 /// From its construction on, Ctrl-C asks the C++ work of the main thread to stop instead of raising
 /// KeyboardInterrupt later; in other threads it does nothing.

@@ -34,12 +34,12 @@ void add_target(py::module_& module) {
             py::arg("file"), "Reads a target file (CSV).")
         .def_static(
             "like",
-            [](const py::object& surface, std::optional<double> spacing, const std::string& quantity,
+            [](const py::object& surface, const Spacing& spacing, const std::string& quantity,
                rough::Index points, double last, const py::kwargs& model) {
                 Keywords keywords(model, "Target.like");
                 const bool genome = py::isinstance<rough::Genome>(surface);
                 const rough::Profile own =
-                    genome ? rough::Profile() : profile_from(surface, spacing, "Target.like");
+                    genome ? rough::Profile() : surface_from(surface, spacing, "Target.like");
                 const rough::Model under = genome ? model_from(keywords) : model_from(keywords, own);
                 keywords.expect_none_left();
                 return rough::target_like(genome ? sample(surface.cast<const rough::Genome&>(), under.grid)

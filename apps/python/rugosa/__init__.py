@@ -14,25 +14,30 @@ import pathlib as _pathlib
 
 from . import _show
 from ._rugosa import (Answer, Curve, Database, Design, Genome, InputError, NotConverged, Optimisation, Profile,
-                      Stored, Target, UsageError, __version__, contact, design, optimise, read_profile)
+                      Search, Stored, Surface, Target, UsageError, __version__, contact, design, optimise,
+                      read_profile, read_surface, search)
 
 __all__ = ["Answer", "Curve", "Database", "Design", "Genome", "InputError", "NotConverged", "Optimisation",
-           "Profile", "Stored", "Target", "UsageError", "contact", "design", "optimise", "read"]
+           "Profile", "Search", "Stored", "Surface", "Target", "UsageError", "contact", "design", "optimise",
+           "read", "search"]
 
 
 def read(file, **options):
-    """A genome file (.json) as a Genome, or a measured scan as a Profile.
+    """A genome file (.json) as a Genome, a measured scan as a Profile, or a map as a Surface.
 
-    Options of a scan as the program's flags: unit, spacing, detrend, fill, row.
+    Options of a scan as the program's flags: unit, spacing, row, detrend, outliers, lambda_s, lambda_c, fill.
+    A text matrix with its spacing as a pair, along x and y, is a map; it has a unit besides.
     """
     if _pathlib.Path(file).suffix == ".json":
         if options:
             raise TypeError(f"read: {next(iter(options))} given with a genome file, expected with a scan only")
         return Genome.read(file)
+    if isinstance(options.get("spacing"), (tuple, list)):
+        return read_surface(file, **options)
     return read_profile(file, **options)[0]
 
 
 InputError.__doc__ = "What was given cannot be used: one line says what, and what was expected."
 NotConverged.__doc__ = "A solver ended without an answer that its certificate bears out."
 UsageError.__doc__ = "A pipeline cannot work: one line says where and why."
-_show.attach(Curve, Profile, Design)
+_show.attach(Curve, Profile, Surface, Design)

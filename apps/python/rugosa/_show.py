@@ -1,5 +1,8 @@
 """How objects show themselves: .plot() by matplotlib, _repr_html_ by a few lines of SVG."""
 
+import base64
+import struct
+import zlib
 from html import escape
 
 
@@ -25,6 +28,17 @@ def _plot_profile(profile, axes=None, **style):
     axes.plot([i * profile.spacing for i in range(profile.nodes)], profile.heights, **style)
     axes.set_xlabel("x / mm")
     axes.set_ylabel("height / mm")
+    return axes
+
+
+def _plot_surface(surface, axes=None, **style):
+    """Heights as a picture; returns the axes."""
+    axes = _axes(axes)
+    (dx, dy), (nx, ny) = surface.spacing, surface.nodes
+    picture = axes.imshow(surface.heights, origin="lower", extent=(0, nx * dx, 0, ny * dy), **style)
+    axes.set_xlabel("x / mm")
+    axes.set_ylabel("y / mm")
+    axes.figure.colorbar(picture, ax=axes, label="height / mm")
     return axes
 
 
@@ -57,6 +71,26 @@ def _profile_picture(profile):
                     f"{profile.nodes * profile.spacing:.4g} mm")
 
 
+def _surface_picture(surface):
+    every = max(1, max(surface.nodes) // 160)
+    heights = surface.heights[::-every, ::every]  # y grows upwards
+    low, high = heights.min(), heights.max()
+    grey = ((heights - low) / ((high - low) or 1) * 255).round().astype("uint8")
+    rows, columns = grey.shape
+
+    def chunk(kind, content):
+        return (struct.pack(">I", len(content)) + kind + content
+                + struct.pack(">I", zlib.crc32(kind + content)))
+
+    lines = b"".join(b"\0" + row.tobytes() for row in grey)
+    png = (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, 0, 0, 0, 0))
+           + chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b""))
+    (dx, dy), (nx, ny) = surface.spacing, surface.nodes
+    return (f'<figure style="display:inline-block;margin:4px"><img width="240" alt="heights" '
+            f'src="data:image/png;base64,{base64.b64encode(png).decode()}"><figcaption>height, {low:.3g} to '
+            f"{high:.3g} mm, over {nx * dx:.4g} x {ny * dy:.4g} mm</figcaption></figure>")
+
+
 def _curve_picture(curve):
     return _picture(curve.pressure, curve.tangent_stiffness,
                     f"stiffness, {curve.tangent_stiffness[0]:.3g} to {curve.tangent_stiffness[-1]:.3g} MPa/mm, "
@@ -67,11 +101,12 @@ def _design_box(design):
     verdict = "found" if design.found else "; ".join(design.out_of_reach) or "not found"
     return (f'<div style="border:1px solid #888;padding:8px"><b>{escape(verdict)}</b>: similarity '
             f"{design.similarity_worst:.4f} at worst, {design.similarity:.4f} on the grid of the design<br>"
-            f"{_profile_picture(design.profile)}{_curve_picture(design.curve)}</div>")
+            f"{design.profile._repr_html_()}{_curve_picture(design.curve)}</div>")
 
 
-def attach(curve, profile, design):
+def attach(curve, profile, surface, design):
     """Gives the classes of the module their pictures."""
     curve.plot, curve._repr_html_ = _plot_curve, _curve_picture
     profile.plot, profile._repr_html_ = _plot_profile, _profile_picture
+    surface.plot, surface._repr_html_ = _plot_surface, _surface_picture
     design.plot, design._repr_html_ = _plot_design, _design_box

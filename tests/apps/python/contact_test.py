@@ -79,6 +79,69 @@ class Contact(WithFolder):
             numpy.testing.assert_allclose(whole.pressure_gradient[:, gene], (ends[1] - ends[0]) / 2e-7,
                                           atol=1e-4 * abs(whole.pressure_gradient).max())
 
+    def test_an_area_gives_the_bits_of_the_program(self):
+        heights = numpy.random.default_rng(3).normal(0, 1e-3, (12, 20))
+        numpy.savetxt(self.folder / "map.txt", heights, fmt="%.17g")
+        for kernel in "free", "periodic":
+            self.rugosa("contact", "--surface", "map.txt", "--spacing", "0.01x0.02", "--kernel", kernel, "--steps", 5,
+                        "--out", "c.csv", "--force")
+            csv = numpy.genfromtxt(self.folder / "c.csv", delimiter=",", names=True)
+            read = rugosa.read(self.folder / "map.txt", spacing=(0.01, 0.02))
+            numpy.testing.assert_array_equal(read.heights, heights)
+            for given in (heights, (0.01, 0.02)), (read, None), (rugosa.Surface(heights, (0.01, 0.02)), None):
+                curve = rugosa.contact(*given, kernel=kernel, steps=5)
+                numpy.testing.assert_array_equal(curve.pressure, csv["pressure_MPa"], kernel)
+                numpy.testing.assert_array_equal(curve.contact_fraction, csv["contact_fraction"], kernel)
+
+    def test_gradient_on_an_area_agrees_with_differences(self):
+        heights = numpy.random.default_rng(4).normal(0, 1e-3, (6, 9))
+        whole = rugosa.contact(heights, 0.01, steps=3, gradient=True)
+        for node in (1, 2), (4, 7):
+            ends = []
+            for sign in -1, 1:
+                moved = heights.copy()
+                moved[node] += sign * 1e-9
+                ends.append(rugosa.contact(moved, 0.01, steps=3).pressure)
+            gradient = whole.pressure_gradient.reshape(3, *heights.shape)[:, node[0], node[1]]
+            numpy.testing.assert_allclose(gradient, (ends[1] - ends[0]) / 2e-9,
+                                          atol=1e-4 * abs(whole.pressure_gradient).max())
+
+    def test_a_genome_on_an_area_is_pressed_as_its_heights_are(self):
+        wave = {"A": 0.01, "H": 0.8, "gamma": 1.5, "lambda": 1.0,
+                "chromosomes": [{"n": 2, "phases": [0.3, 1.2, 2.0]}]}
+        genome = rugosa.Genome({"series": [wave]})
+        surface = genome.profile((24, 16), (1.0, 0.5))
+        self.assertEqual(surface.heights.shape, (16, 24))
+        whole = rugosa.contact(genome, nodes=(24, 16), length=(1.0, 0.5), steps=4)
+        numpy.testing.assert_array_equal(whole.pressure, rugosa.contact(surface, steps=4).pressure)
+        self.assertEqual(surface.row(3).heights.tolist(), surface.heights[3].tolist())
+
+    def test_what_only_a_profile_has_is_refused_on_an_area(self):
+        heights = numpy.random.default_rng(4).normal(0, 1e-3, (6, 9))
+        for word in "datum", "strip_width", "accuracy":
+            with self.assertRaisesRegex(rugosa.InputError, word):
+                rugosa.contact(heights, 0.01, **{word: 0.5})
+        with self.assertRaisesRegex(rugosa.InputError, "strip"):
+            rugosa.contact(heights, 0.01, kernel="strip")
+        with self.assertRaisesRegex(rugosa.InputError, "2 x 2 at least"):
+            rugosa.contact(heights[:1], 0.01)
+        with self.assertRaisesRegex(TypeError, "two spacings"):
+            rugosa.contact(heights[0], (0.01, 0.01))
+        with self.assertRaisesRegex(rugosa.InputError, "expected one"):
+            rugosa.design(like=heights, spacing=0.01)
+
+    def test_filters_of_the_program_are_read_options(self):
+        heights = rough_heights() + 1e-3 * (numpy.arange(256) == 99)
+        self.scan(heights, 0.004)
+        options = {"outliers": "remove", "lambda_s": 0.02, "lambda_c": 0.4}
+        flags = [word for name, value in options.items() for word in (f"--{name.replace('_', '-')}", value)]
+        self.rugosa("contact", "--profile", "scan.txt", "--spacing", 0.004, *flags, "--out", "c.csv")
+        csv = numpy.genfromtxt(self.folder / "c.csv", delimiter=",", names=True)
+        read = rugosa.read(self.folder / "scan.txt", spacing=0.004, **options)
+        numpy.testing.assert_array_equal(rugosa.contact(read).pressure, csv["pressure_MPa"])
+        with self.assertRaisesRegex(rugosa.InputError, "keep or remove"):
+            rugosa.read(self.folder / "scan.txt", spacing=0.004, outliers="drop")
+
     def test_mistakes_are_python_exceptions_with_the_same_words(self):
         heights = rough_heights()
         with self.assertRaisesRegex(rugosa.InputError, "expected"):
@@ -144,6 +207,7 @@ class Contact(WithFolder):
         curve = rugosa.contact(rough_heights(), 0.004)
         self.assertIn("<svg", curve._repr_html_())
         self.assertIn("<svg", rugosa.Profile(rough_heights(), 0.004)._repr_html_())
+        self.assertIn("data:image/png", rugosa.Surface(rough_heights().reshape(16, 16), 0.004)._repr_html_())
 
 
 if __name__ == "__main__":

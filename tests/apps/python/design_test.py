@@ -1,5 +1,6 @@
 import json
 import os
+import resource
 import signal
 import threading
 import unittest
@@ -87,6 +88,21 @@ class Design(WithFolder):
             rugosa.Target(PRESSURE[::-1], STIFFNESS)
 
 
+class Memory(unittest.TestCase):
+    def test_stays_bounded_over_many_designs(self):
+        many = int(os.environ.get("RUGOSA_DESIGNS", 90))
+
+        def design(seed):
+            rugosa.design(PRESSURE, STIFFNESS, nodes=64, seed=seed, pipeline="shape 2 | score | best 1")
+
+        for seed in range(many // 3):
+            design(seed)
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        for seed in range(many):
+            design(seed)
+        self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 8 << 10)  # kB
+
+
 class Database(WithFolder):
     def test_answers_queries_as_the_program_does(self):
         file = self.folder / "g.db"
@@ -97,6 +113,11 @@ class Database(WithFolder):
         out = self.rugosa("database", "query", "g.db", "--target", "T.csv", "--best", 3).stdout
         rows = [line.split() for line in out.splitlines()[2:]]
         found = rugosa.Database(file).query(target, 3)
+        stiffer = rugosa.Target(target.x * 1000, target.y * 500)  # E 1000 times, all lengths twice
+        other = rugosa.Database(file).query([stiffer], 3, nodes=64, steps=10, modulus=1000, length=2 * 0.84942)
+        self.assertEqual([each.index for each in other], [each.index for each in found])
+        numpy.testing.assert_allclose([each.similarity for each in other], [each.similarity for each in found],
+                                      rtol=1e-9)
         self.assertEqual([f"{s.index} {s.similarity:.6f}" for s in found], [f"{r[1]} {r[2]}" for r in rows])
 
 

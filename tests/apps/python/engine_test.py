@@ -48,6 +48,54 @@ class Engine(WithFolder):
         numpy.testing.assert_array_equal(one.best, many.best)
         self.assertLess(Batch.calls, 100)
 
+    def test_a_search_that_asks_gives_the_bits_of_one_that_calls(self):
+        for options in ({"lower": [-5] * 3, "upper": [5] * 3, "variant": "bipop-cma-es"},
+                        {"bits": 12}, {"permutation": 7}):
+            called = rugosa.optimise(sphere, minimise=True, evaluations=500, seed=3, **options)
+            search = rugosa.search(minimise=True, evaluations=500, seed=3, **options)
+            batches = 0
+            while len(genes := search.ask()):
+                self.assertEqual(search.ask().tolist(), genes.tolist())  # still open
+                search.tell([sphere(row) for row in genes])
+                batches += 1
+            found = search.result()
+            self.assertGreater(batches, 1)
+            self.assertEqual(found.best.tolist(), called.best.tolist())
+            self.assertEqual(found.evaluations, called.evaluations)
+
+    def test_a_search_is_left_half_way_without_harm(self):
+        told = []
+
+        class Stay:
+            name = "stay"
+
+            def __call__(self, genes, fitness, random):
+                return numpy.arange(len(fitness))
+
+        for rounds in range(3):
+            search = rugosa.search(lower=[0] * 2, upper=[1] * 2, operators=[Stay()], observers=[told.append],
+                                   pipeline="sample 5 | score | repeat 50 { stay | mutate 0.5 | score } | best 1")
+            for _ in range(rounds):
+                search.tell(search.ask().sum(axis=1))
+            if rounds == 2:
+                self.assertEqual(search.result().evaluations, 10)
+                self.assertEqual(len(search.ask()), 0)
+            else:
+                search.ask()
+                with self.assertRaisesRegex(rugosa.InputError, "answers given"):
+                    search.tell([1.0])
+            del search
+        self.assertTrue(told)
+
+    def test_an_observers_exception_ends_a_search(self):
+        def broken(_):
+            raise KeyError("mine")
+
+        search = rugosa.search(lower=[0], upper=[1], observers=[broken])
+        with self.assertRaisesRegex(KeyError, "mine"):
+            while len(genes := search.ask()):
+                search.tell(genes[:, 0])
+
     def test_bounds_are_each_genes_own(self):
         seen = []
 
