@@ -107,17 +107,6 @@ OutsideSearch search_from(const Settings& settings) {
 
 } // namespace
 
-void search(OutsideSearch& search, Children& children) {
-    switch (search.genes.kind) {
-    case Genes::Kind::real:
-        return search_real(search, children);
-    case Genes::Kind::bits:
-        return search_bits(search, children);
-    case Genes::Kind::permutation:
-        return search_permutation(search, children);
-    }
-}
-
 int optimise(const Words& words) {
     const ga::Stopwatch clock;
     if (shows_help(

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/commands/optimise/child.hpp"
-#include "apps/commands/optimise/solution.hpp"
+#include "apps/outside/solution.hpp"
 #include "ga/budget.hpp"
 #include "ga/stopwatch.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/commands/optimise/children.hpp"
-#include "apps/commands/optimise/genes.hpp"
+#include "apps/outside/genes.hpp"
 
 #include <atomic>
 #include <filesystem>
@@ -33,12 +33,5 @@ struct OutsideSearch {
 /// Searches. Throws ga::UsageError on a pipeline that cannot work; trouble with a child is the children's to
 /// tell.
 void search(OutsideSearch& search, Children& children);
-
-///@{
-/// The same for one kind of genome; each is compiled by itself.
-void search_real(OutsideSearch& search, Children& children);
-void search_bits(OutsideSearch& search, Children& children);
-void search_permutation(OutsideSearch& search, Children& children);
-///@}
 
 } // namespace app

@@ -132,7 +132,8 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
         bout.variants = contestants_of(settings, problem.kind);
         bout.budget = problem.kind == "surfaces" ? settings.whole("compare.curves", 1, 1000000000)
                                                  : budget_from(settings, contest.budget, problem.genes);
-        for (const auto& [name, text] : bout.variants) {
+        for (const auto& variant : bout.variants) {
+            const std::string &name = variant.first, &text = variant.second;
             const std::string key = problem.kind + "." + name;
             read_at(settings, settings.given(key) ? key : "compare.variants", [&] {
                 try {

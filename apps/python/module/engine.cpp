@@ -29,10 +29,10 @@ void take_genes(Optimisation& asked, const std::optional<Eigen::VectorXd>& lower
             "optimise: expected lower and upper of one length, each lower bound below its "
             "upper one and finite");
     genes.count = static_cast<std::size_t>(lower->size());
-    genes.lower = lower->minCoeff();
-    genes.upper = upper->maxCoeff();
-    asked.lower.assign(lower->begin(), lower->end());
-    asked.upper.assign(upper->begin(), upper->end());
+    for (std::size_t i = 0; i < genes.count; ++i) {
+        const auto gene = static_cast<Eigen::Index>(i);
+        asked.range.push_back({i, (*lower)[gene], (*upper)[gene]});
+    }
 }
 
 Optimisation asked_for(const py::object& problem, const std::optional<Eigen::VectorXd>& lower,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/commands/optimise/outside_problem.hpp"
+#include "apps/outside/problem.hpp"
 #include "apps/python/module/python.hpp"
 
 #include <pybind11/numpy.h>
@@ -10,7 +10,7 @@ namespace rugosa::python {
 /// A search on a problem that Python evaluates, and what came of it.
 struct Optimisation {
     app::Genes genes;
-    std::vector<double> lower, upper; ///< of real genes, one each
+    std::vector<ga::Variable> range; ///< of real genes
     py::object problem;
     std::vector<py::object> operators, observers;
     std::vector<bool> minimise;

@@ -2,8 +2,6 @@
 
 #include "apps/python/module/engine.hpp"
 #include "ga/ask_tell.hpp"
-#include "ga/text/parser.hpp"
-#include "ga/text/whole_vocabulary.hpp"
 
 namespace rugosa::python {
 
@@ -56,38 +54,43 @@ inline app::Answer answer_of(const py::handle& given, std::size_t objectives) {
     return answer;
 }
 
-/// A Python problem: genomes are drawn here, as by `rugosa optimise`; a gradient is asked of it where it has
-/// one.
-template <class G>
-struct PythonProblem : app::OutsideProblem<G> {
-    const py::object* object; ///< the engine copies what it is given without the interpreter's lock
+/// Real genes, of which Python may know a gradient. What is Python's is pointed at: the engine copies
+/// problems without the interpreter's lock.
+struct RealProblem : app::OutsideProblem<std::vector<double>> {
+    const py::object* object;
     bool has_gradient;
     Callback* callback;
 
-    PythonProblem(const Optimisation& asked, Callback& call)
-        : app::OutsideProblem<G>(asked.genes, asked.minimise), object(&asked.problem),
-          has_gradient(py::hasattr(*object, "gradient")), callback(&call) {
-        for (std::size_t i = 0; i < asked.lower.size(); ++i) {
-            this->range[i].lower = asked.lower[i];
-            this->range[i].upper = asked.upper[i];
-        }
-    }
+    RealProblem(const Optimisation& asked, Callback& call)
+        : app::OutsideProblem<std::vector<double>>(asked.genes.count, asked.range, asked.minimise),
+          object(&asked.problem), has_gradient(py::hasattr(*object, "gradient")), callback(&call) {}
 
     /// Of the objective that `refine` climbs.
-    std::vector<double> gradient(const G& genome,
-                                 const std::string&) const requires std::same_as<G, std::vector<double>> {
+    std::vector<double> gradient(const Genome& genome, const std::string&) const {
         std::vector<double> slopes;
         if (!has_gradient)
             throw std::runtime_error("the problem has no gradient");
         (*callback)([&] {
-            slopes =
-                object->attr("gradient")(py::array(py::cast(genome))).template cast<std::vector<double>>();
+            slopes = object->attr("gradient")(py::array(py::cast(genome))).cast<std::vector<double>>();
         });
         if (slopes.size() != genome.size())
             throw std::runtime_error("the gradient has " + std::to_string(slopes.size()) + " numbers");
         return slopes;
     }
 };
+
+///@{
+/// The problem as the engine takes it.
+template <class G>
+app::OutsideProblem<G> problem_of(const Optimisation& asked, Callback&, G) {
+    return {asked.genes.count, asked.range, asked.minimise};
+}
+inline RealProblem problem_of(const Optimisation& asked, Callback& callback, std::vector<double>) {
+    return {asked, callback};
+}
+///@}
+template <class G>
+using PythonProblem = decltype(problem_of(std::declval<Optimisation>(), std::declval<Callback&>(), G()));
 
 /// Throws InputError where a batch has more or fewer answers than genomes.
 inline void expect_answers(const std::string& of, std::size_t given, std::size_t expected) {
@@ -101,24 +104,24 @@ inline void expect_answers(const std::string& of, std::size_t given, std::size_t
 template <class P>
 class ByPython : public ga::Evaluator<P> {
   public:
-    ByPython(Callback& callback, app::BestKnown& record) : callback_(callback), record_(record) {}
+    ByPython(Callback& callback, Optimisation& asked) : callback_(callback), asked_(asked) {}
 
     void outcomes(const P& problem, std::span<ga::Call<P>> calls, const ga::Watch& watch) override {
         callback_([&] {
             std::vector<const typename P::Genome*> genomes;
             for (const auto& call : calls)
                 genomes.push_back(call.genome);
-            const auto rows = rows_of<typename P::Genome>(genomes, problem.genes.count);
+            const auto rows = rows_of<typename P::Genome>(genomes, problem.count);
+            const py::object& own = asked_.problem;
             const std::size_t objectives = problem.objectives().size();
-            if (py::hasattr(*problem.object, "evaluate_batch")) {
-                const py::list answers(problem.object->attr("evaluate_batch")(rows));
+            if (py::hasattr(own, "evaluate_batch")) {
+                const py::list answers(own.attr("evaluate_batch")(rows));
                 expect_answers("evaluate_batch", answers.size(), calls.size());
                 for (std::size_t i = 0; i < calls.size(); ++i)
                     take(calls[i], answer_of(answers[i], objectives));
                 return;
             }
-            const py::object evaluate =
-                py::hasattr(*problem.object, "evaluate") ? problem.object->attr("evaluate") : *problem.object;
+            const py::object evaluate = py::hasattr(own, "evaluate") ? py::object(own.attr("evaluate")) : own;
             for (std::size_t i = 0; i < calls.size() && !watch.expired(); ++i)
                 take(calls[i], answer_of(evaluate(rows[py::int_(i)]), objectives));
         });
@@ -126,12 +129,12 @@ class ByPython : public ga::Evaluator<P> {
 
   private:
     void take(ga::Call<P>& call, app::Answer answer) {
-        record_.take({app::genes_text(*call.genome), answer});
+        asked_.record.take({app::genes_text(*call.genome), answer});
         *call.answer = std::move(answer);
     }
 
     Callback& callback_;
-    app::BestKnown& record_;
+    Optimisation& asked_;
 };
 
 /// One number each; NaN where there is none.
@@ -166,7 +169,7 @@ struct PythonOperator : ga::Operator {
             const py::array_t<double> fitness = fitness_of(population);
             for (const auto& individual : population)
                 genomes.push_back(&individual.genome);
-            const std::size_t columns = context.problem().genes.count;
+            const std::size_t columns = context.problem().count;
             const auto seed = static_cast<std::uint64_t>(context.stream(0).uniform(0, 0x1p53));
             const py::object random = py::module_::import("numpy.random").attr("default_rng")(seed);
             const py::array answer =
@@ -204,7 +207,7 @@ struct Prepared {
     ga::RunOptions run;
 
     Prepared(Optimisation& of, std::atomic<bool>& stop)
-        : asked(of), callback(stop), problem(of, callback), stage(parsed()) {
+        : asked(of), callback(stop), problem(problem_of(of, callback, G())), stage(parsed()) {
         asked.searched = stage.text();
         run.variant = asked.variant;
         run.seed = asked.seed;
@@ -243,7 +246,7 @@ struct Prepared {
         std::vector<const G*> genomes;
         for (const auto& individual : population)
             genomes.push_back(&individual.genome);
-        return rows_of<G>(genomes, problem.genes.count);
+        return rows_of<G>(genomes, problem.count);
     }
 
     /// What a run without the interpreter's lock found goes to the Optimisation; an exception of Python's
@@ -270,7 +273,7 @@ template <class G>
 void optimise(Optimisation& asked) {
     Interruptible interrupt;
     Prepared<G> search(asked, interrupt.stop());
-    ByPython<PythonProblem<G>> evaluator(search.callback, asked.record);
+    ByPython<PythonProblem<G>> evaluator(search.callback, asked);
     search.finish([&] {
         return ga::run_by(evaluator, search.stage, search.problem, {}, search.run, search.observers());
     });
@@ -312,7 +315,7 @@ class AskingFor : public Asking {
         std::vector<const G*> genomes;
         for (const auto& question : open_)
             genomes.push_back(&question.genome);
-        return rows_of<G>(genomes, search_.problem.genes.count);
+        return rows_of<G>(genomes, search_.problem.count);
     }
     void tell(const py::list& answers) override {
         expect_answers("tell", answers.size(), open_.size());

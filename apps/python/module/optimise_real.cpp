@@ -1,4 +1,5 @@
 #include "apps/python/module/optimise.hpp"
+#include "ga/text/whole_vocabulary.hpp"
 
 namespace rugosa::python {
 

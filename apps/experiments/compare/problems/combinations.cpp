@@ -16,7 +16,7 @@ TourInstance tour_instance(std::vector<Town> towns, double best) {
     instance.genes = towns.size();
     instance.best = instance.scale = best;
     instance.evaluate = [towns = std::move(towns)](const ga::Permutation& tour) {
-        return Valued{{tour_length(towns, tour.order)}};
+        return Answer{{tour_length(towns, tour.order)}};
     };
     return instance;
 }
@@ -53,7 +53,7 @@ BitsInstance knapsack_instance(std::size_t things, std::uint64_t seed) {
                 weight += knapsack.weights[i];
                 value += knapsack.values[i];
             }
-        return Valued{{static_cast<double>(-value)},
+        return Answer{{static_cast<double>(-value)},
                       static_cast<double>(std::max(0, weight - knapsack.capacity))};
     };
     return instance;

@@ -15,7 +15,7 @@ using Points = std::vector<ga::Point>;
 
 struct FrontProblem {
     std::size_t genes, objectives;
-    Valued (*evaluate)(const Genes&);
+    Answer (*evaluate)(const Genes&);
     Points (*front)();
     double reach = 0; ///< of genes behind the first, which lie in [-reach, reach]; 0: in [0, 1]
 };
@@ -34,28 +34,28 @@ double convex(double f1, double g) { return g * (1 - std::sqrt(f1 / g)); }
 double concave(double f1, double g) { return g * (1 - f1 / g * f1 / g); }
 double broken(double f1, double g) { return convex(f1, g) - f1 * std::sin(10 * pi * f1); }
 
-Valued zdt1(const Genes& x) { return {{x[0], convex(x[0], linear_g(x))}}; }
-Valued zdt2(const Genes& x) { return {{x[0], concave(x[0], linear_g(x))}}; }
-Valued zdt3(const Genes& x) { return {{x[0], broken(x[0], linear_g(x))}}; }
-Valued zdt4(const Genes& x) {
+Answer zdt1(const Genes& x) { return {{x[0], convex(x[0], linear_g(x))}}; }
+Answer zdt2(const Genes& x) { return {{x[0], concave(x[0], linear_g(x))}}; }
+Answer zdt3(const Genes& x) { return {{x[0], broken(x[0], linear_g(x))}}; }
+Answer zdt4(const Genes& x) {
     const double g = 1 + 10 * static_cast<double>(x.size() - 1) +
                      sum_behind_first(x, [](double xi) { return xi * xi - 10 * std::cos(4 * pi * xi); });
     return {{x[0], convex(x[0], g)}};
 }
-Valued zdt6(const Genes& x) {
+Answer zdt6(const Genes& x) {
     const double f1 = 1 - std::exp(-4 * x[0]) * std::pow(std::sin(6 * pi * x[0]), 6);
     const double g = 1 + 9 * std::pow((linear_g(x) - 1) / 9, 0.25);
     return {{f1, concave(f1, g)}};
 }
 
-Valued dtlz1(const Genes& x) {
+Answer dtlz1(const Genes& x) {
     double g = 0;
     for (std::size_t i = 2; i < x.size(); ++i)
         g += 100 * (1 + (x[i] - 0.5) * (x[i] - 0.5) - std::cos(20 * pi * (x[i] - 0.5)));
     const double size = 0.5 * (1 + g);
     return {{size * x[0] * x[1], size * x[0] * (1 - x[1]), size * (1 - x[0])}};
 }
-Valued dtlz2(const Genes& x) {
+Answer dtlz2(const Genes& x) {
     double g = 0;
     for (std::size_t i = 2; i < x.size(); ++i)
         g += (x[i] - 0.5) * (x[i] - 0.5);
@@ -63,7 +63,7 @@ Valued dtlz2(const Genes& x) {
     return {
         {(1 + g) * std::cos(a) * std::cos(b), (1 + g) * std::cos(a) * std::sin(b), (1 + g) * std::sin(a)}};
 }
-Valued dtlz7(const Genes& x) {
+Answer dtlz7(const Genes& x) {
     double g = 1;
     for (std::size_t i = 2; i < x.size(); ++i)
         g += 9 * x[i] / static_cast<double>(x.size() - 2);

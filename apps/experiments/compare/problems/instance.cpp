@@ -5,7 +5,7 @@
 
 namespace app {
 
-double Nearness::after(const Valued& value) {
+double Nearness::after(const Answer& value) {
     if (value.violation > 0)
         return nearest_;
     if (!front_)

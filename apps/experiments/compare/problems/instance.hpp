@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/outside/solution.hpp"
 #include "ga/pareto/ranking.hpp"
 #include "ga/problem.hpp"
 #include "ga/random.hpp"
@@ -11,16 +12,10 @@
 
 namespace app {
 
-/// What an evaluation gives: less is better in every objective, and 0 violation holds the constraints.
-struct Valued {
-    std::vector<double> objectives;
-    double violation = 0;
-};
-
 /// One instance of a benchmark problem, with what it takes to judge a search on it.
 template <class G>
 struct Instance {
-    std::function<Valued(const G&)> evaluate;
+    std::function<Answer(const G&)> evaluate; ///< less is better in every objective
     std::size_t genes = 0;
     std::vector<ga::Variable> box = {}; ///< of real genes
     std::size_t objectives = 1;
@@ -45,7 +40,7 @@ class Nearness {
           short_of_(front_ ? front_->size() : 0, HUGE_VAL) {}
 
     /// With one evaluation more.
-    double after(const Valued& value);
+    double after(const Answer& value);
 
   private:
     double best_, scale_;

@@ -1,5 +1,5 @@
 #include "apps/commands/optimise/child.hpp"
-#include "apps/commands/optimise/solution.hpp"
+#include "apps/outside/solution.hpp"
 #include "domain/errors.hpp"
 
 #include <catch2/catch.hpp>

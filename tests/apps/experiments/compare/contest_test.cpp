@@ -23,7 +23,7 @@ RealInstance sphere() {
         double sum = 0;
         for (const double xi : x)
             sum += (xi - 1) * (xi - 1);
-        return Valued{{sum}};
+        return Answer{{sum}};
     };
     return instance;
 }

@@ -101,7 +101,7 @@ TEST_CASE("the knapsack's optimum is that of all its packings") {
             std::vector<bool> taken(14);
             for (unsigned i = 0; i < 14; ++i)
                 taken[i] = set >> i & 1;
-            const Valued value = instance.evaluate(taken);
+            const Answer value = instance.evaluate(taken);
             if (value.violation == 0)
                 least = std::min(least, value.objectives[0]);
         }

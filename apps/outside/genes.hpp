@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ga/problem.hpp"
 #include "ga/text/parser.hpp"
 
 #include <string>
@@ -14,6 +15,9 @@ struct Genes {
     std::size_t count = 1;
     double lower = 0, upper = 1; ///< of every real gene
 };
+
+/// The range of every real gene; none of other kinds.
+std::vector<ga::Variable> range_of(const Genes& genes);
 
 /// Throws rough::InputError on anything else.
 Genes genes_from(const std::string& text);

@@ -1,14 +1,14 @@
-#pragma once
-
-#include "apps/commands/optimise/outside_problem.hpp"
 #include "apps/commands/optimise/search.hpp"
+
+#include "apps/outside/problem.hpp"
 #include "apps/report/output.hpp"
 #include "domain/errors.hpp"
 #include "ga/checkpoint.hpp"
 #include "ga/observers/progress.hpp"
-#include "ga/text/whole_vocabulary.hpp"
 
 namespace app {
+
+namespace {
 
 /// The paid calls, made by children.
 template <class P>
@@ -77,6 +77,19 @@ void search_by_children(OutsideSearch& asked, Children& children) {
         asked.notes = found.notes;
     } catch (const ga::NothingLeft& nothing) {
         asked.stopped = nothing.what();
+    }
+}
+
+} // namespace
+
+void search(OutsideSearch& search, Children& children) {
+    switch (search.genes.kind) {
+    case Genes::Kind::real:
+        return search_by_children<std::vector<double>>(search, children);
+    case Genes::Kind::bits:
+        return search_by_children<std::vector<bool>>(search, children);
+    case Genes::Kind::permutation:
+        return search_by_children<ga::Permutation>(search, children);
     }
 }
 

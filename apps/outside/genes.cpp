@@ -1,4 +1,4 @@
-#include "apps/commands/optimise/genes.hpp"
+#include "apps/outside/genes.hpp"
 
 #include "domain/errors.hpp"
 #include "domain/text/words.hpp"
@@ -35,6 +35,14 @@ std::size_t count_from(const std::string& word, const std::string& where, double
 }
 
 } // namespace
+
+std::vector<ga::Variable> range_of(const Genes& genes) {
+    std::vector<ga::Variable> range;
+    if (genes.kind == Genes::Kind::real)
+        for (std::size_t i = 0; i < genes.count; ++i)
+            range.push_back({i, genes.lower, genes.upper});
+    return range;
+}
 
 Genes genes_from(const std::string& text) {
     const auto parts = parts_of(text);

@@ -1,35 +1,38 @@
 #pragma once
 
-#include "apps/commands/optimise/genes.hpp"
-#include "apps/commands/optimise/solution.hpp"
+#include "apps/outside/genes.hpp"
+#include "apps/outside/solution.hpp"
 #include "ga/number.hpp"
-#include "ga/problem.hpp"
+#include "ga/text/compiled_once.hpp"
 #include "ga/variation/permutation.hpp"
 
 #include <stdexcept>
 
 namespace app {
 
-/// A problem whose evaluations are made outside: genomes are drawn here, and no more is known of them.
+/// A problem whose evaluations are made by an evaluator: genomes are drawn here, and no more is known of
+/// them.
 template <class G>
 struct OutsideProblem {
     using Genome = G;
     using Outcome = Answer;
 
-    Genes genes;
-    std::vector<ga::Objective<Answer>> list;
-    std::vector<ga::Variable> range; ///< of real genes
+    std::size_t count;                       ///< genes
+    std::vector<ga::Variable> range;         ///< of real genes
+    std::vector<ga::Objective<Answer>> list; ///< f1, f2, ...
 
-    OutsideProblem(const Genes& of, const std::vector<bool>& minimise) : genes(of) {
+    OutsideProblem(std::size_t genes, std::vector<ga::Variable> range_of_reals,
+                   const std::vector<bool>& minimise)
+        : count(genes), range(std::move(range_of_reals)) {
         const auto names = objective_names(minimise.size());
         for (std::size_t k = 0; k < names.size(); ++k)
             list.push_back(
                 {names[k], [k](const Answer& answer) { return answer.objectives.at(k); }, minimise[k]});
-        for (std::size_t i = 0; i < genes.count; ++i)
-            range.push_back({i, genes.lower, genes.upper});
     }
+    OutsideProblem(const Genes& genes, const std::vector<bool>& minimise)
+        : OutsideProblem(genes.count, range_of(genes), minimise) {}
 
-    Answer evaluate(const G&) const { throw std::logic_error("evaluated here, expected outside"); }
+    Answer evaluate(const G&) const { throw std::logic_error("evaluated here, expected by the evaluator"); }
     const std::vector<ga::Objective<Answer>>& objectives() const { return list; }
     double violation(const Answer& answer) const { return answer.violation; }
     std::size_t bytes(const Answer& answer) const { return answer.objectives.size() * sizeof(double); }
@@ -38,10 +41,10 @@ struct OutsideProblem {
     }
     G sample(ga::Stream& stream) const {
         if constexpr (std::same_as<G, ga::Permutation>) {
-            return ga::Permutation::random(genes.count, stream);
+            return ga::Permutation::random(count, stream);
         } else {
-            G genome(genes.count);
-            for (std::size_t i = 0; i < genes.count; ++i)
+            G genome(count);
+            for (std::size_t i = 0; i < count; ++i)
                 if constexpr (std::same_as<G, std::vector<bool>>)
                     genome[i] = stream.chance(0.5);
                 else
@@ -61,3 +64,11 @@ std::string genes_text(const G& genome) {
 }
 
 } // namespace app
+
+namespace ga {
+template <Problem P>
+Registry<P> whole_vocabulary(); // text/whole_vocabulary.hpp, which brings Eigen and NLopt
+}
+GA_PIPELINES_ELSEWHERE(app::OutsideProblem<std::vector<double>>)
+GA_PIPELINES_ELSEWHERE(app::OutsideProblem<std::vector<bool>>)
+GA_PIPELINES_ELSEWHERE(app::OutsideProblem<ga::Permutation>)

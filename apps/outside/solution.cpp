@@ -1,4 +1,4 @@
-#include "apps/commands/optimise/solution.hpp"
+#include "apps/outside/solution.hpp"
 
 #include <nlohmann/json.hpp>
 

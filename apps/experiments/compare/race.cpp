@@ -1,0 +1,93 @@
+#include "apps/experiments/compare/race.hpp"
+
+#include "apps/outside/problem.hpp"
+
+namespace app {
+
+namespace {
+
+/// One evaluation after the other, each tallied.
+template <class G>
+class Tallied : public ga::Evaluator<OutsideProblem<G>> {
+  public:
+    Tallied(const Instance<G>& instance, Tally& tally)
+        : evaluate_(instance.evaluate), nearness_(instance), tally_(tally) {}
+
+    void outcomes(const OutsideProblem<G>&, std::span<ga::Call<OutsideProblem<G>>> calls,
+                  const ga::Watch& watch) override {
+        for (auto& call : calls) {
+            if (watch.expired())
+                return;
+            Answer answer = evaluate_(*call.genome);
+            tally_.note(++made_, nearness_.after(answer));
+            *call.answer = std::move(answer);
+        }
+    }
+
+  private:
+    const std::function<Answer(const G&)>& evaluate_;
+    Nearness nearness_;
+    Tally& tally_;
+    long made_ = 0;
+};
+
+template <class G>
+ga::Stage<OutsideProblem<G>> stage_of(const Instance<G>& instance, std::string text) {
+    std::string names;
+    for (std::size_t k = 1; k <= instance.objectives; ++k)
+        names += (k > 1 ? " f" : "f") + std::to_string(k);
+    const auto put = [&](const std::string& word, const std::string& meaning) {
+        for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + meaning.size()))
+            text.replace(at, word.size(), meaning);
+    };
+    put("1/n", ga::number(1 / static_cast<double>(instance.genes)));
+    put("18n", std::to_string(18 * instance.genes));
+    put("objectives", names);
+    return ga::Parser<OutsideProblem<G>>(ga::whole_vocabulary<OutsideProblem<G>>()).parse(text);
+}
+
+template <class G>
+OutsideProblem<G> problem_of(const Instance<G>& instance) {
+    return {instance.genes, instance.box, std::vector<bool>(instance.objectives, true)};
+}
+
+} // namespace
+
+template <class G>
+void expect_fits(const Instance<G>& instance, const std::string& pipeline) {
+    ga::check(stage_of(instance, pipeline), problem_of(instance), {});
+}
+
+template <class G>
+Reached raced(const Instance<G>& instance, const std::string& pipeline, const std::vector<double>& targets,
+              const Attempt& attempt) {
+    const OutsideProblem<G> problem = problem_of(instance);
+    const auto stage = stage_of(instance, pipeline);
+    Tally tally(targets, attempt);
+    Tallied<G> evaluator(instance, tally);
+    ga::RunOptions options;
+    options.memory_bytes = std::size_t{1} << 26;
+    long left = attempt.budget;
+    for (std::uint64_t start = 0; left > 0 && !tally.over(); ++start) {
+        options.seed = ga::fold(attempt.seed, start);
+        options.budget = {left, std::numeric_limits<double>::infinity(), &tally.over()};
+        try {
+            const auto found = ga::run_by(evaluator, stage, problem, {}, options);
+            if (found.counters.asked == 0 || !found.stopped.empty())
+                break;
+            left -= found.counters.asked;
+        } catch (const ga::NothingLeft&) {
+            break;
+        }
+    }
+    return tally.reached();
+}
+
+template Reached raced(const RealInstance&, const std::string&, const std::vector<double>&, const Attempt&);
+template void expect_fits(const RealInstance&, const std::string&);
+template Reached raced(const BitsInstance&, const std::string&, const std::vector<double>&, const Attempt&);
+template void expect_fits(const BitsInstance&, const std::string&);
+template Reached raced(const TourInstance&, const std::string&, const std::vector<double>&, const Attempt&);
+template void expect_fits(const TourInstance&, const std::string&);
+
+} // namespace app

@@ -1,0 +1,5 @@
+#include "apps/outside/problem.hpp"
+#include "ga/text/whole_vocabulary.hpp"
+
+GA_PIPELINES_HERE(app::OutsideProblem<std::vector<bool>>)
+template ga::Registry<app::OutsideProblem<std::vector<bool>>> ga::whole_vocabulary();

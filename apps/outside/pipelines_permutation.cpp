@@ -1,0 +1,5 @@
+#include "apps/outside/problem.hpp"
+#include "ga/text/whole_vocabulary.hpp"
+
+GA_PIPELINES_HERE(app::OutsideProblem<ga::Permutation>)
+template ga::Registry<app::OutsideProblem<ga::Permutation>> ga::whole_vocabulary();
