@@ -46,6 +46,21 @@ Eigen::VectorXd without_arc(const Profile& profile) {
     return rest;
 }
 
+/// Polynomials of degree 0 to `degree` over even nodes in [-1, 1], orthogonal there (Gram-Schmidt).
+std::vector<Eigen::VectorXd> orthogonal_polynomials(Index nodes, Index degree) {
+    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(nodes, -1, 1);
+    std::vector<Eigen::VectorXd> basis{Eigen::VectorXd::Ones(nodes)};
+    for (Index power = 1; power <= degree && power < nodes; ++power) {
+        Eigen::VectorXd next = basis.back().array() * t;
+        for (const Eigen::VectorXd& one : basis)
+            next -= one * (one.dot(next) / one.squaredNorm());
+        if (!(next.squaredNorm() > 0))
+            break;
+        basis.push_back(std::move(next));
+    }
+    return basis;
+}
+
 } // namespace
 
 const std::vector<std::string>& detrend_names() {
@@ -67,23 +82,26 @@ Detrend detrend_named(std::string_view name, const std::string& where) {
 Eigen::VectorXd detrended(const Profile& profile, Detrend form) {
     if (form == Detrend::none)
         return profile.heights;
+    if (form == Detrend::arc && profile.is_area())
+        refuse("detrend: arc given with an area, expected none, mean, line, parabola, cubic or quartic");
     if (form == Detrend::arc)
         return without_arc(profile);
-    // Gram-Schmidt over even nodes in [-1, 1]: low powers are far from dependent there.
-    const Index nodes = profile.nodes();
-    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(nodes, -1, 1);
-    Eigen::VectorXd rest = profile.heights.array() - profile.heights.mean();
-    std::vector<Eigen::VectorXd> basis{Eigen::VectorXd::Ones(nodes)};
-    for (Index power = 1; power < static_cast<Index>(form) && power < nodes; ++power) {
-        Eigen::VectorXd next = basis.back().array() * t;
-        for (const Eigen::VectorXd& one : basis)
-            next -= one * (one.dot(next) / one.squaredNorm());
-        if (!(next.squaredNorm() > 0))
-            break;
-        rest -= next * (next.dot(rest) / next.squaredNorm());
-        basis.push_back(std::move(next));
-    }
-    return rest;
+    // Products of polynomials along x and y are orthogonal on a grid.
+    const auto [columns, rows] = profile.shape();
+    const Index degree = static_cast<Index>(form) - 1;
+    const auto along_x = orthogonal_polynomials(columns, degree),
+               along_y = orthogonal_polynomials(rows, profile.is_area() ? degree : 0);
+    Eigen::MatrixXd rest = Eigen::Map<const Eigen::MatrixXd>(profile.heights.data(), columns, rows).array() -
+                           profile.heights.mean();
+    for (std::size_t a = 0; a < along_x.size(); ++a)
+        for (std::size_t b = 0; b < along_y.size() && a + b <= static_cast<std::size_t>(degree); ++b)
+            if (a + b > 0) {
+                const Eigen::VectorXd &p = along_x[a], &q = along_y[b];
+                const double share = p.dot(rest * q) / (p.squaredNorm() * q.squaredNorm());
+                for (Index j = 0; j < rows; ++j)
+                    rest.col(j) -= p * (share * q[j]);
+            }
+    return rest.reshaped();
 }
 
 } // namespace rough

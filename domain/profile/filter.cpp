@@ -22,11 +22,11 @@ std::vector<std::complex<double>> transformed(const Eigen::VectorXd& values, Ind
     return result;
 }
 
-/// sum_t weight_t z_(i+t) for every node i, t = -reach .. reach.
-Eigen::VectorXd correlated(const std::vector<std::complex<double>>& heights, const Eigen::VectorXd& weights,
-                           Index nodes, Index length) {
-    const Index reach = weights.size() / 2;
-    const auto bins = transformed(weights.reverse(), length);
+/// sum_t weight_t z_(i+t) for every node i, t = -reach .. reach; both sequences transformed, the weights
+/// reversed.
+Eigen::VectorXd correlated(const std::vector<std::complex<double>>& heights,
+                           const std::vector<std::complex<double>>& bins, Index reach, Index nodes,
+                           Index length) {
     AlignedBuffer<double> real(length);
     AlignedBuffer<fftw_complex> product(length / 2 + 1);
     for (std::size_t k = 0; k < bins.size(); ++k) {
@@ -37,41 +37,70 @@ Eigen::VectorXd correlated(const std::vector<std::complex<double>>& heights, con
     return Eigen::Map<const Eigen::VectorXd>(real.data() + reach, nodes) / static_cast<double>(length);
 }
 
+/// The filter of a line of so many nodes, to be used on many.
+class LineFilter {
+  public:
+    LineFilter(Index nodes, double spacing, double cut_off) : nodes_(nodes) {
+        reach_ = static_cast<Index>(std::min(std::floor(cut_off / spacing), static_cast<double>(nodes - 1)));
+        if (reach_ == 0)
+            return;
+        const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(2 * reach_ + 1, -1, 1); // x over reach * spacing
+        const double share = static_cast<double>(reach_) * spacing / cut_off;
+        const Eigen::ArrayXd weight = (-std::pow(M_PI * share, 2) / std::log(2.0) * t.square()).exp();
+        // Moments of the weights inside the line, by running sums over t.
+        const auto running = [](const Eigen::ArrayXd& values) {
+            Eigen::ArrayXd sums(values.size() + 1);
+            sums[0] = 0;
+            for (Index i = 0; i < values.size(); ++i)
+                sums[i + 1] = sums[i] + values[i];
+            return sums;
+        };
+        s0_ = running(weight), s1_ = running(weight * t), s2_ = running(weight * t.square());
+        length_ = fast_fourier_length(nodes + 2 * reach_ + 1);
+        weight_ = transformed(weight.reverse(), length_);
+        moment_ = transformed((weight * t).reverse(), length_);
+    }
+
+    Eigen::VectorXd operator()(const Eigen::VectorXd& line) const {
+        if (reach_ == 0)
+            return line;
+        const double mean = line.mean();
+        const auto heights = transformed(line.array() - mean, length_);
+        const Eigen::VectorXd t0 = correlated(heights, weight_, reach_, nodes_, length_),
+                              t1 = correlated(heights, moment_, reach_, nodes_, length_);
+        Eigen::VectorXd result(nodes_);
+        for (Index i = 0; i < nodes_; ++i) {
+            const Index first = std::max<Index>(reach_ - i, 0),
+                        past = std::min(reach_ + nodes_ - i, 2 * reach_ + 1);
+            const double m0 = s0_[past] - s0_[first], m1 = s1_[past] - s1_[first],
+                         m2 = s2_[past] - s2_[first];
+            result[i] = mean + (t0[i] * m2 - t1[i] * m1) / (m0 * m2 - m1 * m1);
+        }
+        return result;
+    }
+
+  private:
+    Index nodes_, reach_, length_ = 0;
+    Eigen::ArrayXd s0_, s1_, s2_;
+    std::vector<std::complex<double>> weight_, moment_;
+};
+
 } // namespace
 
 Eigen::VectorXd low_passed(const Profile& profile, double cut_off) {
     if (!(cut_off > 0))
         refuse("filter: a cut-off of ", cut_off, " mm, expected one above 0");
-    const Index nodes = profile.nodes();
-    const Index reach =
-        static_cast<Index>(std::min(std::floor(cut_off / profile.spacing), static_cast<double>(nodes - 1)));
-    if (reach == 0)
-        return profile.heights;
-    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(2 * reach + 1, -1, 1); // x over reach * spacing
-    const double share = static_cast<double>(reach) * profile.spacing / cut_off;
-    const Eigen::ArrayXd weight = (-std::pow(M_PI * share, 2) / std::log(2.0) * t.square()).exp();
-
-    // Moments of the weights inside the profile, by running sums over t.
-    const auto running = [](const Eigen::ArrayXd& values) {
-        Eigen::ArrayXd sums(values.size() + 1);
-        sums[0] = 0;
-        for (Index i = 0; i < values.size(); ++i)
-            sums[i + 1] = sums[i] + values[i];
-        return sums;
-    };
-    const Eigen::ArrayXd s0 = running(weight), s1 = running(weight * t), s2 = running(weight * t.square());
-    const Index length = fast_fourier_length(nodes + 2 * reach + 1);
-    const double mean = profile.heights.mean();
-    const auto heights = transformed(profile.heights.array() - mean, length);
-    const Eigen::VectorXd t0 = correlated(heights, weight, nodes, length),
-                          t1 = correlated(heights, weight * t, nodes, length);
-    Eigen::VectorXd result(nodes);
-    for (Index i = 0; i < nodes; ++i) {
-        const Index first = std::max<Index>(reach - i, 0), past = std::min(reach + nodes - i, 2 * reach + 1);
-        const double m0 = s0[past] - s0[first], m1 = s1[past] - s1[first], m2 = s2[past] - s2[first];
-        result[i] = mean + (t0[i] * m2 - t1[i] * m1) / (m0 * m2 - m1 * m1);
+    const auto [columns, rows] = profile.shape();
+    Eigen::MatrixXd z = profile.heights.reshaped(columns, rows);
+    const LineFilter along_x(columns, profile.spacing, cut_off);
+    for (Index j = 0; j < rows; ++j)
+        z.col(j) = along_x(z.col(j));
+    if (profile.is_area()) {
+        const LineFilter along_y(rows, profile.row_spacing, cut_off);
+        for (Index i = 0; i < columns; ++i)
+            z.row(i) = along_y(z.row(i).transpose()).transpose();
     }
-    return result;
+    return z.reshaped();
 }
 
 } // namespace rough

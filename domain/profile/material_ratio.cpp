@@ -9,6 +9,8 @@ namespace rough {
 
 double material_ratio(const Profile& profile, double level) {
     const Eigen::VectorXd& z = profile.heights;
+    if (profile.is_area())
+        return (z.array() > level).cast<double>().mean();
     double sum = 0;
     for (Index i = 1; i < z.size(); ++i) {
         const double low = std::min(z[i], z[i - 1]), high = std::max(z[i], z[i - 1]);

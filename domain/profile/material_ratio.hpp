@@ -5,7 +5,7 @@
 namespace rough {
 
 /// Rmr(c): the share of the length on which the profile, straight between its nodes, is higher than `level`
-/// (mm, from where the heights are counted).
+/// (mm, from where the heights are counted). Smr(c) of an area: the share of its nodes.
 double material_ratio(const Profile& profile, double level);
 
 /// Parameters of the material ratio curve (ISO 21920-2; ISO 13565-2): the line of least squares through the

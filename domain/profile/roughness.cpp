@@ -1,9 +1,9 @@
 #include "domain/profile/roughness.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/profile/derivatives.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace rough {
@@ -27,18 +27,6 @@ Profile evaluated(const Profile& profile, double section_length, Roughness& r) {
     Profile part{profile.heights.segment((profile.nodes() - nodes) / 2, nodes), profile.spacing};
     part.heights.array() -= part.heights.mean();
     return part;
-}
-
-/// Root mean square of a seven-point formula: weights of z_{i-3} .. z_{i+3} over the inner nodes.
-double mean_square(const Eigen::VectorXd& heights, const std::array<double, 7>& weights, double divisor) {
-    const Eigen::Map<const Eigen::Matrix<double, 7, 1>> w(weights.data());
-    const Index inner = heights.size() - 6;
-    double sum = 0;
-    for (Index i = 0; i < inner; ++i) {
-        const double value = w.dot(heights.segment<7>(i)) / divisor;
-        sum += value * value;
-    }
-    return sum / static_cast<double>(inner);
 }
 
 } // namespace
@@ -69,9 +57,9 @@ Roughness roughness(const Profile& profile, double section_length) {
     r.Rmr = material_ratio(part, 0);
     r.elements = profile_elements(part);
     r.core = core_heights(heights);
-    const double step = profile.spacing;
-    r.m2 = mean_square(heights, {-1, 9, -45, 0, 45, -9, 1}, 60 * step); // ISO 21920-2, local gradient
-    r.m4 = mean_square(heights, {2, -27, 270, -490, 270, -27, 2}, 180 * step * step);
+    const Derivatives slopes = derivatives(part);
+    r.m2 = slopes.x.square().mean();
+    r.m4 = slopes.xx.square().mean();
     r.Rdq = std::sqrt(r.m2);
     r.rms_curvature = std::sqrt(r.m4);
     r.bandwidth = r.m0 * r.m4 / (r.m2 * r.m2);

@@ -31,11 +31,19 @@ constexpr double fewest_levels = 256, levels = 16777216;
 
 } // namespace
 
-Mesh extruded(const Profile& profile, const Extrusion& extrusion) {
-    const Index nodes = profile.nodes();
-    const double lowest = profile.heights.minCoeff(), range = profile.heights.maxCoeff() - lowest;
-    const double length = profile.spacing * static_cast<double>(nodes - 1);
-    const double width = extrusion.width != 0 ? extrusion.width : length / 4;
+Mesh solid(const Profile& surface, const Extrusion& extrusion) {
+    const auto [columns, map_rows] = surface.shape();
+    const bool is_area = surface.is_area();
+    const Index rows = is_area ? map_rows : 2; // a profile's ridges have two ends
+    if (is_area && (extrusion.width != 0 || columns < 2 || rows < 2))
+        refuse("solid: a map of ", columns, " x ", rows, " heights",
+               extrusion.width != 0 ? " and a width" : "",
+               ", expected 2 x 2 or more, which are as wide as they are");
+    const double lowest = surface.heights.minCoeff(), range = surface.heights.maxCoeff() - lowest;
+    const double length = surface.spacing * static_cast<double>(columns - 1);
+    const double width = is_area                ? surface.row_spacing * static_cast<double>(rows - 1)
+                         : extrusion.width != 0 ? extrusion.width
+                                                : length / 4;
     const double thickest = range * levels / fewest_levels;
     const double base =
         extrusion.base != 0 ? extrusion.base : std::max(range, std::min(length / 10, thickest / 4));
@@ -52,42 +60,48 @@ Mesh extruded(const Profile& profile, const Extrusion& extrusion) {
                " mm: beside a thicker one single precision loses the heights, ", range, " mm");
 
     Mesh mesh;
-    mesh.vertices.reserve(static_cast<std::size_t>(4 * nodes));
-    mesh.facets.reserve(static_cast<std::size_t>(8 * (nodes - 1) + 4));
+    mesh.vertices.reserve(static_cast<std::size_t>(2 * columns * rows));
     using Corner = std::uint32_t;
+    // A node's vertices, low and high, row after row, then those of the next x.
+    const auto low = [&](Index i, Index j) { return static_cast<Corner>(2 * (i * rows + j)); };
+    const auto high = [&](Index i, Index j) { return low(i, j) + 1; };
+    for (Index i = 0; i < columns; ++i)
+        for (Index j = 0; j < rows; ++j) {
+            const double height = surface.heights[is_area ? j * columns + i : i];
+            const auto x = static_cast<float>(m * surface.spacing * static_cast<double>(i)),
+                       y = static_cast<float>(m * width * static_cast<double>(j) /
+                                              static_cast<double>(rows - 1)),
+                       top = static_cast<float>(m * (base + height - lowest));
+            if ((j > 0 && !(y > mesh.vertices.back().y())) ||
+                (j == 0 && i > 0 && !(x > mesh.vertices.back().x())))
+                throw InputError("solid: " + std::to_string(surface.nodes()) +
+                                 " nodes, more than single precision tells apart");
+            mesh.vertices.emplace_back(x, y, 0);
+            mesh.vertices.emplace_back(x, y, top);
+        }
     const auto face = [&](Corner a, Corner b, Corner c, Corner d) {
         mesh.facets.push_back({a, b, c});
         mesh.facets.push_back({a, c, d});
     };
-    // Of every node: front low, front top, back low, back top.
-    for (Index i = 0; i < nodes; ++i) {
-        const auto x = static_cast<float>(m * profile.spacing * static_cast<double>(i));
-        const auto top = static_cast<float>(m * (base + profile.heights[i] - lowest));
-        const auto back = static_cast<float>(m * width);
-        if (i > 0 && !(x > mesh.vertices.back().x()))
-            throw InputError("solid: " + std::to_string(nodes) +
-                             " nodes, more than single precision tells apart");
-        for (const Vertex& vertex :
-             {Vertex(x, 0, 0), Vertex(x, 0, top), Vertex(x, back, 0), Vertex(x, back, top)})
-            mesh.vertices.push_back(vertex);
-        const auto right = static_cast<Corner>(4 * i), left = right - 4;
-        if (i == 0) {
-            face(0, 1, 3, 2);
-            continue;
+    const Index last = columns - 1, back = rows - 1;
+    for (Index j = 0; j < back; ++j)
+        face(low(0, j), high(0, j), high(0, j + 1), low(0, j + 1));
+    for (Index i = 0; i < last; ++i) {
+        face(low(i, 0), low(i + 1, 0), high(i + 1, 0), high(i, 0));
+        face(low(i + 1, back), low(i, back), high(i, back), high(i + 1, back));
+        for (Index j = 0; j < back; ++j) {
+            face(high(i, j), high(i + 1, j), high(i + 1, j + 1), high(i, j + 1));
+            face(low(i, j + 1), low(i + 1, j + 1), low(i + 1, j), low(i, j));
         }
-        face(left, right, right + 1, left + 1);
-        face(right + 2, left + 2, left + 3, right + 3);
-        face(left + 1, right + 1, right + 3, left + 3);
-        face(left + 2, right + 2, right, left);
     }
-    const auto last = static_cast<Corner>(4 * (nodes - 1));
-    face(last, last + 2, last + 3, last + 1);
+    for (Index j = 0; j < back; ++j)
+        face(low(last, j), low(last, j + 1), high(last, j + 1), high(last, j));
     return mesh;
 }
 
-std::string binary_stl(const Profile& profile, const Extrusion& extrusion) {
-    const Mesh mesh = extruded(profile, extrusion);
-    std::string bytes = "rugosa: extruded profile, lengths in mm";
+std::string binary_stl(const Profile& surface, const Extrusion& extrusion) {
+    const Mesh mesh = solid(surface, extrusion);
+    std::string bytes = "rugosa: a rough surface, lengths in mm";
     bytes.resize(80, ' ');
     append_little_endian(bytes, static_cast<std::uint32_t>(mesh.facets.size()));
     const auto append = [&](const Vertex& vertex) {
@@ -105,8 +119,8 @@ std::string binary_stl(const Profile& profile, const Extrusion& extrusion) {
     return bytes;
 }
 
-std::string three_mf(const Profile& profile, const Extrusion& extrusion) {
-    const Mesh mesh = extruded(profile, extrusion);
+std::string three_mf(const Profile& surface, const Extrusion& extrusion) {
+    const Mesh mesh = solid(surface, extrusion);
     const auto number = [](auto value) {
         char text[32];
         return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
@@ -116,7 +130,7 @@ std::string three_mf(const Profile& profile, const Extrusion& extrusion) {
         head +
         "<model unit=\"millimeter\" xml:lang=\"en-US\" "
         "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
-        "<resources><object id=\"1\" type=\"model\" name=\"rugosa: extruded profile\"><mesh>\n<vertices>\n";
+        "<resources><object id=\"1\" type=\"model\" name=\"rugosa: a rough surface\"><mesh>\n<vertices>\n";
     for (const Vertex& vertex : mesh.vertices)
         model += "<vertex x=\"" + number(vertex.x()) + "\" y=\"" + number(vertex.y()) + "\" z=\"" +
                  number(vertex.z()) + "\"/>\n";

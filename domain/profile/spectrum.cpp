@@ -5,32 +5,78 @@
 
 #include <cmath>
 #include <numbers>
-#include <string>
 
 namespace rough {
+namespace {
 
-Spectrum continuous_spectrum(const Profile& profile) {
-    const Index n = profile.nodes(), half = n / 2;
-    if (n < 4)
-        throw InputError("spectrum: a profile of " + std::to_string(n) + " nodes, expected at least 4");
-    const double mean = profile.heights.mean(), turn = 2 * std::numbers::pi / static_cast<double>(n);
-    AlignedBuffer<double> windowed(n);
-    AlignedBuffer<fftw_complex> transform(half + 1);
-    double window_square = 0;
-    for (Index i = 0; i < n; ++i) {
-        const double window = 0.5 - 0.5 * std::cos(turn * static_cast<double>(i));
-        windowed[i] = window * (profile.heights[i] - mean);
-        window_square += window * window;
-    }
-    fftw_execute_dft_r2c(fourier_plan(n).forward, windowed.data(), transform.data());
+constexpr double turn = 2 * std::numbers::pi;
 
-    Spectrum spectrum{Eigen::VectorXd(half), Eigen::VectorXd(half)};
-    const double scale = profile.spacing / (2 * std::numbers::pi * window_square);
-    for (Index k = 1; k <= half; ++k) {
-        const double power = transform[k][0] * transform[k][0] + transform[k][1] * transform[k][1];
-        spectrum.wave_number[k - 1] = turn * static_cast<double>(k) / profile.spacing;
-        spectrum.density[k - 1] = (2 * k == n ? 1 : 2) * scale * power;
+/// Hann's window, or none.
+Eigen::ArrayXd window(Index nodes, bool wraps) {
+    Eigen::ArrayXd window = Eigen::ArrayXd::Ones(nodes);
+    for (Index i = 0; !wraps && i < nodes; ++i)
+        window[i] = 0.5 - 0.5 * std::cos(turn * static_cast<double>(i) / static_cast<double>(nodes));
+    return window;
+}
+
+} // namespace
+
+Eigen::ArrayXXd wave_powers(const Profile& surface, bool wraps) {
+    const auto [columns, rows] = surface.shape();
+    if (columns < 4 || (rows < 4 && surface.is_area()))
+        refuse("spectrum: a surface of ", columns, " x ", rows, " nodes, expected at least 4");
+    const Index half = columns / 2 + 1;
+    AlignedBuffer<double> windowed(surface.nodes());
+    AlignedBuffer<fftw_complex> transform(half * rows);
+    const Eigen::ArrayXd along_x = window(columns, wraps), along_y = window(rows, wraps || rows == 1);
+    const double mean = surface.heights.mean();
+    for (Index j = 0; j < rows; ++j)
+        for (Index i = 0; i < columns; ++i)
+            windowed[j * columns + i] = along_y[j] * along_x[i] * (surface.heights[j * columns + i] - mean);
+    fftw_execute_dft_r2c(fourier_plan(surface.shape()).forward, windowed.data(), transform.data());
+
+    const double scale =
+        1 / (static_cast<double>(surface.nodes()) * along_x.square().sum() * along_y.square().sum());
+    Eigen::ArrayXXd power(half, rows);
+    for (Index j = 0; j < rows; ++j)
+        for (Index i = 0; i < half; ++i) {
+            const auto& value = transform[j * half + i];
+            const bool stands_alone = i == 0 || 2 * i == columns; // not for the wave of -q too
+            power(i, j) = (stands_alone ? 1 : 2) * scale * (value[0] * value[0] + value[1] * value[1]);
+        }
+    return power;
+}
+
+Spectrum continuous_spectrum(const Profile& surface, bool wraps) {
+    const Eigen::ArrayXXd powers = wave_powers(surface, wraps);
+    const auto [columns, rows] = surface.shape();
+    const double dx = turn / (surface.spacing * static_cast<double>(columns));
+    if (!surface.is_area()) {
+        const Index half = columns / 2;
+        const Eigen::VectorXd power = powers.col(0).tail(half);
+        return {dx * Eigen::VectorXd::LinSpaced(half, 1, static_cast<double>(half)), power / dx, power};
     }
+    const double dy = turn / (surface.row_spacing * static_cast<double>(rows)), width = std::max(dx, dy);
+    const auto ring = [&](double q) { return std::lround(q / width) - 1; };
+    const double highest =
+        std::hypot(dx * static_cast<double>(columns / 2), dy * static_cast<double>(rows / 2));
+    const Index rings = ring(highest) + 1;
+    Eigen::VectorXd power = Eigen::VectorXd::Zero(rings), squares = power, waves = power;
+    for (Index j = 0; j < rows; ++j)
+        for (Index i = 0; i < powers.rows(); ++i) {
+            const double q =
+                std::hypot(dx * static_cast<double>(i), dy * static_cast<double>(std::min(j, rows - j)));
+            const Index k = std::max<Index>(ring(q), 0); // waves along the longer side, under the first ring
+            if (q == 0)
+                continue;
+            power[k] += powers(i, j);
+            squares[k] += powers(i, j) * q * q;
+            waves[k] += i == 0 || 2 * i == columns ? 1 : 2;
+        }
+    Spectrum spectrum{Eigen::VectorXd(rings), power.array() / waves.array().max(1) / (dx * dy), power};
+    for (Index k = 0; k < rings; ++k)
+        spectrum.wave_number[k] =
+            power[k] > 0 ? std::sqrt(squares[k] / power[k]) : width * static_cast<double>(k + 1);
     return spectrum;
 }
 

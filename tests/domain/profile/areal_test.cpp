@@ -1,0 +1,167 @@
+#include "domain/errors.hpp"
+#include "domain/numerics/fourier.hpp"
+#include "domain/profile/areal.hpp"
+#include "domain/profile/derivatives.hpp"
+#include "domain/profile/detrend.hpp"
+#include "domain/profile/filter.hpp"
+#include "domain/profile/solid.hpp"
+#include "domain/profile/spectrum.hpp"
+#include "tests/domain/contact/maps.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+
+#include <map>
+
+using namespace rough;
+using maps::map_of;
+
+namespace {
+
+constexpr double pi = std::numbers::pi, a = 0.002;
+
+/// cos of so many waves along x and y on 1 mm x 0.8 mm.
+Profile wave(int along_x, int along_y, Index n = 128) {
+    return map_of({n, n}, 1.0 / double(n), 0.8 / double(n), [&](double x, double y) {
+        return 5 + a * std::cos(2 * pi * (along_x * x + along_y * y / 0.8));
+    });
+}
+
+} // namespace
+
+TEST_CASE("a wave on an area has the heights of textbooks", "[areal]") {
+    const ArealParameters s = areal_parameters(wave(4, 0, 160), true);
+    const double k = 8 * pi;
+    CHECK(s.Sa == Approx(2 * a / pi).epsilon(4e-3));
+    CHECK(s.Sq == Approx(a / std::sqrt(2)).epsilon(1e-12));
+    CHECK(s.Ssk == Approx(0).margin(1e-10));
+    CHECK(s.Sku == Approx(1.5).epsilon(1e-10));
+    CHECK(s.Sp == Approx(a).epsilon(1e-10));
+    CHECK(s.Sv == Approx(a).epsilon(1e-3));
+    CHECK(s.Sz == s.Sp + s.Sv);
+    CHECK(s.Sdq == Approx(a * k / std::sqrt(2)).epsilon(1e-5));
+    // mean of sqrt(1 + g^2) - 1 for g = a k sin: g^2/4 - 3 g^4/64
+    const double g = a * k;
+    CHECK(s.Sdr == Approx(g * g / 4 - 3 * std::pow(g, 4) / 64).epsilon(1e-4));
+    CHECK(s.Smr == Approx(0.5).margin(0.03));
+    CHECK(s.Smc10 == Approx(a * std::cos(pi / 10)).epsilon(2e-2));
+}
+
+TEST_CASE("a plane has its own gradient and area, and is levelled to nothing", "[areal]") {
+    const Profile plane = map_of({20, 30}, 0.1, 0.05, [](double x, double y) { return 3 + 2 * x - y; });
+    const Derivatives of = derivatives(plane);
+    CHECK(of.x.rows() == 14);
+    CHECK(of.x.cols() == 24);
+    CHECK((of.x - 2).abs().maxCoeff() < 1e-11);
+    CHECK((of.y + 1).abs().maxCoeff() < 1e-11);
+    const ArealParameters s = areal_parameters(plane);
+    CHECK(s.Sdq == Approx(std::sqrt(5)));
+    CHECK(s.Sdr == Approx(std::sqrt(6) - 1));
+    CHECK(detrended(plane, Detrend::line).cwiseAbs().maxCoeff() < 1e-12);
+    CHECK(detrended(plane, Detrend::mean).sum() == Approx(0).margin(1e-10));
+}
+
+TEST_CASE("a quadratic form is taken off whole, what is on it stays where it is orthogonal", "[areal]") {
+    const Profile bowl = map_of({40, 25}, 0.1, 0.2, [](double x, double y) {
+        return 1 + x - 2 * y + 0.3 * x * x - 0.4 * x * y + 0.1 * y * y;
+    });
+    CHECK(detrended(bowl, Detrend::parabola).cwiseAbs().maxCoeff() < 1e-11);
+    CHECK(detrended(bowl, Detrend::line).cwiseAbs().maxCoeff() > 0.1);
+    Profile cubic = bowl;
+    cubic.heights += map_of({40, 25}, 0.1, 0.2, [](double x, double y) { return x * x * y; }).heights;
+    CHECK(detrended(cubic, Detrend::parabola).cwiseAbs().maxCoeff() > 0.1);
+    CHECK(detrended(cubic, Detrend::cubic).cwiseAbs().maxCoeff() < 1e-10);
+    CHECK_THROWS_WITH(detrended(bowl, Detrend::arc), Catch::Contains("area"));
+    // least squares: the rest is orthogonal to every term
+    const Eigen::VectorXd rest = detrended(cubic, Detrend::parabola);
+    const Profile term = map_of({40, 25}, 0.1, 0.2, [](double x, double y) { return x * y; });
+    CHECK(std::abs(rest.dot(term.heights)) < 1e-9 * rest.norm() * term.heights.norm());
+}
+
+TEST_CASE("the areal Gaussian filter halves a wave of its cut-off along any direction and keeps a plane",
+          "[areal]") {
+    const double spacing = 0.01, cut_off = 0.4;
+    const auto angle = GENERATE(0.0, 0.6, 1.57079632679);
+    const Profile map = map_of({201, 181}, spacing, spacing, [&](double x, double y) {
+        return std::cos(2 * pi / cut_off * (x * std::cos(angle) + y * std::sin(angle)));
+    });
+    const Eigen::VectorXd passed = low_passed(map, cut_off);
+    for (const Index j : {60, 90, 110})
+        for (const Index i : {60, 100, 140})
+            CHECK(passed[j * 201 + i] == Approx(map.heights[j * 201 + i] / 2).margin(1e-4));
+    const Profile plane = map_of({50, 40}, 0.1, 0.05, [](double x, double y) { return 3 + 2 * x - y; });
+    CHECK((low_passed(plane, 1.1) - plane.heights).cwiseAbs().maxCoeff() < 1e-10);
+}
+
+TEST_CASE("texture: a wave's autocorrelation length, lay and aspect ratio", "[areal]") {
+    for (const bool wraps : {true, false}) {
+        const Texture along_y = texture(wave(8, 0), wraps); // grooves along y
+        CHECK(along_y.Sal == Approx(std::acos(0.2) / (2 * pi * 8)).epsilon(0.02));
+        CHECK(along_y.Std == 90);
+        CHECK(along_y.Str < 0.07);
+        CHECK(along_y.Str_is_bound);
+        CHECK(texture(wave(0, 8), wraps).Std == 0);
+        // wave vector (6, 10/0.8): the lay is at right angles to it
+        const Texture oblique = texture(wave(6, 10), wraps);
+        CHECK(oblique.Std == std::lround(std::fmod(std::atan2(12.5, 6) * 180 / pi + 90, 180)));
+    }
+    const Profile alike = map_of({128, 128}, 1.0 / 128, 1.0 / 128, [](double x, double y) {
+        return std::cos(16 * pi * x) + std::cos(16 * pi * y);
+    });
+    // cos kx + cos ky falls to 0.2 at arccos(-0.6) along the axes, sooner along the diagonals
+    const Texture both = texture(alike, true);
+    CHECK(both.Sal == Approx(std::sqrt(2) * std::acos(0.2) / (16 * pi)).epsilon(0.02));
+    CHECK(both.Str == Approx(std::sqrt(2) * std::acos(0.2) / std::acos(-0.6)).epsilon(0.02));
+    CHECK_FALSE(both.Str_is_bound);
+    CHECK(texture(maps::self_affine(128, 0.8, 3, 0.1), true).Str > 0.5);
+}
+
+TEST_CASE("an area's spectrum keeps its mean square and stands at its wave number", "[areal]") {
+    const Profile map = wave(6, 0);
+    const Spectrum exact = continuous_spectrum(map, true);
+    CHECK(exact.power.sum() == Approx(a * a / 2).epsilon(1e-12));
+    Index highest = 0;
+    exact.power.maxCoeff(&highest);
+    CHECK(exact.wave_number[highest] == Approx(12 * pi).epsilon(1e-12));
+    CHECK(continuous_spectrum(map).power.sum() == Approx(a * a / 2).epsilon(1e-6)); // Hann's
+    // white noise is flat: C = m0 dx dy/(2 pi)^2
+    std::mt19937_64 random(3);
+    const Profile noise = map_of({256, 200}, 0.01, 0.02, [&](double, double) {
+        return std::normal_distribution<double>(2, 0.5)(random);
+    });
+    const Spectrum flat = continuous_spectrum(noise);
+    const double expected = 0.25 * 0.01 * 0.02 / (4 * pi * pi);
+    CHECK(flat.power.sum() == Approx(0.25).epsilon(0.02));
+    CHECK(flat.density.segment(20, 60).mean() == Approx(expected).epsilon(0.03));
+    CHECK(flat.density.segment(80, 60).mean() == Approx(expected).epsilon(0.03));
+    CHECK_THROWS_AS(continuous_spectrum(map_of({3, 8}, 1, 1, [](double x, double) { return x; })),
+                    InputError);
+}
+
+TEST_CASE("a map's tile is closed, as large as its prism, and no wider than it is", "[areal]") {
+    const Profile map =
+        map_of({7, 5}, 0.1, 0.2, [](double x, double y) { return std::sin(9 * x) * std::cos(4 * y); });
+    const Mesh mesh = solid(map, {.base = 0.5, .magnify = 2});
+    CHECK(mesh.vertices.size() == 2 * 35);
+    CHECK(mesh.facets.size() == 4 * (35 - 1));
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    double six = 0;
+    for (const auto& f : mesh.facets) {
+        for (int i = 0; i < 3; ++i)
+            ++edges[{f[std::size_t(i)], f[std::size_t((i + 1) % 3)]}];
+        six += double(mesh.vertices[f[0]].dot(mesh.vertices[f[1]].cross(mesh.vertices[f[2]])));
+    }
+    for (const auto& [edge, times] : edges) {
+        CHECK(times == 1);
+        CHECK(edges.count({edge.second, edge.first}) == 1);
+    }
+    double volume = 0; // each cell is cut into two triangles along its rising diagonal
+    const double low = map.heights.minCoeff();
+    for (Index j = 0; j < 4; ++j)
+        for (Index i = 0; i < 6; ++i) {
+            const auto z = [&](Index x, Index y) { return map.heights[y * 7 + x] - low + 0.5; };
+            volume += 0.1 * 0.2 * ((z(i, j) + z(i + 1, j + 1)) / 3 + (z(i + 1, j) + z(i, j + 1)) / 6);
+        }
+    CHECK(six / 6 == Approx(8 * volume).epsilon(1e-5));
+    CHECK_THROWS_WITH(solid(map, {.width = 1}), Catch::Contains("as wide as they are"));
+}
