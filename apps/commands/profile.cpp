@@ -1,4 +1,7 @@
 #include "apps/commands/commands.hpp"
+#include "apps/commands/profile/map.hpp"
+#include "apps/commands/profile/solids.hpp"
+#include "apps/prompt/area_settings.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/scan_settings.hpp"
 #include "apps/prompt/voice.hpp"
@@ -10,7 +13,6 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/discrete_spectrum.hpp"
 #include "domain/profile/roughness.hpp"
-#include "domain/profile/solid.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "domain/scan/x3p.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -18,7 +20,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace app {
@@ -27,7 +28,6 @@ namespace {
 
 constexpr const char* numbers_file = "profile.json";
 constexpr rough::Index fewest_nodes = 10; ///< that roughness can be told of
-constexpr rough::Index most_solid_nodes = 1'000'000, most_3mf_nodes = 100'000;
 
 std::vector<Setting> profile_settings() {
     const std::vector<Setting> settings{
@@ -37,13 +37,14 @@ std::vector<Setting> profile_settings() {
         {"force", "", "write over existing results", true},
         {"nodes", "", "nodes of the grid, 10 to 1e7 [512; a scan: its points]"},
         {"length", "", "length L of the profile, mm [0.84942; a scan, or a genome made for one: its own]"},
-        {"width", "", "width of the solid along its ridges, mm [L/4]"},
+        {"periodic", "", "the map of --surface repeats: nothing is windowed, lags go around its edges", true},
+        {"width", "", "width of a profile's solid along its ridges, mm [L/4]"},
         {"base", "",
          "thickness of the solid below its lowest node, mm [the larger of height range and L/10]"},
         {"magnify", "1", "factor on all lengths of the solid, for printing"},
         {"pictures", "on", "off leaves out the page and the pictures"},
     };
-    return joined({settings, scan_settings()});
+    return joined({area_settings(), settings, scan_settings()});
 }
 
 /// A profile and what it was made of: cosines, or a scan.
@@ -130,47 +131,43 @@ std::pair<Eigen::VectorXd, Eigen::VectorXd> columns(const std::vector<rough::Spe
 }
 
 void tell_roughness(const rough::Roughness& r, bool is_roughness) {
-    const Unit height = length_unit(r.Rt);
-    const auto row = [](const std::string& name, double value, const std::string& unit,
-                        const std::string& meaning) {
-        char line[160];
-        if (std::isfinite(value))
-            std::snprintf(line, sizeof line, "  %-14s %12.6g %-5s %s", name.c_str(), value, unit.c_str(),
-                          meaning.c_str());
-        else
-            std::snprintf(line, sizeof line, "  %-14s %12s %-5s %s", name.c_str(), "none", "",
-                          meaning.c_str());
-        say(line);
-    };
-    for (const Parameter& one : parameters(r, is_roughness))
-        row(one.name, one.value * (one.is_height ? height.factor : 1), one.is_height ? height.name : one.unit,
-            one.meaning);
-    row("rms curvature", r.rms_curvature, "1/mm", "");
-    row("m0", r.m0, "mm²", "spectral moments, from the nodes");
-    row("m2", r.m2, "", "");
-    row("m4", r.m4, "1/mm²", "");
-    row("bandwidth", r.bandwidth, "", "m0 m4/m2²");
+    std::vector<Parameter> all = parameters(r, is_roughness);
+    all.push_back({"rms curvature", "", r.rms_curvature, false, "1/mm", ""});
+    all.push_back({"m0", "", r.m0, false, "mm²", "spectral moments, from the nodes"});
+    all.push_back({"m2", "", r.m2, false, "", ""});
+    all.push_back({"m4", "", r.m4, false, "1/mm²", ""});
+    all.push_back({"bandwidth", "", r.bandwidth, false, "", "m0 m4/m2²"});
+    tell_parameters(all, r.Rt);
 }
 
 } // namespace
 
 int profile(const Words& words) {
     if (shows_help(
-            words, "profile (GENOME.json | --profile SCAN.txt) [--out DIR] [flags]",
+            words,
+            "profile (GENOME.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) [--out DIR] "
+            "[flags]",
             "Writes what a rough profile is: a page to look at (report.html), its heights (heights.csv, "
             "profile.x3p), a solid to print or mesh (profile.3mf in mm, profile.stl), a picture "
             "(profile.svg), its parameters (profile.json: Pa, Pq and so on, or Ra, Rq and so on with "
             "--lambda-c), its material ratio curve (bearing.csv) and its power spectrum "
-            "(spectrum.csv, spectrum.svg; lines.csv holds a genome's waves).",
+            "(spectrum.csv, spectrum.svg; lines.csv holds a genome's waves). Of a map: ISO 25178 parameters "
+            "(surface.json), heights.txt, surface.x3p, surface.vtk, a tile to print (surface.3mf, "
+            "surface.stl), a picture (heights.png), bearing.csv and the areal spectrum.",
             profile_settings(),
             {"profile surface.json", "profile surface.json --nodes 2048 --magnify 100 --out surface",
              "profile --profile scan.txt --unit um --lambda-s 0.0025 --lambda-c 0.8",
-             "profile --profile map.sur --row 12 --detrend arc --outliers remove"}))
+             "profile --profile map.sur --row 12 --detrend arc --outliers remove",
+             "profile --surface map.x3p --detrend parabola --lambda-c 0.8 --out out/map"}))
         return 0;
     const Settings settings = read_command_line(words, profile_settings(), {"genome"});
-    if (settings.has("genome") == settings.has("profile"))
-        throw rough::InputError("profile: expected either a genome file or --profile");
+    if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
+        throw rough::InputError("profile: expected one of a genome file, --profile and --surface");
     const rough::Extrusion extrusion = extrusion_from(settings);
+    if (settings.has("surface"))
+        return profile_map(settings, profile_settings(), extrusion);
+    if (settings.given("periodic"))
+        throw rough::InputError("--periodic: given without --surface, expected with a map");
     const bool pictures = settings.is_on("pictures");
 
     const Shape shape = shape_from(settings);
@@ -178,10 +175,7 @@ int profile(const Words& words) {
     const rough::Roughness roughness =
         rough::roughness(shape.profile, is_roughness ? settings.positive("lambda-c") : 0);
     const rough::Spectrum spectrum = continuous_spectrum(shape.profile);
-    const bool has_solid = shape.profile.nodes() <= most_solid_nodes;
-    const bool has_3mf = shape.profile.nodes() <= most_3mf_nodes;
-    const std::string solid = has_solid ? binary_stl(shape.profile, extrusion) : "";
-    const std::string unit_solid = has_3mf ? three_mf(shape.profile, extrusion) : "";
+    const Solids solids = solids_of(shape.profile, extrusion);
 
     const std::filesystem::path source = settings.text(settings.has("genome") ? "genome" : "profile");
     const OutputFolder out(
@@ -195,15 +189,7 @@ int profile(const Words& words) {
     };
     write("heights.csv", csv({"x_mm", "height_mm"}, {positions(shape.profile), shape.profile.heights}));
     write("profile.x3p", x3p(shape.profile));
-    if (has_solid)
-        write("profile.stl", solid);
-    else
-        say("note: profile.stl is left out, as a solid of more than 1e6 nodes is of no use to any printer");
-    if (has_3mf)
-        write("profile.3mf", unit_solid);
-    else
-        say("note: profile.3mf is left out, as its text would have 500 bytes for each of more than 1e5 "
-            "nodes");
+    const std::vector<std::string> solid_files = write_solids(solids, out.path(), "profile");
     const auto [ratio, level] = bearing_curve(shape.profile.heights);
     write("bearing.csv", csv({"material_ratio", "height_mm"}, {ratio, level}));
     write("spectrum.csv",
@@ -217,10 +203,7 @@ int profile(const Words& words) {
         write_picture(out.path() / "spectrum.svg", spectrum_plot(spectrum));
         std::vector<std::string> files{numbers_file, "heights.csv", "bearing.csv", "spectrum.csv",
                                        "profile.x3p"};
-        if (has_solid)
-            files.push_back("profile.stl");
-        if (has_3mf)
-            files.push_back("profile.3mf");
+        files.insert(files.end(), solid_files.begin(), solid_files.end());
         write("report.html", profile_page({source.filename().string(), shape.account, shape.profile,
                                            roughness, is_roughness, spectrum, files}));
     }

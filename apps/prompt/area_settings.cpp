@@ -5,7 +5,7 @@
 #include "apps/report/units.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/scan/map.hpp"
+#include "domain/profile/filter.hpp"
 #include "domain/scan/source.hpp"
 #include "domain/scan/unit.hpp"
 
@@ -49,20 +49,6 @@ Settings along(const Settings& settings, const std::vector<Setting>& known, bool
     return changed(settings, known, values);
 }
 
-rough::Profile map_from(const Settings& settings, const Settings& x, const Settings& y) {
-    if (!settings.has("spacing"))
-        throw rough::InputError("--spacing is missing, expected the distance of a map's nodes, DX or DXxDY");
-    for (const char* name : {"nodes", "length", "row", "detrend", "fill"})
-        if (settings.given(name))
-            throw rough::InputError(settings.place(name) +
-                                    ": given with --surface, expected none: a map is taken "
-                                    "as it is");
-    rough::MapLayout layout{settings.text("unit"), x.positive("spacing"), y.positive("spacing")};
-    if (!layout.unit.empty())
-        rough::length_unit_named(layout.unit, settings.place("unit"));
-    return placing(settings, "", [&] { return rough::read_map(settings.text("surface"), layout); });
-}
-
 /// How far wave vectors were moved to fit a periodic area.
 std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
     double farthest = 0;
@@ -79,7 +65,41 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
 std::vector<Setting> area_settings() {
     return {
         {"surface", "",
-         "measured area in place of a genome: a text matrix, a line a row along x; --spacing DX or DXxDY"}};
+         "measured area in place of a genome: X3P, SDF, SUR, GSF; a text matrix, a line a row along x, with "
+         "--spacing DX or DXxDY; or columns x, y, height"}};
+}
+
+rough::Map surface_from(const Settings& settings, const std::vector<Setting>& known, rough::Detrend form) {
+    for (const char* name : {"nodes", "length", "row", "fill", "outliers"})
+        if (settings.given(name))
+            throw rough::InputError(settings.place(name) +
+                                    ": given with --surface, expected none: it is for profiles");
+    rough::MapLayout layout{settings.text("unit")};
+    if (settings.has("spacing")) {
+        layout.spacing = along(settings, known, true).positive("spacing");
+        layout.row_spacing = along(settings, known, false).positive("spacing");
+    }
+    if (!layout.unit.empty())
+        rough::length_unit_named(layout.unit, settings.place("unit"));
+    if (settings.given("detrend"))
+        form = rough::detrend_named(settings.text("detrend"), settings.place("detrend"));
+    rough::Map map = placing(settings, "", [&] { return rough::read_map(settings.text("surface"), layout); });
+    rough::Profile& surface = map.heights;
+    surface.heights = placing(settings, "", [&] { return detrended(surface, form); });
+    const auto [columns, rows] = surface.shape();
+    map.account = "a map of " + std::to_string(columns) + " x " + std::to_string(rows) + " heights (" +
+                  map.account + "), " +
+                  (form == rough::Detrend::none   ? "taken as it is"
+                   : form == rough::Detrend::line ? "its plane taken off"
+                                                  : "its form taken off: " + name_of(form));
+    for (const bool is_long : {false, true})
+        if (const char* name = is_long ? "lambda-c" : "lambda-s"; settings.has(name)) {
+            const Eigen::VectorXd passed = low_passed(surface, settings.positive(name));
+            surface.heights = is_long ? (surface.heights - passed).eval() : passed;
+            map.account += std::string(", waves ") + (is_long ? "over " : "under ") +
+                           readable(settings.positive(name)) + " mm taken off";
+        }
+    return map;
 }
 
 bool asks_for_area(const Settings& settings) {
@@ -99,7 +119,8 @@ AreaScene area_from(const Settings& settings, const std::vector<Setting>& known)
     const Settings x = along(settings, known, true), y = along(settings, known, false);
     AreaScene scene;
     if (settings.has("surface")) {
-        scene.map = map_from(settings, x, y);
+        rough::Map read = surface_from(settings, known, rough::Detrend::none);
+        scene.map = std::move(read.heights);
         scene.model = model_from(changed(x, known, {{"spacing", ""}}));
         rough::Grid& grid = scene.model.grid;
         const auto [columns, rows] = scene.map.shape();
@@ -107,9 +128,8 @@ AreaScene area_from(const Settings& settings, const std::vector<Setting>& known)
         grid.rows = rows;
         grid.length = profile_length(scene.map, scene.model.body.kernel);
         grid.width = scene.map.row_spacing * static_cast<double>(grid.wraps ? rows : rows - 1);
-        scene.notes.push_back("a map of " + std::to_string(columns) + " x " + std::to_string(rows) +
-                              " heights, " + readable(grid.length) + " x " + readable(grid.width) +
-                              " mm, taken as it is");
+        scene.notes.push_back(read.account + "; " + readable(grid.length) + " x " + readable(grid.width) +
+                              " mm");
     } else {
         expect_none(settings, scan_settings(), "given with a genome, expected with --surface only");
         const rough::Source source = rough::open_genome(settings.text("genome"));

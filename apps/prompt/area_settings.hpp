@@ -2,7 +2,9 @@
 
 #include "apps/prompt/settings.hpp"
 #include "domain/mwm/genome.hpp"
+#include "domain/profile/detrend.hpp"
 #include "domain/response/model.hpp"
+#include "domain/scan/map.hpp"
 
 namespace app {
 
@@ -11,6 +13,10 @@ std::vector<Setting> area_settings();
 
 /// Whether the settings ask for an area: by --surface, or by --nodes or --length as a pair.
 bool asks_for_area(const Settings& settings);
+
+/// The map of --surface, its form and waves taken off as --detrend (`form` where that is not given),
+/// --lambda-s and --lambda-c say; `known` are the command's settings.
+rough::Map surface_from(const Settings& settings, const std::vector<Setting>& known, rough::Detrend form);
 
 /// An area as the settings give it, and what it is pressed on.
 struct AreaScene {

@@ -1,10 +1,11 @@
 #include "apps/report/profile_page.hpp"
 
-#include "apps/report/page.hpp"
+#include "apps/prompt/voice.hpp"
 #include "apps/report/units.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace app {
 
@@ -37,6 +38,35 @@ std::vector<Parameter> parameters(const rough::Roughness& r, bool is_roughness) 
     all.push_back(
         {letter + "mrk2", letter + "mrk2", r.core.Mr2, false, "", "material ratio above the valleys"});
     return all;
+}
+
+std::string in_words(const Parameter& one) {
+    if (!one.is_height || !std::isfinite(one.value))
+        return readable(one.value) + one.unit;
+    const Unit unit = length_unit(std::abs(one.value));
+    return readable(unit.factor * one.value) + " " + unit.name;
+}
+
+Table parameter_table(const std::vector<Parameter>& all) {
+    Table table{"", {"Parameter", "Value", "What it is"}, {}, {false, true, false}};
+    for (const Parameter& one : all)
+        table.rows.push_back({one.name, in_words(one), one.meaning});
+    return table;
+}
+
+void tell_parameters(const std::vector<Parameter>& all, double largest) {
+    const Unit height = length_unit(largest);
+    for (const Parameter& one : all) {
+        char line[160];
+        if (std::isfinite(one.value))
+            std::snprintf(line, sizeof line, "  %-14s %12.6g %-5s %s", one.name.c_str(),
+                          one.value * (one.is_height ? height.factor : 1),
+                          one.is_height ? height.name.c_str() : one.unit.c_str(), one.meaning.c_str());
+        else
+            std::snprintf(line, sizeof line, "  %-14s %12s %-5s %s", one.name.c_str(), "none", "",
+                          one.meaning.c_str());
+        say(line);
+    }
 }
 
 std::pair<Eigen::VectorXd, Eigen::VectorXd> bearing_curve(const Eigen::VectorXd& heights) {
@@ -92,12 +122,6 @@ Plot bearing_plot(const Eigen::VectorXd& heights) {
 std::string profile_page(const ProfileShown& shown) {
     const rough::Roughness& r = shown.roughness;
     const auto all = parameters(r, shown.is_roughness);
-    const auto in_words = [](const Parameter& one) {
-        if (!one.is_height || !std::isfinite(one.value))
-            return readable(one.value);
-        const Unit unit = length_unit(one.value);
-        return readable(unit.factor * one.value) + " " + unit.name;
-    };
     Page page("Profile: " + shown.name, shown.account);
     std::vector<std::pair<std::string, std::string>> tiles;
     for (const std::size_t i : {0, 1, 6, 10})
@@ -120,9 +144,7 @@ std::string profile_page(const ProfileShown& shown) {
                   std::to_string(r.sections) + " sections of " + readable(r.section_length) + " mm."
             : std::string("A primary profile: no long waves are taken off, so its parameters are Pa, Pq and "
                           "so on (ISO 21920-2), over its whole length."));
-    Table table{"", {"Parameter", "Value", "What it is"}, {}, {false, true, false}};
-    for (const Parameter& one : all)
-        table.rows.push_back({one.name, in_words(one), one.meaning});
+    Table table = parameter_table(all);
     table.rows.push_back(
         {"rms curvature", readable(r.rms_curvature) + " 1/mm", "by the seven-point formula"});
     table.rows.push_back({"bandwidth", readable(r.bandwidth), "Nayak's alpha, m0 m4/m2²"});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/report/plot.hpp"
+#include "apps/report/page.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"
 
@@ -16,6 +16,13 @@ struct Parameter {
     std::string meaning; ///< in a few words
 };
 
+/// A parameter's value with a unit that suits.
+std::string in_words(const Parameter& one);
+/// Parameters, their values and meanings.
+Table parameter_table(const std::vector<Parameter>& all);
+/// The same as lines of the terminal, heights in the unit that suits the largest, mm.
+void tell_parameters(const std::vector<Parameter>& all, double largest);
+
 /// The set of ISO 21920-2 that profile.json holds. `is_roughness`: of a roughness profile.
 std::vector<Parameter> parameters(const rough::Roughness& roughness, bool is_roughness);
 
@@ -27,7 +34,7 @@ std::pair<Eigen::VectorXd, Eigen::VectorXd> bearing_curve(const Eigen::VectorXd&
 Plot profile_plot(const rough::Profile& profile);
 /// Its power spectrum.
 Plot spectrum_plot(const rough::Spectrum& spectrum);
-/// Its material ratio curve.
+/// The material ratio curve of heights, of a profile or an area.
 Plot bearing_plot(const Eigen::VectorXd& heights);
 
 /// What a page about a profile shows.

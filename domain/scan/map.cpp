@@ -1,35 +1,156 @@
 #include "domain/scan/map.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/scan/exports.hpp"
 #include "domain/scan/table.hpp"
 #include "domain/scan/unit.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "domain/text/bytes.hpp"
 #include "domain/text/lines.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace rough {
+namespace {
 
-Profile read_map(const std::filesystem::path& path, const MapLayout& layout) {
-    const double unit = layout.unit.empty() ? 1 : length_unit_named(layout.unit, "unit").in_mm;
-    const std::string file = path.string();
-    const Table table = read_table(text_lines(read_whole(path), file), file, false);
-    const Extent shape{static_cast<Index>(table.columns), static_cast<Index>(table.rows())};
+/// Two spacings are the same within a thousandth.
+void agree(double of_file, double given, const char* axis, const std::string& file) {
+    if (given > 0 && std::abs(given - of_file) > 1e-3 * of_file)
+        refuse(file, ": its own spacing along ", axis, " is ", of_file, " mm, but ", given, " mm is given");
+}
+
+void expect_size(Extent shape, const std::string& file) {
     if (shape.columns < 2 || shape.rows < 2)
-        throw InputError(file + ": " + std::to_string(shape.rows) + " rows of " +
-                         std::to_string(shape.columns) + " heights, expected a matrix of 2 x 2 or more");
-    Profile map{Eigen::VectorXd(shape.nodes()), unit * layout.spacing, shape.rows, unit * layout.row_spacing};
+        refuse(file, ": ", shape.rows, " rows of ", shape.columns,
+               " heights, expected a matrix of 2 x 2 or more");
+}
+
+/// A height is missing: where, and what was expected.
+[[noreturn]] void miss(const std::string& place, Index column, Index columns) {
+    throw InputError(place + ": no height in column " + std::to_string(column + 1) + ", expected " +
+                     std::to_string(columns) + " numbers a row");
+}
+
+Map map_of(const HeightMap& read, const MapLayout& layout, double unit, const std::string& file) {
+    const Extent shape{read.columns(), read.rows};
+    expect_size(shape, file);
+    if (!layout.unit.empty() && unit != read.height_unit.in_mm)
+        refuse(file, ": its heights are in ", read.height_unit.name, ", but the unit given is ", layout.unit);
+    agree(read.spacing, unit * layout.spacing, "x", file);
+    agree(read.row_spacing, unit * layout.row_spacing, "y", file);
+    Map map{{Eigen::VectorXd(shape.nodes()), read.spacing, shape.rows, read.row_spacing},
+            read.format + ", heights in " + read.height_unit.name};
+    for (Index k = 0; k < shape.nodes(); ++k) {
+        const double height = read.heights[static_cast<std::size_t>(k)];
+        if (!std::isfinite(height))
+            miss(file + ": row " + std::to_string(k / shape.columns + 1), k % shape.columns, shape.columns);
+        map.heights.heights[k] = height * read.height_factor * read.height_unit.in_mm;
+    }
+    return map;
+}
+
+/// Columns x, y and height: of a whole grid, in any order.
+Map map_of_points(const Table& table, double unit, const std::string& file) {
+    const auto value = [&](std::size_t column, std::size_t row) { return table.column[column][row].value; };
+    const auto refuse_points = [&](const std::string& why) {
+        throw InputError(file + ": " + why + "; or, of a matrix of three columns, its spacing with it",
+                         "spacing");
+    };
+    const auto axis = [&](std::size_t column) {
+        std::set<double> places;
+        for (std::size_t k = 0; k < table.rows(); ++k)
+            places.insert(value(column, k));
+        return std::vector<double>(places.begin(), places.end());
+    };
+    const std::vector<double> x = axis(0), y = axis(1);
+    const Extent shape{static_cast<Index>(x.size()), static_cast<Index>(y.size())};
+    const auto step = [&](const std::vector<double>& places, const char* name) {
+        const double mean = (places.back() - places.front()) / static_cast<double>(places.size() - 1);
+        for (std::size_t k = 1; k < places.size(); ++k)
+            if (!(std::abs(places[k] - places[k - 1] - mean) < 1e-3 * mean))
+                refuse_points(line_of(name, " goes from ", places[k - 1], " to ", places[k],
+                                      ", expected even steps of ", mean));
+        return unit * mean;
+    };
+    expect_size(shape, file);
+    Map map{{Eigen::VectorXd::Constant(shape.nodes(), std::nan("")), step(x, "x"), shape.rows, step(y, "y")},
+            "points x, y and height"};
+    const auto place = [](const std::vector<double>& places, double at) {
+        return static_cast<Index>(std::lower_bound(places.begin(), places.end(), at) - places.begin());
+    };
+    for (std::size_t k = 0; k < table.rows(); ++k) {
+        double& height = map.heights.heights[place(y, value(1, k)) * shape.columns + place(x, value(0, k))];
+        if (!std::isnan(height) || !std::isfinite(value(2, k)))
+            refuse(at(file, table.line[k]), ": expected one height at each point");
+        height = unit * value(2, k);
+    }
+    for (Index k = 0; k < shape.nodes(); ++k)
+        if (std::isnan(map.heights.heights[k]))
+            refuse_points(line_of("no height at x = ", x[static_cast<std::size_t>(k % shape.columns)],
+                                  ", y = ", y[static_cast<std::size_t>(k / shape.columns)],
+                                  ", expected a whole grid"));
+    return map;
+}
+
+Map map_of_matrix(const Table& table, const MapLayout& layout, double unit, const std::string& file) {
+    const Extent shape{static_cast<Index>(table.columns), static_cast<Index>(table.rows())};
+    expect_size(shape, file);
+    if (!(layout.spacing > 0) || !(layout.row_spacing > 0))
+        throw InputError(file +
+                             ": a matrix of heights, expected the distance of its nodes with it, DX or DXxDY",
+                         "spacing");
+    Map map{{Eigen::VectorXd(shape.nodes()), unit * layout.spacing, shape.rows, unit * layout.row_spacing},
+            "a matrix"};
     for (Index j = 0; j < shape.rows; ++j)
         for (Index i = 0; i < shape.columns; ++i) {
             const double height =
                 unit * table.column[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].value;
             if (!std::isfinite(height))
-                throw InputError(at(file, table.line[static_cast<std::size_t>(j)]) +
-                                 ": no height in column " + std::to_string(i + 1) + ", expected " +
-                                 std::to_string(shape.columns) + " numbers a row");
-            map.heights[j * shape.columns + i] = height;
+                miss(at(file, table.line[static_cast<std::size_t>(j)]), i, shape.columns);
+            map.heights.heights[j * shape.columns + i] = height;
         }
     return map;
+}
+
+} // namespace
+
+Map read_map(const std::filesystem::path& path, const MapLayout& layout) {
+    const double unit = layout.unit.empty() ? 1 : length_unit_named(layout.unit, "unit").in_mm;
+    const std::string file = path.string(), bytes = read_whole(path);
+    if (const auto read = binary_map(bytes, file))
+        return map_of(*read, layout, unit, file);
+    const std::vector<std::string> lines = text_lines(bytes, file);
+    if (const auto read = named_map(lines, file))
+        return map_of(*read, layout, unit, file);
+    const Table table = read_table(lines, file, false);
+    constexpr std::size_t points = 3;
+    return table.columns == points && !(layout.spacing > 0) ? map_of_points(table, unit, file)
+                                                            : map_of_matrix(table, layout, unit, file);
+}
+
+std::string vtk(const Profile& map) {
+    const auto [columns, rows] = map.shape();
+    const std::string count = std::to_string(map.nodes());
+    std::string bytes = "# vtk DataFile Version 3.0\nrugosa: a rough surface, mm\nBINARY\n"
+                        "DATASET STRUCTURED_GRID\nDIMENSIONS " +
+                        std::to_string(columns) + " " + std::to_string(rows) + " 1\nPOINTS " + count +
+                        " double\n";
+    const auto append = [&](double value) { // the highest byte first
+        std::string word;
+        append_little_endian(word, value);
+        bytes.append(word.rbegin(), word.rend());
+    };
+    for (Index k = 0; k < map.nodes(); ++k) {
+        append(map.spacing * static_cast<double>(k % columns));
+        append(map.row_spacing * static_cast<double>(k / columns));
+        append(map.heights[k]);
+    }
+    bytes += "\nPOINT_DATA " + count + "\nSCALARS height_mm double 1\nLOOKUP_TABLE default\n";
+    for (const double height : map.heights)
+        append(height);
+    return bytes + "\n";
 }
 
 } // namespace rough

@@ -170,9 +170,9 @@ HeightMap read_x3p(const std::string& bytes, const std::string& file) {
         *xml, [&](const std::string& name, std::size_t most) { return archive.entry(name, most); }, file);
 }
 
-std::string x3p(const Profile& profile) {
+std::string x3p(const Profile& surface) {
     std::string data;
-    for (const double height : profile.heights)
+    for (const double height : surface.heights)
         append_little_endian(data, 1e-3 * height);
     const auto axis = [](const char* name, const char* type, const std::string& step) {
         return "      <" + std::string(name) + "><AxisType>" + type + "</AxisType><DataType>D</DataType>" +
@@ -181,19 +181,21 @@ std::string x3p(const Profile& profile) {
     const std::string xml =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">\n"
-        "  <Record1>\n    <Revision>ISO5436 - 2000</Revision>\n    <FeatureType>PRF</FeatureType>\n"
-        "    <Axes>\n" +
-        axis("CX", "I", written(1e-3 * profile.spacing)) + axis("CY", "I", "1") + axis("CZ", "A", "1") +
+        "  <Record1>\n    <Revision>ISO5436 - 2000</Revision>\n    <FeatureType>" +
+        std::string(surface.is_area() ? "SUR" : "PRF") + "</FeatureType>\n    <Axes>\n" +
+        axis("CX", "I", written(1e-3 * surface.spacing)) +
+        axis("CY", "I", surface.is_area() ? written(1e-3 * surface.row_spacing) : "1") +
+        axis("CZ", "A", "1") +
         "    </Axes>\n  </Record1>\n"
         "  <Record2>\n    <Date>1980-01-01T00:00:00Z</Date>\n    <Creator>rugosa</Creator>\n"
         "    <Instrument><Manufacturer>none</Manufacturer><Model>rugosa</Model><Serial>none</Serial>"
         "<Version>" RUGOSA_VERSION "</Version></Instrument>\n"
         "    <CalibrationDate>1980-01-01T00:00:00Z</CalibrationDate>\n"
         "    <ProbingSystem><Type>Software</Type><Identification>none</Identification></ProbingSystem>\n"
-        "    <Comment>a profile as it was modelled; the dates mean nothing</Comment>\n  </Record2>\n"
+        "    <Comment>a surface as it was modelled; the dates mean nothing</Comment>\n  </Record2>\n"
         "  <Record3>\n    <MatrixDimension><SizeX>" +
-        std::to_string(profile.nodes()) +
-        "</SizeX><SizeY>1</SizeY><SizeZ>1</SizeZ></MatrixDimension>\n"
+        std::to_string(surface.shape().columns) + "</SizeX><SizeY>" + std::to_string(surface.rows) +
+        "</SizeY><SizeZ>1</SizeZ></MatrixDimension>\n"
         "    <DataLink><PointDataLink>bindata/data.bin</PointDataLink><MD5ChecksumPointData>" +
         hexadecimal_md5(data) +
         "</MD5ChecksumPointData></DataLink>\n  </Record3>\n"

@@ -18,7 +18,8 @@ HeightMap read_x3p_description(
     const std::function<std::optional<std::string>(const std::string& name, std::size_t most)>& entry,
     const std::string& file);
 
-/// A profile (mm) as the bytes of an X3P file: double precision, metres, with the standard's check sums.
-std::string x3p(const Profile& profile);
+/// A profile or a map (mm) as the bytes of an X3P file: double precision, metres, with the standard's check
+/// sums.
+std::string x3p(const Profile& surface);
 
 } // namespace rough

@@ -200,3 +200,60 @@ TEST_CASE("a genome designed for a scan's length is pressed, printed and describ
     const auto standard = rough::genome_file_text(file.genome, rough::standard_length);
     CHECK(standard.find("length_mm") == std::string::npos);
 }
+
+TEST_CASE("a map comes out as ISO 25178 parameters, heights that are read back, tile, relief and pictures") {
+    const Folder folder;
+    std::string text; // grooves along y on a tilted plane, 40 x 24 nodes of 10 x 20 um
+    for (int j = 0; j < 24; ++j) {
+        for (int i = 0; i < 40; ++i)
+            text += std::to_string(2 * std::cos(2 * M_PI * i / 10) + 0.3 * i - 0.1 * j) + " ";
+        text += "\n";
+    }
+    folder.write("map.txt", text);
+    const auto ended =
+        rugosa("profile --surface map.txt --unit um --spacing 10x20 --magnify 100 --out o", folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    CHECK_THAT(ended.out, Catch::Contains("40 x 24") && Catch::Contains("plane taken off") &&
+                              Catch::Contains("Sq") && Catch::Contains("Std"));
+    const auto numbers = nlohmann::json::parse(rough::read_whole(folder / "o" / "surface.json"));
+    CHECK(numbers["Sq_mm"].get<double>() == Approx(2e-3 / std::sqrt(2)).epsilon(0.02));
+    CHECK(numbers["Std_degrees"] == 90);
+    CHECK(numbers["Str_is_bound"] == true);
+    CHECK(numbers["nodes"] == nlohmann::json({40, 24}));
+    for (const std::string file : {"heights.png", "surface.stl", "surface.3mf", "surface.vtk", "bearing.csv",
+                                   "spectrum.csv", "spectrum.svg"})
+        CHECK(std::filesystem::file_size(folder / "o" / file) > 100);
+    const std::string png = rough::read_whole(folder / "o" / "heights.png");
+    CHECK(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+    CHECK(png.substr(16, 8) == std::string("\0\0\0\x28\0\0\0\x18", 8)); // 40 x 24
+    const std::string page = rough::read_whole(folder / "o" / "report.html");
+    CHECK_THAT(page, Catch::Contains("data:image/png;base64,iVBORw0KGgo") && Catch::Contains("ISO 25178-2") &&
+                         Catch::Contains("<svg"));
+    // What was written is what is read: the same parameters, from the matrix and from the X3P.
+    for (const std::string source : {"o/heights.txt --spacing 0.01x0.02 --out a", "o/surface.x3p --out b"}) {
+        const auto again = rugosa("profile --detrend none --pictures off --surface " + source, folder.path());
+        INFO(again.err);
+        REQUIRE(again.code == 0);
+        const auto same = nlohmann::json::parse(
+            rough::read_whole(folder / source.substr(source.size() - 1) / "surface.json"));
+        for (const char* key : {"Sa_mm", "Sq_mm", "Sdq", "Sal_mm", "Sk_mm"})
+            CHECK(same[key].get<double>() == Approx(numbers[key].get<double>()).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("what a map's page cannot be made of is refused in one line") {
+    const Folder folder;
+    folder.write("map.txt", "0 1 2 3\n1 2 3 4\n");
+    for (const auto& [words, expected] :
+         {std::pair("--surface map.txt", "--spacing"), std::pair("--surface map.txt --spacing 1", "10 x 10"),
+          std::pair("--surface map.txt --spacing 1 --nodes 5", "--nodes"),
+          std::pair("--surface map.txt --spacing 1 --detrend arc", "arc"),
+          std::pair("--profile map.txt --periodic", "--periodic")}) {
+        const auto ended = rugosa("profile " + std::string(words), folder.path());
+        INFO(words << ": " << ended.err);
+        CHECK(ended.code == 2);
+        CHECK(ended.error_lines() == 1);
+        CHECK_THAT(ended.err, Catch::Contains(expected));
+    }
+}

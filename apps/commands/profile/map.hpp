@@ -1,0 +1,12 @@
+#pragma once
+
+#include "apps/prompt/settings.hpp"
+#include "domain/profile/solid.hpp"
+
+namespace app {
+
+/// `rugosa profile --surface`: what a map is, as files and a page; `known` are the command's settings.
+int profile_map(const Settings& settings, const std::vector<Setting>& known,
+                const rough::Extrusion& extrusion);
+
+} // namespace app
