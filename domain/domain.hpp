@@ -30,6 +30,8 @@
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/paper/variants.hpp"
 #include "domain/problem/problem.hpp"
+#include "domain/profile/areal.hpp"
+#include "domain/profile/derivatives.hpp"
 #include "domain/profile/detrend.hpp"
 #include "domain/profile/filter.hpp"
 #include "domain/profile/fractal.hpp"
@@ -42,6 +44,7 @@
 #include "domain/response/sensitivity.hpp"
 #include "domain/response/smooth_area.hpp"
 #include "domain/scan/height_map.hpp"
+#include "domain/scan/map.hpp"
 #include "domain/scan/source.hpp"
 #include "domain/scan/unit.hpp"
 #include "domain/scan/x3p.hpp"
@@ -50,6 +53,9 @@
 #include "domain/target/out_of_reach.hpp"
 #include "domain/target/recorded.hpp"
 #include "domain/target/similarity_bound.hpp"
+#include "domain/theory/asperities.hpp"
+#include "domain/theory/persson.hpp"
+#include "domain/theory/theory.hpp"
 
 /// Rough profiles, their contact, and the design of profiles with a given contact behaviour.
 namespace rough {}

@@ -1,0 +1,193 @@
+#include "domain/theory/asperities.hpp"
+
+#include "domain/errors.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace rough {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double normal_density(double s) { return std::exp(-s * s / 2) / std::sqrt(2 * pi); }
+
+struct Node {
+    double at, weight;
+};
+/// Gauss' rule of 30 nodes on both halves.
+std::vector<Node> nodes_on(double from, double to) {
+    using Gauss = boost::math::quadrature::gauss<double, 30>;
+    std::vector<Node> nodes;
+    const double half = (to - from) / 4;
+    for (const double middle : {from + half, to - half})
+        for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i)
+            for (const double side : {-half, half})
+                nodes.push_back({middle + side * Gauss::abscissa()[i], half * Gauss::weights()[i]});
+    return nodes;
+}
+
+/// What summits bear and cover at a separation.
+struct State {
+    double pressure, fraction, stiffness;
+};
+
+/// The curve of states at the separations d >= 0, with which they fall on the scale of `unit`; mean planes
+/// are d + `mean` apart.
+template <class StateAt>
+TheoryCurve curve_of(const Eigen::VectorXd& pressures, double unit, double mean, StateAt at) {
+    const Eigen::VectorXd none =
+        Eigen::VectorXd::Constant(pressures.size(), std::numeric_limits<double>::quiet_NaN());
+    TheoryCurve curve{pressures, none, none, none};
+    const double most = at(0).pressure;
+    for (Index j = 0; j < pressures.size(); ++j) {
+        const double wanted = pressures[j];
+        if (!(wanted <= most))
+            continue;
+        const auto excess = [&](double d) { return std::log(at(d).pressure / wanted); };
+        double far = unit;
+        while (excess(far) > 0)
+            far += unit;
+        std::uintmax_t rounds = 100;
+        const auto [low, high] = boost::math::tools::toms748_solve(
+            excess, far - unit, far, boost::math::tools::eps_tolerance<double>(48), rounds);
+        const State state = at((low + high) / 2);
+        curve.contact_fraction[j] = state.fraction;
+        curve.stiffness[j] = state.stiffness;
+        curve.separation[j] = (low + high) / 2 + mean;
+    }
+    return curve;
+}
+
+void expect_gaussian(const SpectralMoments& m) {
+    if (!(m.m0 > 0 && m.m2 > 0 && m.m4 > 0))
+        refuse("theory: moments ", m.m0, ", ", m.m2, ", ", m.m4, ", expected three above 0");
+    if (!(m.bandwidth() > 1.5))
+        refuse("theory: a bandwidth of ", m.bandwidth(),
+               ", expected more than 1.5: no isotropic Gaussian surface has less");
+}
+
+/// An elliptic Hertz contact beside the sphere of the same mean curvature sqrt(k1 k2), k1/k2 = (1 + kappa)/(1
+/// - kappa): its area and load at the same approach over the sphere's (Johnson 1985, eq. 4.26-4.28).
+struct Ellipse {
+    double area, load;
+};
+Ellipse ellipse(double kappa) {
+    const double ratio = (1 + kappa) / (1 - kappa);
+    const auto curvatures = [](double e) {
+        const double K = boost::math::ellint_1(e), E = boost::math::ellint_2(e);
+        return (E / (1 - e * e) - K) / (K - E);
+    };
+    double low = 1e-4, high = 1 - 1e-15; // rounder ones are spheres to 1e-8
+    if (ratio <= curvatures(low))
+        return {1, 1};
+    for (int i = 0; i < 100 && high - low > 1e-15; ++i)
+        (curvatures((low + high) / 2) < ratio ? low : high) = (low + high) / 2;
+    const double e = (low + high) / 2, K = boost::math::ellint_1(e), E = boost::math::ellint_2(e);
+    const double share = 2 * (K - E) / (e * e * K);
+    return {share * std::sqrt((1 - e * e) * ratio), pi / (2 * K) * std::sqrt(share) * std::pow(ratio, 0.25)};
+}
+
+/// Summits of mean curvature x sqrt(2 m4/3), the difference of their two curvatures integrated over: it is
+/// kappa times their sum, kappa's part of the density 2 kappa (1 - kappa^2) x^4 exp(-kappa^2 x^2).
+struct Sharpness {
+    double x, weight;          ///< of Gauss' rule over x
+    double number, area, load; ///< of them all, each pressed by an approach of 1
+};
+
+const std::vector<Sharpness>& sharpnesses() {
+    static const std::vector<Sharpness> all = [] {
+        constexpr double sharpest = 10;                       // of a normal deviate
+        const std::vector<Node> angles = nodes_on(0, pi / 2); // kappa is their sine
+        std::vector<Ellipse> ellipses;
+        for (const Node& angle : angles)
+            ellipses.push_back(ellipse(std::sin(angle.at)));
+        std::vector<Sharpness> made;
+        for (const auto& [x, weight] : nodes_on(0, sharpest)) {
+            Sharpness one{x, weight, 0, 0, 0};
+            for (std::size_t k = 0; k < angles.size(); ++k) {
+                const double kappa = std::sin(angles[k].at), cosine = std::cos(angles[k].at);
+                const double density =
+                    2 * kappa * std::exp(-kappa * kappa * x * x) * cosine * angles[k].weight;
+                one.number += density * cosine * cosine;
+                one.area += density * cosine * ellipses[k].area;
+                one.load += density * std::pow(cosine, 1.5) * ellipses[k].load;
+            }
+            one.number *= normal_density(x) * std::pow(x, 4);
+            one.area *= normal_density(x) * std::pow(x, 3);
+            one.load *= normal_density(x) * std::pow(x, 3.5);
+            made.push_back(one);
+        }
+        return made;
+    }();
+    return all;
+}
+
+} // namespace
+
+Exceedances exceedances(double t) {
+    static const std::vector<Node> unit = nodes_on(0, 1);
+    const double last = std::sqrt(std::pow(std::max(t, 0.0), 2) + 80); // beyond, exp(-40) of what is at t
+    const double root = std::sqrt(last - t);
+    Exceedances of{0, 0, 0};
+    for (const Node& node : unit) { // s = t + v^2, smooth in v
+        const double v = root * node.at, share = 2 * root * node.weight * v * v * normal_density(t + v * v);
+        of.half += share;
+        of.one += share * v;
+        of.three_halves += share * v * v;
+    }
+    return of;
+}
+
+Summits summits(const SpectralMoments& m) {
+    expect_gaussian(m);
+    const double alpha = m.bandwidth();
+    return {m.m4 / m.m2 / (6 * pi * std::sqrt(3)), 3 * std::sqrt(pi / m.m4) / 8,
+            std::sqrt((1 - 0.8968 / alpha) * m.m0), 4 * std::sqrt(m.m0 / (pi * alpha))};
+}
+
+TheoryCurve greenwood_williamson(const SpectralMoments& moments, double effective_modulus,
+                                 const Eigen::VectorXd& pressures) {
+    const Summits s = summits(moments);
+    const double load = s.density * effective_modulus * std::sqrt(s.radius) * std::pow(s.deviation, 1.5);
+    return curve_of(pressures, s.deviation, s.mean, [&](double d) {
+        const Exceedances over = exceedances(d / s.deviation);
+        return State{4.0 / 3 * load * over.three_halves, pi * s.density * s.radius * s.deviation * over.one,
+                     2 * load / s.deviation * over.half};
+    });
+}
+
+TheoryCurve bush_gibson_thomas(const SpectralMoments& m, double effective_modulus,
+                               const Eigen::VectorXd& pressures) {
+    expect_gaussian(m);
+    const double sharp = std::sqrt(2 * m.m4 / 3);                         // deviation of the mean curvature
+    const double deviation = std::sqrt(m.m0 * (1 - 1.5 / m.bandwidth())); // of heights at one of these
+    const double area = sharp / (2 * m.m2) * deviation,
+                 load = effective_modulus * std::pow(sharp * deviation, 1.5) / (2 * pi * m.m2);
+    return curve_of(pressures, std::sqrt(m.m0), 0, [&](double d) {
+        State state{0, 0, 0};
+        for (const Sharpness& s : sharpnesses()) {
+            const Exceedances over = exceedances((d - m.m2 / sharp * s.x) / deviation);
+            state.pressure += 4.0 / 3 * load * s.weight * s.load * over.three_halves;
+            state.fraction += area * s.weight * s.area * over.one;
+            state.stiffness += 2 * load / deviation * s.weight * s.load * over.half;
+        }
+        return state;
+    });
+}
+
+double summit_density(const SpectralMoments& m) {
+    double number = 0;
+    for (const Sharpness& s : sharpnesses())
+        number += s.weight * s.number;
+    return 2 * m.m4 / 3 / (2 * pi * m.m2) * number;
+}
+
+} // namespace rough

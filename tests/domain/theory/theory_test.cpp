@@ -1,0 +1,210 @@
+#include "domain/contact/solve.hpp"
+#include "domain/errors.hpp"
+#include "domain/theory/asperities.hpp"
+#include "domain/theory/persson.hpp"
+#include "tests/domain/contact/maps.hpp"
+
+#include <boost/math/quadrature/exp_sinh.hpp>
+#include <catch2/catch.hpp>
+
+using namespace rough;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double normal(double s) { return std::exp(-s * s / 2) / std::sqrt(2 * pi); }
+
+/// By another quadrature, straight in s.
+double beyond(double n, double t) {
+    boost::math::quadrature::exp_sinh<double> integrator;
+    return integrator.integrate([&](double s) { return std::pow(s, n) * normal(t + s); });
+}
+
+Eigen::VectorXd at(std::initializer_list<double> pressures) {
+    return Eigen::Map<const Eigen::VectorXd>(pressures.begin(), static_cast<Index>(pressures.size()));
+}
+
+const SelfAffine usual{.hurst = 0.8, .longest = 1, .shortest = 0.01, .rms_slope = 0.1};
+
+} // namespace
+
+TEST_CASE("a cosine's moments are its own, and an isotropic map's those of its sections", "[theory]") {
+    const double a = 0.003, k = 2 * pi * 5;
+    Profile line{Eigen::VectorXd(200), 1.0 / 200};
+    for (Index i = 0; i < 200; ++i)
+        line.heights[i] = 4 + a * std::cos(k * line.spacing * double(i));
+    const SpectralMoments of_line = spectral_moments(random_surface(line, true));
+    CHECK(of_line.m0 == Approx(a * a / 2).epsilon(1e-12));
+    CHECK(of_line.m2 == Approx(a * a / 2 * k * k).epsilon(1e-12));
+    CHECK(of_line.m4 == Approx(a * a / 2 * std::pow(k, 4)).epsilon(1e-12));
+    // cos kx + cos ky: m2 of a section along x is half of the gradient's mean square
+    const Profile map = maps::map_of({80, 100}, 1.0 / 80, 1.0 / 100, [&](double x, double y) {
+        return a * (std::cos(k * x) + std::cos(k * y));
+    });
+    const RandomSurface area = random_surface(map, true);
+    const SpectralMoments of_map = spectral_moments(area);
+    CHECK(of_map.m0 == Approx(a * a).epsilon(1e-12));
+    CHECK(of_map.m2 == Approx(a * a / 2 * k * k).epsilon(1e-12));
+    CHECK(of_map.m4 == Approx(3.0 / 8 * a * a * std::pow(k, 4)).epsilon(1e-12));
+    CHECK(rms_slope(area) == Approx(a * k).epsilon(1e-12));
+}
+
+TEST_CASE("a self-affine surface of parameters has the rms slope, cut-offs and moments asked for",
+          "[theory]") {
+    for (const bool is_area : {true, false}) {
+        SelfAffine of = usual;
+        of.is_area = is_area;
+        of.wave_numbers = 2000;
+        const RandomSurface surface = random_surface(of);
+        CHECK(rms_slope(surface) == Approx(0.1).epsilon(1e-12));
+        CHECK(surface.spectrum.wave_number[0] == Approx(2 * pi).epsilon(3e-3));
+        const SpectralMoments m = spectral_moments(surface);
+        // int q^(n - 1 - 2 H) between the cut-offs
+        const auto integral = [](double n) {
+            return (std::pow(2 * pi * 100, n - 1.6) - std::pow(2 * pi, n - 1.6)) / (n - 1.6);
+        };
+        CHECK(m.m0 == Approx(0.01 * integral(0) / integral(2)).epsilon(1e-9));
+        CHECK(m.m4 == Approx((is_area ? 3.0 / 8 : 1) * 0.01 * integral(4) / integral(2)).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("Greenwood and Williamson's integrals are those of an independent quadrature", "[theory]") {
+    for (const double t : {-6.0, -1.0, 0.0, 0.7, 3.0, 8.0}) {
+        const Exceedances of = exceedances(t);
+        const double tail = std::erfc(t / std::sqrt(2)) / 2;
+        if (t < 5)
+            CHECK(of.one == Approx(normal(t) - t * tail).epsilon(1e-9));
+        CHECK(of.half == Approx(beyond(0.5, t)).epsilon(1e-8));
+        CHECK(of.three_halves == Approx(beyond(1.5, t)).epsilon(1e-8));
+    }
+}
+
+TEST_CASE("McCool's parameters are the published functions of the moments", "[theory]") {
+    const SpectralMoments m{2e-6, 3e-3, 40};
+    const Summits s = summits(m);
+    const double alpha = 2e-6 * 40 / 9e-6;
+    CHECK(m.bandwidth() == Approx(alpha));
+    CHECK(s.density == Approx(40 / 3e-3 / (6 * pi * std::sqrt(3))));
+    CHECK(s.radius == Approx(3 * std::sqrt(pi) / (8 * std::sqrt(40.0))));
+    CHECK(s.deviation * s.deviation == Approx((1 - 0.8968 / alpha) * 2e-6));
+    CHECK(summit_density(m) == Approx(s.density).epsilon(1e-8)); // Nayak's, by the integral that BGT press
+}
+
+TEST_CASE("each theory's curve is consistent: its stiffness is the slope of pressure over separation",
+          "[theory]") {
+    const RandomSurface surface = random_surface(usual);
+    for (const Theory theory : {Theory::greenwood_williamson, Theory::bush_gibson_thomas, Theory::persson})
+        for (const double p : {1e-5, 1e-3, 5e-3}) {
+            const TheoryCurve curve = foretold_curve(theory, surface, 1, at({p, p * 1.001}));
+            INFO(name_of(theory) << " at " << p);
+            CHECK(p * 0.001 / (curve.separation[0] - curve.separation[1]) ==
+                  Approx(curve.stiffness.mean()).epsilon(1e-5));
+            CHECK(curve.contact_fraction[1] > curve.contact_fraction[0]);
+            const TheoryCurve stiffer = foretold_curve(theory, surface, 3, at({3 * p}));
+            CHECK(stiffer.contact_fraction[0] == Approx(curve.contact_fraction[0]).epsilon(1e-9));
+            CHECK(stiffer.stiffness[0] == Approx(3 * curve.stiffness[0]).epsilon(1e-9));
+        }
+}
+
+TEST_CASE("Persson's area is the error function and full at high load, of profiles, too", "[theory]") {
+    for (const bool is_area : {true, false}) {
+        SelfAffine of = usual;
+        of.is_area = is_area;
+        const TheoryCurve curve = persson(random_surface(of), 2, at({1e-6, 0.02, 1.0}));
+        CHECK(curve.contact_fraction[0] * 2 * 0.1 / 1e-6 ==
+              Approx(light_area_slope(Theory::persson)).epsilon(1e-6));
+        CHECK(curve.contact_fraction[1] == Approx(std::erf(std::sqrt(2) * 0.02 / 0.2)));
+        CHECK(curve.contact_fraction[2] == Approx(1).epsilon(1e-12));
+        CHECK(curve.separation[2] < 1e-9);
+        CHECK(curve.stiffness[0] == Approx(1e-6 / persson_length(random_surface(of))).epsilon(1e-3));
+    }
+    CHECK(light_area_slope(Theory::persson) == Approx(1.596).epsilon(1e-3));
+}
+
+TEST_CASE("Persson's length of a wide self-affine surface is that of its integral in closed form",
+          "[theory]") {
+    // H = 0.8, short cut-off gone: u0 = gamma h_rms 2 B(1/2, 2) sqrt(0.4 x 1.6) 1.25/sqrt(2 pi)
+    SelfAffine of = usual;
+    of.shortest = 1e-9;
+    of.wave_numbers = 4000;
+    const RandomSurface surface = random_surface(of);
+    const double height = std::sqrt(spectral_moments(surface).m0), beta = 4.0 / 3;
+    CHECK(persson_length(surface) / height ==
+          Approx(0.45 * 2.5 * beta * std::sqrt(0.4 * 1.6) / std::sqrt(2 * pi)).epsilon(2e-3));
+}
+
+TEST_CASE("Bush, Gibson and Thomas's curve ends at sqrt(2 pi) at light load", "[theory]") {
+    const SpectralMoments m{1e-6, 1e-3, 2.2}; // alpha 2.2: the limit is near at once
+    const double slope = std::sqrt(2 * m.m2);
+    double before = 0;
+    for (const double p : {1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12}) {
+        const TheoryCurve curve = bush_gibson_thomas(m, 1, at({p}));
+        const double kappa = curve.contact_fraction[0] * slope / p;
+        CHECK(kappa > before);
+        CHECK(kappa < light_area_slope(Theory::bush_gibson_thomas));
+        before = kappa;
+    }
+    CHECK(before == Approx(2.507).epsilon(0.012));
+    CHECK(light_area_slope(Theory::bush_gibson_thomas) == Approx(2.507).epsilon(1e-3));
+}
+
+TEST_CASE("Greenwood and Williamson's curve is McCool's integral at its own separation", "[theory]") {
+    const SpectralMoments m = spectral_moments(random_surface(usual));
+    const Summits s = summits(m);
+    const TheoryCurve curve = greenwood_williamson(m, 1.7, at({1e-6, 1e-4, 2e-3}));
+    for (Index j = 0; j < 3; ++j) {
+        const double t = (curve.separation[j] - s.mean) / s.deviation;
+        CHECK(curve.pressure[j] == Approx(4.0 / 3 * s.density * 1.7 * std::sqrt(s.radius) *
+                                          std::pow(s.deviation, 1.5) * beyond(1.5, t))
+                                       .epsilon(1e-7));
+        CHECK(curve.contact_fraction[j] ==
+              Approx(pi * s.density * s.radius * s.deviation * beyond(1, t)).epsilon(1e-7));
+    }
+    CHECK(std::isnan(greenwood_williamson(m, 1, at({1.0})).contact_fraction[0])); // beyond every summit
+}
+
+TEST_CASE("a theory is refused for a surface that it does not know", "[theory]") {
+    SelfAffine of = usual;
+    of.is_area = false;
+    CHECK_THROWS_WITH(foretold_curve(Theory::greenwood_williamson, random_surface(of), 1, at({1e-4})),
+                      Catch::Contains("expected an area"));
+    CHECK_THROWS_WITH(bush_gibson_thomas({1, 1, 1.4}, 1, at({1e-4})), Catch::Contains("1.5"));
+    CHECK_THROWS_WITH(foretold_curve(Theory::persson, random_surface(usual), 1, at({0.0})),
+                      Catch::Contains("above 0"));
+    of.shortest = 2;
+    CHECK_THROWS_AS(random_surface(of), InputError);
+    CHECK_THROWS_WITH(random_surface({Eigen::VectorXd::Ones(16), 1}), Catch::Contains("flat"));
+}
+
+TEST_CASE("exact isotropic self-affine maps answer beside the theories: area between Persson and Bush, "
+          "stiffness p/u0 at middle loads",
+          "[theory][areas]") {
+    const Profile map = maps::self_affine(128, 0.8, 1, 0.1);
+    const RandomSurface surface = random_surface(map, true);
+    const double slope = rms_slope(surface), height = std::sqrt(spectral_moments(surface).m0);
+    CHECK(slope == Approx(maps::rms_slope(map)).epsilon(0.1)); // by differences, which see less
+    std::vector<double> pressures;
+    for (const double share : {0.02, 0.04, 0.08, 0.12, 0.16})
+        pressures.push_back(share * slope / 2);
+    Body body;
+    body.kernel = Kernel::periodic;
+    const ContactCurve exact = solve_contact_at_pressures(map, body, pressures);
+    const TheoryCurve foretold =
+        persson(surface, 1, Eigen::Map<const Eigen::VectorXd>(pressures.data(), Index(pressures.size())));
+    std::vector<double> lengths;
+    for (std::size_t j = 0; j < pressures.size(); ++j) {
+        const LoadStep& step = exact.steps[j];
+        const double kappa = step.contact_fraction * slope / pressures[j];
+        if (j < 3) {
+            CHECK(kappa > light_area_slope(Theory::persson));
+            CHECK(kappa < light_area_slope(Theory::bush_gibson_thomas));
+        }
+        lengths.push_back(pressures[j] / step.tangent_stiffness / height);
+        CHECK(step.tangent_stiffness == Approx(foretold.stiffness[Index(j)]).epsilon(j < 2 ? 0.25 : 0.06));
+    }
+    const double foretold_length = persson_length(surface) / height;
+    CHECK(foretold_length == Approx(0.42).epsilon(0.05));
+    for (const std::size_t j : {2, 3, 4}) // P/K grows with the load, in theory as well
+        CHECK(lengths[j] == Approx(foretold_length).epsilon(0.25));
+}
