@@ -55,6 +55,7 @@
 #include "domain/target/similarity_bound.hpp"
 #include "domain/theory/asperities.hpp"
 #include "domain/theory/persson.hpp"
+#include "domain/theory/realisation.hpp"
 #include "domain/theory/theory.hpp"
 
 /// Rough profiles, their contact, and the design of profiles with a given contact behaviour.

@@ -20,6 +20,10 @@ class Course {
     }
 
     ChartData run() {
+        if (bounds_.finest_map > 0) {
+            tell("theories, profiles and maps");
+            data_.models = charted_models(bounds_.finest_map, bounds_.stop);
+        }
         for (const ChartScene& scene : scenes_)
             find_truth(scene);
         for (const ChartSetting& setting : plan_)

@@ -6,8 +6,9 @@ namespace app {
 
 /// What bounds a chart besides its extent, and who watches it.
 struct ChartBounds {
-    double seconds = 0;         ///< of the wall's clock
-    std::function<bool()> stop; ///< asked often where set; true ends the chart with what there is
+    double seconds = 0;          ///< of the wall's clock
+    rough::Index finest_map = 0; ///< nodes a side of the maps that models are measured on; 0: none
+    std::function<bool()> stop;  ///< asked often where set; true ends the chart with what there is
     /// After each setting and reference: what there is, and words such as "12 of 740, at most 3 min left".
     std::function<void(const ChartData&, const std::string&)> watch;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/experiments/chart/models.hpp"
 #include "apps/experiments/chart/runs.hpp"
 #include "apps/report/csv.hpp"
 
@@ -29,6 +30,7 @@ struct ChartData {
     std::vector<ChartRun> runs;       ///< in the order of the plan
     std::vector<LeftOut> left_out;    ///< the rest of the plan
     double limit = 0;                 ///< s that one curve might take
+    ModelChart models;                ///< theories, lines and maps
 
     /// The run at a setting, or none.
     const ChartRun* at(const ChartSetting& setting) const;
@@ -40,7 +42,7 @@ struct ChartData {
     std::vector<rough::Index> grids() const;
 };
 
-/// chart.csv: a row a run.
+/// chart.csv: a row a run, of solvers and of models.
 Csv chart_table(const ChartData& data);
 
 /// A page that says which method to take, with the pictures. Needs gnuplot.

@@ -30,6 +30,7 @@ class GrowingTable {
 void write_chart(const ChartData& data, const Origin& origin, const std::filesystem::path& folder) {
     const Csv table = chart_table(data);
     rough::write_atomically(folder / "chart.csv", table.text());
+    rough::write_atomically(folder / "models.csv", models_table(data.models).text());
     nlohmann::json result = origin_json(origin);
     result["runs"] = table.rows();
     write_json(folder / "result.json", result);
@@ -49,13 +50,14 @@ void draw_chart(const ChartData& data, const std::filesystem::path& folder) {
 Findings run_chart_experiment(const Settings& settings, const Conditions& conditions) {
     const std::filesystem::path folder = conditions.folder;
     GrowingTable table(folder / "chart.csv");
-    const auto data = std::make_shared<const ChartData>(
-        charted(chart_scenes(), settings.is_on("chart.quick") ? quick_extent() : whole_extent(),
-                {60 * settings.positive("chart.minutes"), [&] { return conditions.stop.load(); },
-                 [&](const ChartData& so_far, const std::string& where) {
-                     conditions.progress.show(where);
-                     table.grow(so_far);
-                 }}));
+    const bool quick = settings.is_on("chart.quick");
+    const auto data = std::make_shared<const ChartData>(charted(
+        chart_scenes(), quick ? quick_extent() : whole_extent(),
+        {60 * settings.positive("chart.minutes"), quick ? 128 : 256, [&] { return conditions.stop.load(); },
+         [&](const ChartData& so_far, const std::string& where) {
+             conditions.progress.show(where);
+             table.grow(so_far);
+         }}));
     if (data->runs.empty())
         return {};
     const std::string left_out = left_out_in_a_line(*data);
@@ -74,15 +76,18 @@ Experiment chart_experiment() {
     return {
         .kind = "chart",
         .summary =
-            "Charts the time of a pressure curve against its error for every contact solver, grid, "
+            "Charts the time of a pressure curve against its error for theories, profiles and maps, and for "
+            "every contact solver, grid, "
             "number of load steps and tolerance, on scenes with a known or a refined solution: from "
             "coarse grids to fine, so that a chart that ends early has the same of every scene. Writes "
-            "chart.csv (as it goes), pictures (SVG) and a page that says which method to take when, and "
+            "chart.csv (as it goes), models.csv, pictures (SVG) and a page that says which model and method "
+            "to "
+            "take when, and "
             "what was left out and why. Ctrl-C ends it; what was measured is kept.",
         .settings = {{"chart.minutes", "10",
                       "begin nothing that would not end within so many; the coarsest grid is always done"},
                      {"chart.quick", "", "fewer and smaller grids: under a minute", true}},
-        .files = {"chart.csv", "*.svg"},
+        .files = {"chart.csv", "models.csv", "*.svg"},
         .run = run_chart_experiment,
         .examples = {"chart --quick --out out/chart", "chart --minutes 3 --out out/chart"}};
 }

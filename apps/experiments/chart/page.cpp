@@ -114,13 +114,17 @@ void add_left_out(Page& page, const ChartData& data) {
 
 std::string chart_page(const ChartData& data) {
     Page page("Speed against accuracy",
-              "Which contact method to take when: time of one pressure curve on one core against its error.");
+              "Which model and which method to take when: time of one curve on one core against its error.");
     add_early_end(page, data);
+    add_models(page, data.models);
     add_advice(page, data);
     add_pictures(page, data);
     add_left_out(page, data);
     page.section("What was measured");
     for (const ChartedScene& scene : data.scenes)
+        page.prose(Html::raw("<b>") + scene.name + Html::raw("</b>: ") + scene.words + "; measured against " +
+                   scene.reference + ".");
+    for (const ModelScene& scene : data.models.scenes)
         page.prose(Html::raw("<b>") + scene.name + Html::raw("</b>: ") + scene.words + "; measured against " +
                    scene.reference + ".");
     page.prose(

@@ -136,8 +136,8 @@ class ActiveSet {
     void improve(double approach, double target) {
         solver_.improve(
             set_, [&](Index i) { return approach - problem_.gap[i]; }, load_, Enough{target * approach},
-            most_iterations);
-        stale_ = true;
+            most_iterations, problem_.is_area() ? &product_ : nullptr);
+        stale_ = !problem_.is_area();
     }
 
     double residual(const Loaded& x, double approach) const {

@@ -95,7 +95,7 @@ TEST_CASE("a chart without time left has the coarsest grid of every scene, and s
     std::vector<std::string> words;
     const ChartData data =
         charted(chart_scenes(), small,
-                {0, {}, [&](const ChartData&, const std::string& text) { words.push_back(text); }});
+                {0, 0, {}, [&](const ChartData&, const std::string& text) { words.push_back(text); }});
     REQUIRE(data.scenes.size() == 5);
     CHECK_FALSE(data.runs.empty());
     for (const ChartRun& run : data.runs)
@@ -117,7 +117,7 @@ TEST_CASE("a chart without time left has the coarsest grid of every scene, and s
 
 TEST_CASE("a chart with time tries its whole plan, with the same errors each time") {
     const std::vector<ChartScene> scenes{chart_scenes().front()};
-    const ChartBounds bounds{1000, {}, {}};
+    const ChartBounds bounds{1000, 0, {}, {}};
     const ChartData one = charted(scenes, small, bounds), other = charted(scenes, small, bounds);
     CHECK(one.left_out.empty());
     CHECK(left_out_in_a_line(one).empty());
@@ -134,7 +134,7 @@ TEST_CASE("a chart with time tries its whole plan, with the same errors each tim
 TEST_CASE("a method that was too slow on a grid is not tried on finer ones, and the page says so") {
     ChartExtent impatient = small;
     impatient.limit = 0;
-    const ChartData data = charted({chart_scenes().front()}, impatient, {1000, {}, {}});
+    const ChartData data = charted({chart_scenes().front()}, impatient, {1000, 0, {}, {}});
     for (const ChartRun& run : data.runs) {
         CHECK(run.outcome == Outcome::not_converged);
         CHECK(run.late);
@@ -152,7 +152,7 @@ TEST_CASE("a method that was too slow on a grid is not tried on finer ones, and 
 TEST_CASE("an interrupted chart keeps what there is") {
     int solved = 0;
     const ChartData data = charted(chart_scenes(), small,
-                                   {1000, [&] { return solved >= 12; },
+                                   {1000, 0, [&] { return solved >= 12; },
                                     [&](const ChartData& so_far, const std::string&) {
                                         solved = static_cast<int>(so_far.runs.size());
                                     }});
@@ -216,12 +216,42 @@ TEST_CASE("rugosa chart ends in time, complete over its scenes, and says in one 
     std::getline(table, line);
     while (std::getline(table, line))
         ++rows[line.substr(0, line.find(','))];
-    CHECK(rows.size() == 5);
+    CHECK(rows.size() == 8);
     for (const auto& [scene, count] : rows)
-        CHECK(count == 7); // auto, nested, NNLS and two tolerances of the iterative methods
+        if (scene == "self-affine-line")
+            CHECK(count == 4); // Persson's theory and three grids
+        else if (scene.ends_with("-map"))
+            CHECK(count == 7); // three theories, two lines, two coarser grids
+        else
+            CHECK(count == 7); // auto, nested, NNLS and two tolerances of the iterative methods
+    const std::string page = rough::read_whole(folder / "r" / "chart.html");
+    for (const char* words : {"<b>Where theories end</b>", "<b>Where a profile is enough</b>: on ground-map",
+                              "<b>Where a map is needed</b>: on self-affine-map"})
+        CHECK_THAT(page, Catch::Contains(words));
     CHECK(std::filesystem::exists(folder / "r" / "chart.html"));
-    CHECK(app::testing::result_in(folder / "r")["runs"].size() == 35);
+    CHECK(app::testing::result_in(folder / "r")["runs"].size() == 35 + 18);
     CHECK(std::filesystem::exists(folder / "r" / "hertz-time.svg"));
+}
+
+TEST_CASE("models err as they must: lines are exact on ridges alone, theories where they hold") {
+    const ModelChart chart = charted_models(64);
+    REQUIRE(chart.scenes.size() == 3);
+    for (const ModelRun& run : chart.runs) {
+        const ModelScene& scene = chart.scenes[run.scene];
+        const auto [area, stiffness] = errors_of(run, scene);
+        INFO(scene.name << ", " << run.model << " " << run.nodes << ": " << area << ", " << stiffness);
+        CHECK(run.seconds > 0);
+        if (run.model == "persson")
+            CHECK(area < (scene.name == "ground-map" ? 0.6 : 0.5));
+        if (run.model == "mean-line" && scene.name == "self-affine-map")
+            CHECK(area > 0.3); // the mean of every direction's waves is nearly flat
+    }
+    CHECK(chart.scenes[1].aspect_ratio > 0.5);
+    CHECK(chart.scenes[2].aspect_ratio < 0.2);
+    int looked_at = 0;
+    const ModelChart none = charted_models(64, [&] { return ++looked_at > 0; });
+    CHECK(none.runs.empty());
+    CHECK(models_table(chart).rows().size() == 12 * chart.runs.size());
 }
 
 TEST_CASE("rugosa chart refuses a folder that holds a chart") {

@@ -2,6 +2,7 @@
 #include "domain/errors.hpp"
 #include "domain/theory/asperities.hpp"
 #include "domain/theory/persson.hpp"
+#include "domain/theory/realisation.hpp"
 #include "tests/domain/contact/maps.hpp"
 
 #include <boost/math/quadrature/exp_sinh.hpp>
@@ -207,4 +208,26 @@ TEST_CASE("exact isotropic self-affine maps answer beside the theories: area bet
     CHECK(foretold_length == Approx(0.42).epsilon(0.05));
     for (const std::size_t j : {2, 3, 4}) // P/K grows with the load, in theory as well
         CHECK(lengths[j] == Approx(foretold_length).epsilon(0.25));
+}
+
+TEST_CASE("a realised surface has the parameters' slope and spectrum, and is the same on every grid",
+          "[theory]") {
+    for (const bool is_area : {true, false}) {
+        SelfAffine of{
+            .hurst = 0.7, .longest = 0.5, .shortest = 1.0 / 16, .rms_slope = 0.2, .is_area = is_area};
+        Grid grid{.nodes = 96, .length = 1, .wraps = true};
+        if (is_area)
+            grid.rows = 80, grid.width = 0.8;
+        const Profile surface = realised(of, grid, 7), fine = realised(of, refined(grid, 2), 7);
+        const RandomSurface random = random_surface(surface, true);
+        CHECK(rms_slope(random) == Approx(0.2).epsilon(1e-9));
+        for (const Index j : {0, is_area ? 33 : 0})
+            for (const Index i : {0, 5, 61})
+                CHECK(surface.heights[j * 96 + i] == Approx(fine.heights[2 * j * 192 + 2 * i]).epsilon(1e-9));
+        for (Index k = 0; k < random.spectrum.power.size(); ++k)
+            if (random.spectrum.wave_number[k] > 2.2 * pi * 16 || random.spectrum.wave_number[k] < 3.8 * pi)
+                CHECK(random.spectrum.power[k] < 1e-20);
+        CHECK((realised(of, grid, 8).heights - surface.heights).norm() > 0.5 * surface.heights.norm());
+    }
+    CHECK_THROWS_AS(realised(usual, Grid{}, 1), InputError);
 }
