@@ -221,8 +221,9 @@ SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked,
             !options.starts.empty()      ? options.starts
             : makes_its_own_starts(text) ? std::vector<Genome>{shaped_start(setup, ga::Stream(options.seed))}
                                          : database_for(setup, options.threads);
-        auto found =
-            ga::run(stage, problem, ga::population(starts), run, observers, keeper ? &*keeper : nullptr);
+        ga::OnThreads<DesignProblem> on_threads(options.threads);
+        auto found = ga::run_by(options.evaluator ? *options.evaluator : on_threads, stage, problem,
+                                ga::population(starts), run, observers, keeper ? &*keeper : nullptr);
         for (const auto& individual : found.population)
             archive.offer(problem, individual);
         if (found.best)

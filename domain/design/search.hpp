@@ -34,6 +34,7 @@ struct SearchOptions {
         {}; ///< the population to begin with; empty: the pipeline's own, or the Sobol database
     std::uint64_t seed = 1; ///< same seed, same answer, unless `seconds` or `stop` ends the search
     int threads = 0;        ///< 0: as many as OpenMP has
+    ga::Evaluator<DesignProblem>* evaluator = nullptr;        ///< makes the paid calls; none: threads do
     double seconds = std::numeric_limits<double>::infinity(); ///< of wall time, from the call
     long evaluations = std::numeric_limits<long>::max();      ///< curves and gradients
     const std::atomic<bool>* stop = nullptr;                  ///< somebody asks the search to end

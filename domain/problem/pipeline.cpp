@@ -13,3 +13,7 @@ template ga::Result<rough::Genome> ga::run(const rough::Pipeline&, const rough::
                                            ga::Population<rough::Genome>, const ga::RunOptions&,
                                            std::vector<ga::Observer<rough::Genome>>,
                                            ga::Keeper<rough::DesignProblem>*);
+template ga::Result<rough::Genome> ga::run_by(ga::Evaluator<rough::DesignProblem>&, const rough::Pipeline&,
+                                              const rough::DesignProblem&, ga::Population<rough::Genome>,
+                                              const ga::RunOptions&, std::vector<ga::Observer<rough::Genome>>,
+                                              ga::Keeper<rough::DesignProblem>*);

@@ -74,8 +74,9 @@ class DesignProblem {
     /// How much the profiles of two genomes differ (difference); 0 to 2.
     double distance(const Genome& a, const Genome& b) const;
 
-    const DesignSetup& setup() const { return *setup_; } ///< what is asked for
-    double stiffest() const { return stiffest_; }        ///< no tangent is above it, MPa/mm
+    const DesignSetup& setup() const { return *setup_; }      ///< what is asked for
+    bool shares_memory() const { return memory_ != nullptr; } ///< with other problems
+    double stiffest() const { return stiffest_; }             ///< no tangent is above it, MPa/mm
     /// Which points of a target an objective is over.
     std::vector<Index> points_of(const std::string& objective, std::size_t target) const;
 
