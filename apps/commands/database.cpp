@@ -11,12 +11,13 @@ int database(const Words& words) {
     const std::vector<Command> parts{
         {"build", "compute genomes and their responses into a file; goes on where it ended", database_build},
         {"info", "what a file holds and to which set-up it belongs", database_info},
+        {"merge", "several files of one set-up and law as one", database_merge},
         {"query", "the stored genomes nearest to a target", database_query}};
     if (words.empty())
-        throw rough::InputError("database: nothing given, expected build, info or query ('rugosa database "
+        throw rough::InputError("database: nothing given, expected build, info, merge or query ('rugosa database "
                                 "--help' tells more)");
     if (words[0] == "--help" || words[0] == "-h") {
-        std::cout << "Usage: rugosa database (build | info | query) FILE [flags]\n\n"
+        std::cout << "Usage: rugosa database (build | info | merge | query) FILE [flags]\n\n"
                      "A genome database keeps computed responses, so that a new target is answered in a "
                      "second.\n\n";
         for (const Command& part : parts)
@@ -25,6 +26,7 @@ int database(const Words& words) {
         std::cout << "\n'rugosa database build --help' and so on tell the flags.\n\nExamples:\n"
                      "  rugosa database build genomes.db --genomes 100000\n"
                      "  rugosa database info genomes.db\n"
+                     "  rugosa database merge a.db b.db --out genomes.db\n"
                      "  rugosa database query genomes.db --target target.csv\n";
         return 0;
     }

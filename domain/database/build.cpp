@@ -6,48 +6,119 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace rough {
 namespace {
 
-Response no_response(int steps) {
-    const double nothing = std::numeric_limits<double>::quiet_NaN();
-    const Eigen::VectorXd column = Eigen::VectorXd::Constant(steps, nothing);
-    return {nothing, column, column, column, column, column, Solver::automatic};
-}
+/// Batches of a build that are under way.
+class Batches {
+  public:
+    Batches(GenomeStore& store, const BuildOptions& options) : store_(store), options_(options) {
+        // A batch is held in memory and stored as one cell.
+        constexpr double most_numbers = 1e7;
+        const DatabaseSetup& setup = store.setup();
+        const double a_genome =
+            std::max(2 * most_phases(setup.law) + 100, 2. * setup.model.loading.steps + 1);
+        size_ = std::clamp<std::uint64_t>(static_cast<std::uint64_t>(most_numbers / a_genome), 1,
+                                          std::max<std::uint64_t>(options.batch, 1));
+        stored_ = store.stored();
+    }
+
+    std::optional<std::uint64_t> next() {
+        if (ended())
+            return std::nullopt;
+        if (handed_out_ == last_.count) {
+            const auto span =
+                store_.take(wanted_, size_, [&](std::uint64_t first) { return open_.count(first) > 0; });
+            if (!span)
+                return std::nullopt;
+            last_ = *span;
+            open_[last_.first] = {last_, std::vector<Response>(last_.count), last_.count};
+            handed_out_ = 0;
+        }
+        return last_.first + handed_out_++;
+    }
+    void take(std::uint64_t genome, Response response) {
+        const auto found = std::prev(open_.upper_bound(genome));
+        auto& [span, responses, missing] = found->second;
+        responses[genome - span.first] = std::move(response);
+        if (--missing > 0)
+            return;
+        std::vector<Genome> genomes;
+        for (std::uint64_t i = 0; i < span.count; ++i)
+            genomes.push_back(drawn(store_.setup().law, span.first + i));
+        stored_ += store_.add(span, genomes, responses) ? span.count : 0;
+        open_.erase(found);
+        goes_on_ = options_.go_on(stored_);
+    }
+    bool ended() const { return !goes_on_ || (options_.stop && options_.stop->load()); }
+    std::uint64_t missing() const {
+        std::uint64_t count = 0;
+        for (const Span& gap : store_.gaps(wanted_))
+            count += gap.count;
+        return count;
+    }
+
+  private:
+    struct Batch {
+        Span span;
+        std::vector<Response> responses;
+        std::uint64_t missing; ///< responses
+    };
+
+    GenomeStore& store_;
+    const BuildOptions& options_;
+    Span wanted_{options_.first, options_.genomes}, last_; ///< taken last
+    std::uint64_t size_ = 1, stored_ = 0, handed_out_ = 0; ///< of the last
+    std::map<std::uint64_t, Batch> open_;                  ///< by its first genome
+    bool goes_on_ = true;
+};
 
 } // namespace
 
-void build(GenomeStore& store, const BuildOptions& options) {
-    const Model& model = store.setup().model;
-    const GenomeLaw& law = store.setup().law;
-    validate(law);
-    const int threads = ga::thread_count(options.threads);
-    // A batch is held in memory and stored as one cell.
-    constexpr double most_numbers = 1e7;
-    const double a_genome = std::max(2 * most_phases(law) + 100, 2. * model.loading.steps + 1);
-    const auto batch = std::clamp<std::uint64_t>(static_cast<std::uint64_t>(most_numbers / a_genome), 1,
-                                                 std::max<std::uint64_t>(options.batch, 1));
-    const auto stopped = [&] { return options.stop && options.stop->load(); };
-    while (const auto span = store.take(options.genomes, batch)) {
-        std::vector<Genome> genomes(span->count);
-        std::vector<Response> responses(span->count);
-        ga::parallel_for(span->count, threads, [&](std::size_t i) {
-            if (stopped())
-                return;
-            genomes[i] = drawn(law, span->first + i);
-            try {
-                responses[i] = respond(genomes[i], model);
-            } catch (const NotConverged&) {
-                responses[i] = no_response(model.loading.steps);
-            }
-        });
-        if (stopped())
-            return;
-        store.add(*span, genomes, responses);
-        if (!options.go_on(store.stored()))
-            return;
+Response response_for(const DatabaseSetup& setup, std::uint64_t genome) {
+    try {
+        return respond(drawn(setup.law, genome), setup.model);
+    } catch (const NotConverged&) {
+        const double nothing = std::numeric_limits<double>::quiet_NaN();
+        const Eigen::VectorXd column = Eigen::VectorXd::Constant(setup.model.loading.steps, nothing);
+        return {nothing, column, column, column, column, column, Solver::automatic};
     }
+}
+
+Computing on_threads(int threads, std::uint64_t at_a_time) {
+    return [=](const DatabaseSetup& setup, const Orders& orders) {
+        while (!orders.ended()) {
+            std::vector<std::uint64_t> genomes;
+            while (genomes.size() < at_a_time)
+                if (const auto genome = orders.next())
+                    genomes.push_back(*genome);
+                else
+                    break;
+            if (genomes.empty())
+                return;
+            std::vector<std::optional<Response>> responses(genomes.size());
+            ga::parallel_for(genomes.size(), ga::thread_count(threads), [&](std::size_t i) {
+                if (!orders.ended())
+                    responses[i] = response_for(setup, genomes[i]);
+            });
+            for (std::size_t i = 0; i < genomes.size(); ++i)
+                if (responses[i])
+                    orders.take(genomes[i], std::move(*responses[i]));
+        }
+    };
+}
+
+void build(GenomeStore& store, const BuildOptions& options) {
+    validate(store.setup().law);
+    Batches batches(store, options);
+    const Computing computing =
+        options.computing ? options.computing : on_threads(options.threads, options.batch);
+    computing(store.setup(),
+              {batches.missing(), [&] { return batches.next(); },
+               [&](std::uint64_t genome, Response response) { batches.take(genome, std::move(response)); },
+               [&] { return batches.ended(); }});
 }
 
 } // namespace rough

@@ -114,25 +114,34 @@ void expect_size(const Sqlite& sqlite, const std::vector<double>& values, std::u
                                    std::to_string(wanted));
 }
 
-/// The gaps below `end`, cut at the multiples of `batch`.
-std::vector<Span> gaps(Sqlite& sqlite, std::uint64_t end, std::uint64_t batch) {
-    std::vector<Span> found;
-    std::uint64_t next = 0;
+/// Shows what is missing of a span, cut at the multiples of `batch`, until `visit` gives true. Gives where
+/// the first gap begins.
+template <class Visit>
+std::uint64_t visit_gaps(Sqlite& sqlite, const Span& of, std::uint64_t batch, Visit visit) {
+    const std::uint64_t end = of.first + of.count;
+    std::uint64_t next = of.first, filled = of.first;
+    bool found = false, done = false;
     const auto fill_to = [&](std::uint64_t stop) {
-        while (next < stop) {
+        while (next < stop && !done) {
             const std::uint64_t cut = std::min(stop, (next / batch + 1) * batch);
-            found.push_back({next, cut - next});
+            found = true;
+            done = visit(Span{next, cut - next});
             next = cut;
         }
     };
-    Statement rows(sqlite, "SELECT first, count FROM batch ORDER BY first");
-    while (rows.step()) {
+    // The batch before may reach into the span.
+    Statement rows(sqlite, "SELECT first, count FROM batch WHERE first >= (SELECT ifnull(max(first), 0) FROM "
+                           "batch WHERE first <= ?) ORDER BY first");
+    rows.bind(as_key(of.first));
+    while (!done && next < end && rows.step()) {
         const std::uint64_t first = as_index(rows.number(0));
         fill_to(std::min(first, end));
         next = std::max(next, first + as_index(rows.number(1)));
+        if (!found)
+            filled = std::min(next, end);
     }
     fill_to(end);
-    return found;
+    return filled;
 }
 
 Eigen::VectorXd displacements(const Model& model, double range) {
@@ -200,28 +209,45 @@ std::uint64_t GenomeStore::stored() const {
     return as_index(sqlite_->number("SELECT sum(count) FROM batch"));
 }
 
-std::optional<Span> GenomeStore::take(std::uint64_t end, std::uint64_t batch) {
-    Transaction transaction(*sqlite_);
-    const auto open_spans = gaps(*sqlite_, end, batch);
-    if (open_spans.empty())
-        return std::nullopt;
-    std::vector<std::uint64_t> taken;
-    Statement rows(*sqlite_, "SELECT first FROM taken ORDER BY first");
-    while (rows.step())
-        taken.push_back(as_index(rows.number(0)));
-    for (const Span& span : open_spans)
-        if (!std::binary_search(taken.begin(), taken.end(), span.first)) {
-            Statement(*sqlite_, "INSERT INTO taken VALUES(?)").bind(as_key(span.first)).step();
-            rows.reset();
-            transaction.commit();
-            return span;
-        }
-    // What is left was taken by builders that still work or were killed: computing it again does no harm,
-    // from the end, where those that still work come last.
-    return open_spans.back();
+std::vector<Span> GenomeStore::gaps(const Span& of) const {
+    std::vector<Span> found;
+    visit_gaps(*sqlite_, of, of.first + of.count,
+               [&](const Span& gap) { return found.push_back(gap), false; });
+    return found;
 }
 
-void GenomeStore::add(const Span& span, const std::vector<Genome>& genomes,
+std::optional<Span> GenomeStore::take(const Span& of, std::uint64_t batch,
+                                      const std::function<bool(std::uint64_t first)>& is_own) {
+    Transaction transaction(*sqlite_);
+    std::vector<std::uint64_t> taken;
+    {
+        Statement rows(*sqlite_, "SELECT first FROM taken ORDER BY first");
+        while (rows.step())
+            taken.push_back(as_index(rows.number(0)));
+    }
+    // What was stored once stays: the next look begins behind it.
+    if (!(of.first <= filled_ && filled_from_ == of.first))
+        filled_ = filled_from_ = of.first;
+    const std::uint64_t end = of.first + of.count, from = std::min(filled_, end);
+    std::optional<Span> fresh, left;
+    filled_ = visit_gaps(*sqlite_, {from, end - from}, batch, [&](const Span& span) {
+        if (!std::binary_search(taken.begin(), taken.end(), span.first))
+            fresh = span;
+        else if (!is_own || !is_own(span.first))
+            left = span;
+        return fresh.has_value();
+    });
+    if (fresh) {
+        Statement(*sqlite_, "INSERT INTO taken VALUES(?)").bind(as_key(fresh->first)).step();
+        transaction.commit();
+        return fresh;
+    }
+    // What is left was taken by builders that still work or were killed: computing it again does no harm,
+    // from the end, where those that still work come last.
+    return left;
+}
+
+bool GenomeStore::add(const Span& span, const std::vector<Genome>& genomes,
                       const std::vector<Response>& responses) {
     std::vector<double> pressure, contact;
     for (const Response& response : responses) {
@@ -253,6 +279,7 @@ void GenomeStore::add(const Span& span, const std::vector<Genome>& genomes,
     }
     Statement(*sqlite_, "DELETE FROM taken WHERE first = ?").bind(as_key(span.first)).step();
     transaction.commit();
+    return !there;
 }
 
 StoredCurves GenomeStore::curves(bool with_fractions) const {
@@ -309,33 +336,71 @@ Place look_up(Sqlite& sqlite, const char* table, std::uint64_t index) {
 
 } // namespace
 
-Genome GenomeStore::genome(std::uint64_t index) const {
-    const Place place = look_up(*sqlite_, "genome", index);
+namespace {
+
+std::vector<Genome> genomes_of(const Sqlite& sqlite, const Place& place) {
     std::vector<Genome> genomes = genomes_from(place.numbers);
     if (genomes.size() != place.count)
-        refuse_changed(*sqlite_, "a batch of " + std::to_string(genomes.size()) + " genomes in place of " +
-                                     std::to_string(place.count));
+        refuse_changed(sqlite, "a batch of " + std::to_string(genomes.size()) + " genomes in place of " +
+                                   std::to_string(place.count));
+    return genomes;
+}
+
+/// The responses' numbers of a batch, side by side.
+struct Columns {
+    Columns(Sqlite& sqlite, std::uint64_t index, Index steps)
+        : pressure(look_up(sqlite, "pressure", index)), contact(look_up(sqlite, "contact", index)),
+          steps(steps) {
+        expect_size(sqlite, pressure.numbers, pressure.count * static_cast<std::size_t>(steps + 1));
+        expect_size(sqlite, contact.numbers, contact.count * static_cast<std::size_t>(2 * steps));
+    }
+    Response of(std::size_t within) const {
+        const double* p = pressure.numbers.data() + within * static_cast<std::size_t>(steps + 1);
+        const double* c = contact.numbers.data() + within * static_cast<std::size_t>(2 * steps);
+        Response response;
+        response.range = p[0];
+        response.pressure = Eigen::Map<const Eigen::VectorXd>(p + 1, steps);
+        response.contact_fraction = Eigen::Map<const Eigen::VectorXd>(c, steps);
+        response.tangent_stiffness = Eigen::Map<const Eigen::VectorXd>(c + steps, steps);
+        return response;
+    }
+
+    Place pressure, contact;
+    Index steps;
+};
+
+} // namespace
+
+Genome GenomeStore::genome(std::uint64_t index) const {
+    const Place place = look_up(*sqlite_, "genome", index);
+    std::vector<Genome> genomes = genomes_of(*sqlite_, place);
     validate(genomes[place.within], file().string() + ": genome " + std::to_string(index));
     return std::move(genomes[place.within]);
 }
 
 Response GenomeStore::response(std::uint64_t index) const {
-    const Index steps = setup_.model.loading.steps;
-    const Place pressure = look_up(*sqlite_, "pressure", index),
-                contact = look_up(*sqlite_, "contact", index);
-    expect_size(*sqlite_, pressure.numbers, pressure.count * static_cast<std::size_t>(steps + 1));
-    expect_size(*sqlite_, contact.numbers, contact.count * static_cast<std::size_t>(2 * steps));
-    const double* p = pressure.numbers.data() + pressure.within * static_cast<std::size_t>(steps + 1);
-    const double* c = contact.numbers.data() + contact.within * static_cast<std::size_t>(2 * steps);
-    Response response;
-    response.range = p[0];
-    response.displacement = displacements(setup_.model, p[0]);
-    response.pressure = Eigen::Map<const Eigen::VectorXd>(p + 1, steps);
-    response.contact_fraction = Eigen::Map<const Eigen::VectorXd>(c, steps);
-    response.tangent_stiffness = Eigen::Map<const Eigen::VectorXd>(c + steps, steps);
     const Model& model = setup_.model;
+    const Columns columns(*sqlite_, index, model.loading.steps);
+    Response response = columns.of(columns.pressure.within);
+    response.displacement = displacements(model, response.range);
     response.full_stiffness = full_contact_stiffness(model.grid.nodes, model.grid.spacing(), model.body);
     return response;
+}
+
+std::vector<Span> GenomeStore::batches() const {
+    std::vector<Span> all;
+    Statement rows(*sqlite_, "SELECT first, count FROM batch ORDER BY first");
+    while (rows.step())
+        all.push_back({as_index(rows.number(0)), as_index(rows.number(1))});
+    return all;
+}
+
+StoredBatch GenomeStore::batch(const Span& span) const {
+    const Columns columns(*sqlite_, span.first, setup_.model.loading.steps);
+    StoredBatch batch{genomes_of(*sqlite_, look_up(*sqlite_, "genome", span.first)), {}};
+    for (std::size_t i = 0; i < batch.genomes.size(); ++i)
+        batch.responses.push_back(columns.of(i));
+    return batch;
 }
 
 } // namespace rough

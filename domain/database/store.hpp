@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -24,6 +25,12 @@ struct StoredCurves {
         range; ///< height range (periodic: to full contact), mm; NaN where there is no response
     std::vector<double> pressure; ///< genomes x steps, MPa
     std::vector<double> fraction; ///< genomes x steps, contact fractions; empty unless asked for
+};
+
+/// A batch's genomes and of their responses range, pressures, contact fractions and tangents.
+struct StoredBatch {
+    std::vector<Genome> genomes;
+    std::vector<Response> responses;
 };
 
 /// A genome database: an SQLite file with the genomes of a law and their responses, in batches. A batch is
@@ -52,12 +59,17 @@ class GenomeStore {
     std::uint64_t stored() const;                           ///< genomes
     const std::filesystem::path& file() const;              ///< where it lies
 
-    /// The next genomes below `end` to compute, at most `batch`: first such that no other builder has taken,
-    /// then those taken and never delivered. Nothing when all are stored.
-    std::optional<Span> take(std::uint64_t end, std::uint64_t batch);
-    /// Stores a batch; where another builder was faster, its copy stays.
-    void add(const Span& span, const std::vector<Genome>& genomes, const std::vector<Response>& responses);
+    /// The next genomes of `of` to compute, at most `batch`: first such that no other builder has taken, then
+    /// those taken and never delivered, but the taker's own. Nothing when all are stored.
+    std::optional<Span> take(const Span& of, std::uint64_t batch,
+                             const std::function<bool(std::uint64_t first)>& is_own = {});
+    std::vector<Span> gaps(const Span& of) const; ///< what is not stored of these genomes
+    /// Stores a batch; where another builder was faster, its copy stays, and this gives false.
+    bool add(const Span& span, const std::vector<Genome>& genomes, const std::vector<Response>& responses);
 
+    std::vector<Span> batches() const; ///< as they are stored, in order
+    /// One of batches(). Throws InputError where it was altered.
+    StoredBatch batch(const Span& span) const;
     /// Every stored genome's curve, read in one pass; contact fractions where asked for.
     StoredCurves curves(bool with_fractions = false) const;
     Genome genome(std::uint64_t index) const;     ///< throws InputError when it is not stored
@@ -68,6 +80,8 @@ class GenomeStore {
     std::unique_ptr<Sqlite> sqlite_;
     DatabaseSetup setup_;
     std::string version_;
+    std::uint64_t filled_ = 0,
+                  filled_from_ = 0; ///< from this number up to that, all were stored when last seen
 };
 
 } // namespace rough

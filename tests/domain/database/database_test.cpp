@@ -1,5 +1,6 @@
 #include "domain/database/build.hpp"
 #include "domain/database/codec.hpp"
+#include "domain/database/merge.hpp"
 #include "domain/database/screen.hpp"
 #include "domain/database/sqlite.hpp"
 #include "domain/database/starts.hpp"
@@ -127,7 +128,7 @@ TEST_CASE("a build that was stopped goes on where it ended, in any pieces, to th
         int batches = 0;
         build(pieces, {.genomes = 50, .batch = 10, .go_on = [&](std::uint64_t) { return ++batches < 2; }});
         CHECK(pieces.stored() == 40);
-        CHECK(pieces.take(50, 10)); // a builder that dies with its batch
+        CHECK(pieces.take({0, 50}, 10)); // a builder that dies with its batch
     }
     GenomeStore pieces = GenomeStore::open(folder / "pieces.db");
     build(pieces, {.genomes = 50, .batch = 10});
@@ -141,7 +142,7 @@ TEST_CASE("two builders of one file share the work and store each genome once") 
     const DatabaseSetup setup = small_setup();
     GenomeStore one = GenomeStore::create(folder / "genomes.db", setup);
     GenomeStore two = GenomeStore::create(folder / "genomes.db", setup);
-    const auto first = one.take(40, 10), second = two.take(40, 10);
+    const auto first = one.take({0, 40}, 10), second = two.take({0, 40}, 10);
     REQUIRE((first && second));
     CHECK(first->first == 0);
     CHECK(second->first == 10);
@@ -156,6 +157,98 @@ TEST_CASE("two builders of one file share the work and store each genome once") 
     const auto index = two.curves().index;
     for (std::size_t i = 0; i < index.size(); ++i)
         CHECK(index[i] == i);
+}
+
+TEST_CASE("a builder is never given what it is at, and looks no further than the first gap that is free") {
+    const Folder folder;
+    GenomeStore store = GenomeStore::create(folder / "genomes.db", small_setup());
+    const auto none = [](std::uint64_t) { return false; };
+    const auto all = [](std::uint64_t) { return true; };
+    CHECK(store.take({5, 20}, 10, all)->first == 5);
+    CHECK(store.take({5, 20}, 10, all)->first == 10);
+    CHECK(store.take({5, 20}, 10, all)->count == 5); // 20 to 24
+    CHECK_FALSE(store.take({5, 20}, 10, all));
+    CHECK(store.take({5, 20}, 10, none)->first == 20); // somebody else's, from the end
+    build(store, {.genomes = 20, .first = 5, .batch = 10});
+    CHECK(store.stored() == 20);
+    CHECK(store.batches().front().first == 5);
+    CHECK(store.gaps({0, 30}).size() == 2);
+    CHECK(store.gaps({7, 11}).empty());
+    build(store, {.genomes = 30, .batch = 10});
+    CHECK(store.stored() == 30);
+    CHECK(store.gaps({0, 30}).empty());
+}
+
+TEST_CASE("responses that come in any order, from elsewhere, make the same database") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    GenomeStore whole = GenomeStore::create(folder / "whole.db", setup);
+    build(whole, {.genomes = 45, .batch = 10});
+    GenomeStore other = GenomeStore::create(folder / "other.db", setup);
+    const auto backwards = [&](const DatabaseSetup& of, const Orders& orders) {
+        CHECK(orders.count == 45);
+        std::vector<std::uint64_t> all;
+        while (const auto next = orders.next())
+            all.push_back(*next);
+        CHECK_FALSE(orders.next());
+        for (auto i = all.rbegin(); i != all.rend(); ++i)
+            orders.take(*i, response_for(of, *i));
+    };
+    build(other, {.genomes = 45, .batch = 10, .computing = backwards});
+    CHECK(other.stored() == 45);
+    CHECK(other.curves(true).index == whole.curves(true).index);
+    CHECK(other.curves(true).pressure == whole.curves(true).pressure);
+    CHECK(other.curves(true).fraction == whole.curves(true).fraction);
+}
+
+TEST_CASE(
+    "databases of one law are merged, each genome once, and others are refused with the difference named") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    GenomeStore whole = GenomeStore::create(folder / "whole.db", setup);
+    build(whole, {.genomes = 60, .batch = 10});
+    {
+        GenomeStore a = GenomeStore::create(folder / "a.db", setup);
+        build(a, {.genomes = 25, .batch = 7});
+        GenomeStore b = GenomeStore::create(folder / "b.db", setup);
+        build(b, {.genomes = 40, .first = 20, .batch = 9}); // 20 to 24 are in both
+    }
+    CHECK(merge({folder / "b.db", folder / "a.db"}, folder / "c.db") == 60);
+    const GenomeStore merged = GenomeStore::open(folder / "c.db");
+    CHECK(merged.curves(true).index == whole.curves(true).index);
+    CHECK(merged.curves(true).pressure == whole.curves(true).pressure);
+    CHECK(merged.curves(true).fraction == whole.curves(true).fraction);
+    CHECK(merged.response(24).tangent_stiffness == whole.response(24).tangent_stiffness);
+    CHECK(shape_key(merged.genome(59)) == shape_key(whole.genome(59)));
+
+    DatabaseSetup other = setup;
+    other.law.seed = 2;
+    {
+        GenomeStore d = GenomeStore::create(folder / "d.db", other);
+        build(d, {.genomes = 5});
+    }
+    CHECK_THROWS_WITH(merge({folder / "a.db", folder / "d.db"}, folder / "e.db"),
+                      Catch::Contains("d.db: its seed is 2, not 1"));
+    CHECK_THROWS_WITH(merge({folder / "a.db", folder / "none.db"}, folder / "e.db"),
+                      Catch::Contains("none.db"));
+    CHECK_FALSE(fs::exists(folder / "e.db"));
+    const auto names = folder.names();
+    CHECK(std::none_of(names.begin(), names.end(),
+                       [](const std::string& name) { return name.find("tmp") != std::string::npos; }));
+}
+
+TEST_CASE("a genome that is not its law's is not merged") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    {
+        GenomeStore a = GenomeStore::create(folder / "a.db", setup);
+        build(a, {.genomes = 5});
+        GenomeStore forged = GenomeStore::create(folder / "forged.db", setup);
+        forged.add({5, 1}, {drawn(setup.law, 6)}, {response_for(setup, 6)});
+    }
+    CHECK_THROWS_WITH(merge({folder / "a.db", folder / "forged.db"}, folder / "c.db"),
+                      Catch::Contains("forged.db: genome 5 is not its law's"));
+    CHECK_FALSE(fs::exists(folder / "c.db"));
 }
 
 TEST_CASE("a database of another set-up is refused with the difference named, and stays as it was") {
