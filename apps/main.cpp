@@ -1,3 +1,4 @@
+#include "apps/cluster/crew.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/prompt/settings.hpp"
 #include "apps/prompt/voice.hpp"
@@ -30,6 +31,9 @@ void print_help() {
            "  rugosa profile --profile SCAN.txt            what a measured surface is, and a solid to print\n"
            "  rugosa design --like SCAN.txt --seconds 10   a designed surface that behaves like it\n\n"
            "--quiet leaves out remarks and progress, --verbose adds details.\n"
+           "mpirun -n R rugosa ... shares the work of design, run, compare and database build among R "
+           "processes "
+           "(where\nbuilt with MPI); --patience S, 10 by itself, is how many seconds one may be silent.\n"
            "Exit codes: 0 done; 2 wrong use or bad input; 3 asked for more than was found; 130 "
            "interrupted.\n";
 }
@@ -118,15 +122,20 @@ int flushed(int code) {
     return code == 0 ? 2 : code;
 }
 
+int run(app::Words words) {
+    try {
+        app::crew::join(words);
+        return flushed(dispatch(std::move(words)));
+    } catch (...) {
+        return told();
+    }
+}
+
 } // namespace
 
 int main(int count, char** values) {
     std::set_terminate(end_at_once);
     std::signal(SIGPIPE, SIG_IGN); // a reader that goes ends no work
     std::signal(SIGXFSZ, SIG_IGN); // nor does a file that may not grow: writing it fails
-    try {
-        return flushed(dispatch({values + 1, values + count}));
-    } catch (...) {
-        return told();
-    }
+    return app::crew::leave(run({values + 1, values + count}));
 }

@@ -1,3 +1,4 @@
+#include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/commands/design/files.hpp"
 #include "apps/commands/design/page.hpp"
@@ -86,6 +87,8 @@ int design(const Words& words) {
     if (run.options.compared == 1)
         run.options.alternatives = 1; // there is hardly time for one
     run.options.stop = &interrupt.flag();
+    const auto evaluator = design_evaluator(run.options.threads);
+    run.options.evaluator = evaluator.get();
     const auto checkpoint = folder / "checkpoint.cbor";
     run.options.keeping = rough::Keeping{
         checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); }, checkpoint_interval()};

@@ -32,8 +32,9 @@ Interrupt::~Interrupt() {
             std::signal(signal, SIG_IGN);
 }
 
-const std::atomic<bool>& Interrupt::flag() const { return asked_to_stop; }
+const std::atomic<bool>& Interrupt::flag() { return asked_to_stop; }
 
 bool stop_asked() { return asked_to_stop; }
+void ask_to_stop() { asked_to_stop = true; }
 
 } // namespace app

@@ -15,11 +15,12 @@ class Interrupt {
     Interrupt& operator=(const Interrupt&) = delete;
 
     bool asked() const { return flag(); }
-    const std::atomic<bool>& flag() const; ///< for the engine's budget
+    static const std::atomic<bool>& flag(); ///< for the engine's budget
 };
 
 /// Whether a stop was asked for: for what has no Interrupt at hand.
 bool stop_asked();
+void ask_to_stop(); ///< as a signal would
 
 constexpr int exit_interrupted = 130;
 

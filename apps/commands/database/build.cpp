@@ -1,5 +1,6 @@
 #include "domain/database/build.hpp"
 
+#include "apps/cluster/crew.hpp"
 #include "apps/commands/database/parts.hpp"
 #include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/model_settings.hpp"
@@ -34,6 +35,7 @@ std::vector<Setting> build_settings() {
     const std::vector<Setting> settings{
         {"file", "", "the database (may be given without the flag)"},
         {"genomes", "100000", "how many genomes the file is to hold"},
+        {"first", "0", "number of the first: a part of the law's genomes, to be merged with others"},
         {"batch", "250", "genomes stored at a time: what a kill may cost"},
         {"threads", "0", "threads; 0 takes all"},
     };
@@ -81,6 +83,7 @@ int database_build(const Words& words) {
                    build_settings(),
                    {"database build genomes.db --genomes 100000",
                     "database build genomes.db --genomes 200000     (doubles it)",
+                    "database build b.db --first 100000 --genomes 100000     (other genomes of the same law)",
                     "database build strip.db --kernel strip --nodes 256 --series 2"}))
         return 0;
     const Settings settings = read_command_line(words, build_settings(), {"file"});
@@ -89,7 +92,10 @@ int database_build(const Words& words) {
     rough::BuildOptions options;
     options.genomes = static_cast<std::uint64_t>(settings.whole("genomes", 1, 1000000000));
     options.batch = static_cast<std::uint64_t>(settings.whole("batch", 1, 100000));
+    options.first = static_cast<std::uint64_t>(settings.whole("first", 0, 1000000000000));
     options.threads = settings.threads("threads");
+    if (!crew::is_alone())
+        options.computing = computing_on_ranks(options.threads);
 
     rough::GenomeStore store = opened(settings);
     const Interrupt interrupt;

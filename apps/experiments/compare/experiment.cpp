@@ -1,6 +1,8 @@
 #include "apps/experiments/experiment.hpp"
 
+#include "apps/cluster/crew.hpp"
 #include "apps/experiments/compare/contest.hpp"
+#include "apps/experiments/compare/on_ranks.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "domain/text/words.hpp"
 #include "ga/parallel.hpp"
@@ -151,8 +153,8 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
     return contest;
 }
 
-/// All runs, spread over threads; problems that were not finished are left out.
-void hold(Contest& contest, const Conditions& conditions) {
+/// All runs, spread over threads and ranks; problems that were not finished are left out.
+void hold(Contest& contest, const Settings& settings, const Conditions& conditions) {
     struct Place {
         Bout* bout;
         std::size_t variant, seed;
@@ -165,20 +167,28 @@ void hold(Contest& contest, const Conditions& conditions) {
     std::vector<char> done(places.size(), 0);
     std::mutex telling;
     long ended = 0;
-    ga::parallel_for(places.size(), contest.origin.threads, [&](std::size_t i) {
-        if (conditions.stop)
-            return;
+    const auto race_of = [&](std::size_t i) {
         const auto [bout, variant, s] = places[i];
         const std::uint64_t number = contest.origin.seed + s;
-        const auto& [name, text] = bout->variants[variant];
-        bout->runs[variant][s] =
-            bout->problem.run(text, static_cast<int>(1 + (number - 1) % 100000),
-                              {ga::fold(number, bout->problem.name), bout->budget, &conditions.stop});
+        return Race{bout->problem.name, bout->variants[variant].second,
+                    static_cast<int>(1 + (number - 1) % 100000), ga::fold(number, bout->problem.name),
+                    bout->budget};
+    };
+    const auto take = [&](std::size_t i, Reached reached) {
+        const auto [bout, variant, s] = places[i];
+        bout->runs[variant][s] = std::move(reached);
         done[i] = !conditions.stop;
         const std::lock_guard lock(telling);
-        conditions.progress.show(bout->problem.name + ": " + name + ", run " + std::to_string(++ended) +
-                                 " of " + std::to_string(places.size()));
-    });
+        conditions.progress.show(bout->problem.name + ": " + bout->variants[variant].first + ", run " +
+                                 std::to_string(++ended) + " of " + std::to_string(places.size()));
+    };
+    if (crew::is_alone())
+        ga::parallel_for(places.size(), contest.origin.threads, [&](std::size_t i) {
+            if (!conditions.stop)
+                take(i, raced(places[i].bout->problem, race_of(i)));
+        });
+    else
+        race_on_ranks(roughness_from(settings), contest.origin.threads, places.size(), race_of, take);
     std::vector<const Bout*> unfinished;
     for (std::size_t i = 0; i < places.size(); ++i)
         if (!done[i])
@@ -192,7 +202,7 @@ void hold(Contest& contest, const Conditions& conditions) {
 
 Findings run_compare(const Settings& settings, const Conditions& conditions) {
     const auto contest = std::make_shared<Contest>(contest_from(settings, conditions.origin));
-    hold(*contest, conditions);
+    hold(*contest, settings, conditions);
     if (contest->bouts.empty())
         return {};
     const auto groups = std::make_shared<const std::vector<GroupResult>>(analysed(*contest));

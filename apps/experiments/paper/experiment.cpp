@@ -1,5 +1,6 @@
 #include "apps/experiments/experiment.hpp"
 
+#include "apps/cluster/evaluator.hpp"
 #include "apps/experiments/paper/page.hpp"
 #include "apps/experiments/paper/settings.hpp"
 #include "apps/experiments/paper/tables.hpp"
@@ -152,7 +153,8 @@ class Paper {
         options.threads = run_.origin.threads;
         options.budget.stop = &conditions_.stop;
         options.screening = screening;
-        return ga::run(variant.pipeline, problem, ga::population(genomes_), options, observers, keeper);
+        return ga::run_by(*evaluator_, variant.pipeline, problem, ga::population(genomes_), options,
+                          observers, keeper);
     }
 
     /// Nothing when it was stopped before a genome was scored.
@@ -238,6 +240,7 @@ class Paper {
         static_cast<Fidelity>(settings_.one_of("paper.fidelity", {"off", "on", "estimated"}));
     PaperRun& run_;
     const Conditions& conditions_;
+    std::unique_ptr<ga::Evaluator<DesignProblem>> evaluator_ = design_evaluator(run_.origin.threads);
     std::shared_ptr<rough::ResponseMemory> memory_ =
         std::make_shared<rough::ResponseMemory>(); ///< of the sweep
     std::vector<rough::Genome> genomes_;

@@ -1,5 +1,6 @@
 #include "apps/experiments/experiment.hpp"
 
+#include "apps/cluster/evaluator.hpp"
 #include "apps/experiments/variants/run.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/target_files.hpp"
@@ -186,6 +187,7 @@ Race raced(const Settings& settings, const Conditions& conditions) {
     race.origin = conditions.origin;
     race.budget = settings.whole("experiment.budget", 1, 1000000000);
     const long seeds = settings.whole("experiment.seeds", 1, 1000);
+    const auto evaluator = design_evaluator(race.origin.threads);
     for (RaceTarget& target : race.targets)
         for (const std::string& name : settings.names_under("variants.")) {
             const std::string way(rough::trim(settings.text("variants." + name)));
@@ -198,6 +200,7 @@ Race raced(const Settings& settings, const Conditions& conditions) {
                 (named ? options.variant : options.pipeline) = way;
                 options.seed = race.origin.seed + static_cast<std::uint64_t>(i);
                 options.threads = race.origin.threads;
+                options.evaluator = evaluator.get();
                 options.evaluations = race.budget;
                 options.stop = &conditions.stop;
                 variant.runs.push_back(

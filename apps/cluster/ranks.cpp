@@ -1,0 +1,123 @@
+#include "apps/cluster/ranks.hpp"
+
+#ifdef RUGOSA_MPI
+
+#include <algorithm>
+#include <cstdlib>
+#include <list>
+#include <mpi.h>
+#include <set>
+
+namespace app::ranks {
+
+namespace {
+
+struct OnItsWay {
+    Message message;
+    MPI_Request request = MPI_REQUEST_NULL;
+
+    bool done() {
+        int is_done = 0;
+        MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
+        return is_done != 0;
+    }
+};
+
+int ranks = 1, own_rank = 0;
+std::list<OnItsWay> outgoing, incoming;
+
+/// What programs that a rank starts find in their environment: they are no ranks.
+constexpr const char* child_of_rank = "RUGOSA_RANK";
+
+bool launched() {
+    const auto given = [](const char* name) { return std::getenv(name) != nullptr; };
+    return !given(child_of_rank) &&
+           (given("OMPI_COMM_WORLD_SIZE") || given("PMIX_RANK") || given("PMI_RANK"));
+}
+
+} // namespace
+
+void join() {
+    if (!launched())
+        return;
+    int level = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &level);
+    MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN); // who is gone is found out by silence
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    MPI_Comm_rank(MPI_COMM_WORLD, &own_rank);
+    ::setenv(child_of_rank, "", 1);
+}
+
+int count() { return ranks; }
+int own() { return own_rank; }
+
+void send(int to, int word, std::string bytes) {
+    OnItsWay& one = outgoing.emplace_back();
+    one.message = {to, word, std::move(bytes)};
+    MPI_Isend(one.message.bytes.data(), static_cast<int>(one.message.bytes.size()), MPI_BYTE, to, word,
+              MPI_COMM_WORLD, &one.request);
+}
+
+std::vector<Message> arrived() {
+    for (;;) {
+        int is_there = 0, size = 0;
+        MPI_Message handle;
+        MPI_Status status;
+        MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &is_there, &handle, &status);
+        if (!is_there)
+            break;
+        MPI_Get_count(&status, MPI_BYTE, &size);
+        OnItsWay& one = incoming.emplace_back();
+        one.message = {status.MPI_SOURCE, status.MPI_TAG, std::string(static_cast<std::size_t>(size), '\0')};
+        MPI_Imrecv(one.message.bytes.data(), size, MPI_BYTE, &handle, &one.request);
+    }
+    std::vector<Message> whole;
+    std::set<int> behind; // another of the same rank that is not whole yet
+    for (auto one = incoming.begin(); one != incoming.end();)
+        if (behind.count(one->message.rank) == 0 && one->done()) {
+            whole.push_back(std::move(one->message));
+            one = incoming.erase(one);
+        } else {
+            behind.insert(one->message.rank);
+            ++one;
+        }
+    all_sent();
+    return whole;
+}
+
+bool all_sent() {
+    outgoing.remove_if([](OnItsWay& one) { return one.done(); });
+    return outgoing.empty();
+}
+
+void leave() {
+    if (ranks > 1)
+        MPI_Finalize();
+}
+
+void end_all(int code) {
+    if (ranks > 1)
+        MPI_Abort(MPI_COMM_WORLD, code);
+    std::_Exit(code);
+}
+
+} // namespace app::ranks
+
+#else
+
+#include <cstdlib>
+
+namespace app::ranks {
+
+void join() {}
+int count() { return 1; }
+int own() { return 0; }
+void send(int, int, std::string) {}
+std::vector<Message> arrived() { return {}; }
+bool all_sent() { return true; }
+void leave() {}
+void end_all(int code) { std::_Exit(code); }
+
+} // namespace app::ranks
+
+#endif

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// The processes that a launcher of MPI (mpirun, srun) has started together: one where there was none, or
+/// where the program was built without. All that touches MPI is in ranks.cpp. For the main thread alone.
+namespace app::ranks {
+
+/// What one rank tells another.
+struct Message {
+    int rank = 0; ///< who says it
+    int word = 0; ///< what kind of message it is, as those who talk have agreed
+    std::string bytes;
+};
+
+void join(); ///< before all else
+int count();
+int own(); ///< from 0
+
+/// Returns at once: a rank that takes nothing in holds nobody up.
+void send(int to, int word, std::string bytes);
+/// Whole messages that have come, those of a rank in their order. Does not wait.
+std::vector<Message> arrived();
+bool all_sent(); ///< what was sent is on its way
+
+void leave();                        ///< by all ranks together
+[[noreturn]] void end_all(int code); ///< by one, whatever the others do
+
+} // namespace app::ranks
