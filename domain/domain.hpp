@@ -17,6 +17,7 @@
 #include "domain/database/store.hpp"
 #include "domain/design/error_budget.hpp"
 #include "domain/design/like.hpp"
+#include "domain/design/morph.hpp"
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/design/trust.hpp"

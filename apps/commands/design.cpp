@@ -31,6 +31,14 @@ int exit_code(const DesignRun& run) {
     return run.summary.found ? 0 : 3;
 }
 
+/// The least change of what is controlled, and what it gives.
+void morph_into(DesignRun& run) {
+    const Production& from = *run.from;
+    run.morphed = rough::morph(run.searched, from.genome, from.control, from.largest_change, run.wanted);
+    run.found = as_found(run.searched, *run.morphed);
+    run.found.pipeline = "morph";
+}
+
 } // namespace
 
 int design(const Words& words) {
@@ -42,7 +50,10 @@ int design(const Words& words) {
             "the columns pressure_MPa and stiffness_MPa_per_mm, contact_fraction or conductance, or "
             "displacement_mm and contact_fraction or pressure_MPa; columns lower and upper give a tolerance "
             "band. The answer is judged by its worst similarity, over a grid four times finer, four times "
-            "the load steps and both; found is one of 0.99 or what --reach-similarity asks. Exit codes: 0 "
+            "the load steps and both; found is one of 0.99 or what --reach-similarity asks. With --from "
+            "nothing "
+            "is searched: the named chromosomes' phases of a surface in production are changed as little as "
+            "brings it back to the target, on the set-up's own grid. Exit codes: 0 "
             "found; 2 wrong use; 3 similarity or limits missed, or the target is out of "
             "reach; 130 interrupted. The best so far is written in every case but wrong use.",
             design_settings(),
@@ -51,6 +62,7 @@ int design(const Words& words) {
              "design --target target.csv --database genomes.db --seconds 1",
              "design --target stiffness.csv,area.csv --weights 1,0.3",
              "design --target stiffness.csv,area.csv --variant nsga2",
+             "design --from genome.json --control 1:3,1:5 --largest-change 0.02 --target target.csv",
              "design --target target.csv --largest-slope 0.05 --smallest-radius 0.01",
              "design --target target.csv --pipeline \"sample 200 | score | best 20 | refine lm 40 | best "
              "1\""}))
@@ -102,7 +114,10 @@ int design(const Words& words) {
         progress.show(event.path + ": " + std::to_string(event.counters.asked) + " curves, best " +
                       readable(best, 5));
     };
-    run.found = rough::search(run.searched, run.options, {recorder(run.stages), report_progress});
+    if (run.from)
+        morph_into(run);
+    else
+        run.found = rough::search(run.searched, run.options, {recorder(run.stages), report_progress});
     run.setup = exactly(run.found.setup);
     run.searched = run.found.setup;
     run.interrupted = interrupt.asked();

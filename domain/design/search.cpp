@@ -147,6 +147,10 @@ bool makes_its_own_starts(const std::string& pipeline) {
 
 } // namespace
 
+Answer judged_answer(const DesignSetup& reported, const Genome& genome) {
+    return answer_of(Judge(reported), reported, genome);
+}
+
 bool holds_limits(const DesignSetup& setup, const Genome& genome) {
     const auto all = margins(genome, setup.model.grid, setup.limits);
     return std::all_of(all.begin(), all.end(), [](const Margin& margin) { return margin.holds(); });

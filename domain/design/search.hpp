@@ -68,6 +68,10 @@ struct Answer {
     double judged() const { return similarity_worst; }
 };
 
+/// A genome as an answer, in final amplitude, judged under a set-up as answers are reported (as_reported).
+/// Throws what respond() throws.
+Answer judged_answer(const DesignSetup& reported, const Genome& genome);
+
 /// The similarity from which on an answer is called found, where none is asked for.
 constexpr double worth_the_name = 0.99;
 

@@ -62,6 +62,29 @@ json front_json(const std::vector<rough::Compromise>& front) {
     return all;
 }
 
+json morph_json(const DesignRun& run) {
+    const rough::Morphed& morphed = *run.morphed;
+    json result{{"from", run.from->file},
+                {"largest_change", run.from->largest_change},
+                {"similarity_before", morphed.before},
+                {"similarity_after", morphed.after},
+                {"changes", json::array()},
+                {"out_of_reach", json::array()}};
+    for (const rough::PhaseChange& change : morphed.changes)
+        result["changes"].push_back({{"series", change.place.series + 1},
+                                     {"chromosome", change.n},
+                                     {"ridge", change.place.ridge + 1},
+                                     {"before", change.before},
+                                     {"after", change.after},
+                                     {"at_limit", change.at_limit}});
+    for (const rough::PointOff& off : morphed.off) {
+        const rough::Target& target = run.setup.targets[off.target];
+        result["out_of_reach"].push_back(
+            {{"target", target.name}, {columns_of(target.quantity).x, off.x}, {"misfit", off.misfit}});
+    }
+    return result;
+}
+
 json design_json(const DesignRun& run) {
     VariantRun variant = variant_run(run.options.variant, run.found, run.stages, run.seconds);
     variant.answer.response = run.response;
@@ -97,6 +120,8 @@ json design_json(const DesignRun& run) {
                                      {"margin", margin.limit > 0 ? json(margin.margin()) : json()},
                                      {"holds", margin.holds()}});
     answer["within_limits"] = run.found.best.within_limits;
+    if (run.morphed)
+        answer["morph"] = morph_json(run);
     if (run.trust)
         answer["trust"] = trust_json(*run.trust);
     return result;

@@ -49,6 +49,12 @@ Plot goal_plot(const DesignRun& run, std::size_t g) {
         plot.series.push_back({label, shown.unit.factor * curve.x, curve.y,
                                refine == 1 ? Colour::blue : Colour::orange, Style::line, 2, dash});
     }
+    if (run.from) {
+        const rough::Curve before =
+            to_its_end(respond(run.setup, run.from->genome, run.setup.model).curves[g]);
+        plot.series.push_back(
+            {"before", shown.unit.factor * before.x, before.y, Colour::faint, Style::line, 2});
+    }
     if (goal.has_band())
         for (const auto& edge : {goal.lower, goal.upper})
             plot.series.push_back({&edge == &goal.lower ? "band" : "", shown.unit.factor * goal.x, edge,
@@ -137,6 +143,20 @@ void add_answer(Page& page, const DesignRun& run) {
         limits.rows.push_back({in_words(margin.name), margin.limit > 0 ? readable(margin.limit) : "none",
                                readable(margin.value), margin.limit > 0 ? percent(margin.margin()) : "–"});
     page.table(limits);
+}
+
+void add_change(Page& page, const rough::Morphed& morphed, const rough::Genome& genome) {
+    page.section("The change");
+    Table table{"",
+                {"Chromosome", "Wave length (mm)", "Phase before (rad)", "after", "Change", "Limit"},
+                {},
+                {false, true, true, true, true, false}};
+    for (const rough::PhaseChange& change : morphed.changes)
+        table.rows.push_back({std::to_string(change.place.series + 1) + ":" + std::to_string(change.n),
+                              readable(rough::wave_length(genome.series[change.place.series], change.n)),
+                              readable(change.before, 5), readable(change.after, 5),
+                              readable(change.after - change.before), change.at_limit ? "reached" : ""});
+    page.table(table);
 }
 
 Plot front_plot(const DesignRun& run) {
@@ -247,6 +267,8 @@ std::string design_page(const DesignRun& run, double seconds) {
     add_answer(page, run);
     if (!run.found.front.empty())
         add_front(page, run);
+    if (run.morphed)
+        add_change(page, *run.morphed, run.from->genome);
     add_alternatives(page, run);
     if (run.trust)
         add_trust(page, *run.trust);

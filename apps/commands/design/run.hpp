@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/report/record.hpp"
-#include "domain/design/search.hpp"
+#include "domain/design/morph.hpp"
 #include "domain/design/trust.hpp"
 #include "domain/target/out_of_reach.hpp"
 
@@ -16,6 +16,14 @@ struct Fact {
     std::string key;  ///< in result.json
     std::string name; ///< as for reading
     std::string text;
+};
+
+/// A surface in production that is to be brought back to its target.
+struct Production {
+    std::string file; ///< of its genome
+    rough::Genome genome;
+    std::vector<rough::ChromosomeName> control;
+    double largest_change = 0; ///< of a phase, over a turn
 };
 
 /// What a design comes to, at a glance: the report's first screen, `summary` of result.json and the last
@@ -35,12 +43,14 @@ struct DesignRun {
     rough::SearchOptions options;
     rough::TrustOptions trust_options;
     std::vector<std::string> accounts; ///< of scans read
+    std::optional<Production> from;    ///< it is morphed, nothing is searched
 
     std::vector<rough::OutOfReach> out_of_reach;
     double bound = 1;  ///< no profile is more similar than this, by exact tests
     double wanted = 0; ///< --reach-similarity, or what an answer should have to be called found
 
     rough::SearchResult found;
+    std::optional<rough::Morphed> morphed;
     rough::Response response; ///< of the answer, as the first target is loaded
     std::vector<StageRecord> stages;
     std::vector<rough::Margin> margins;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 namespace app {
 
@@ -89,6 +90,11 @@ std::vector<Setting> design_settings() {
         {"max-pressure", "",
          "rescale every genome to this mean pressure at full approach (Eq. 11), MPa [amplitude is a gene]"},
         {"database", "", "genome database whose stored curves nearest to the target the search begins from"},
+        {"from", "",
+         "genome (JSON) of a surface in production: the least change of --control brings it back to the "
+         "target"},
+        {"control", "", "the chromosomes of --from whose phases may move, SERIES:CHROMOSOME, e.g. 1:3,1:5"},
+        {"largest-change", "0.05", "largest change of such a phase, as a share of a turn, up to 0.5"},
         {"variant", "",
          "how to search: a named pipeline (rugosa operators) [default; with --database: in-line; for a "
          "scan's "
@@ -123,11 +129,37 @@ std::vector<Setting> design_settings() {
     return joined({settings, scan_settings(), model_settings(), {accuracy_setting()}});
 }
 
+namespace {
+
+/// What --from, --control and --largest-change ask for; nothing without --from.
+std::optional<Production> production_from(const Settings& settings) {
+    const std::vector<Setting> own{{"control", "", ""}, {"largest-change", "", ""}};
+    if (!settings.has("from")) {
+        expect_none(settings, own, "given without --from, expected the genome of a surface in production");
+        return std::nullopt;
+    }
+    std::vector<Setting> of_a_search;
+    for (const char* flag : {"variant", "pipeline", "database", "resume", "alternatives", "H-from", "H-to",
+                             "gamma-from", "gamma-to", "lambda-from", "lambda-to"})
+        of_a_search.push_back({flag, "", ""});
+    expect_none(settings, of_a_search, "given with --from, expected without: nothing is searched");
+    Production from{settings.text("from"), rough::read_genome(settings.text("from")), {}, 0};
+    from.control =
+        placing(settings, "", [&] { return rough::chromosomes_from(settings.text("control"), from.genome); });
+    from.largest_change = settings.number("largest-change", std::numeric_limits<double>::min(), 0.5);
+    return from;
+}
+
+} // namespace
+
 DesignRun design_from(const Settings& settings) {
     if (settings.has("target") == settings.has("like"))
         throw rough::InputError("design: expected either --target or --like");
     DesignRun run;
+    run.from = production_from(settings);
     rough::DesignSetup& setup = run.setup;
+    if (run.from)
+        setup.phases = rough::PhaseReach{0, 2 * std::numbers::pi * run.from->largest_change};
     if (settings.has("max-pressure"))
         setup.max_pressure = settings.pressure("max-pressure");
     if (settings.has("like")) {
@@ -142,7 +174,8 @@ DesignRun design_from(const Settings& settings) {
     } else {
         expect_none(settings, joined({scan_settings(), {{"points", "", ""}, {"quantity", "", ""}}}),
                     "given with --target, expected with --like only");
-        setup.model = model_from(settings);
+        setup.model =
+            run.from ? model_from(settings, rough::open_genome(run.from->file)) : model_from(settings);
         setup.targets = goals_from(settings, setup.model);
     }
     for (const rough::Target& goal : setup.targets)
@@ -161,7 +194,8 @@ DesignRun design_from(const Settings& settings) {
     if (settings.given("variant") && settings.given("pipeline"))
         throw rough::InputError("design: expected either --variant or --pipeline");
     rough::SearchOptions& options = run.options;
-    options.variant = settings.has("variant")    ? settings.text("variant")
+    options.variant = run.from                   ? "morph"
+                      : settings.has("variant")  ? settings.text("variant")
                       : settings.has("database") ? "in-line"
                                                  : usual_variant(setup);
     options.pipeline = settings.text("pipeline");
@@ -184,6 +218,8 @@ DesignRun design_from(const Settings& settings) {
         run.trust_options.hardness = settings.positive("hardness");
     run.trust_options.seed = options.seed;
     run.trust_options.threads = options.threads;
+    if (run.from)
+        run.trust_options.phase_draws = 0; // other phases are another surface
 
     if (settings.has("database")) {
         const auto store = rough::GenomeStore::open(settings.text("database"));

@@ -78,6 +78,11 @@ std::string verdict_of(const DesignRun& run, double judged) {
     if (!run.out_of_reach.empty())
         line = run.out_of_reach.front().verdict() + "; no similarity is above " + readable(run.bound, 4) +
                ", the nearest found has " + readable(judged, 4);
+    else if (run.morphed)
+        line = (judged >= run.wanted ? "brought back: similarity " + readable(judged, 5)
+                                     : "not brought back: similarity " + below(judged, run.wanted)) +
+               " after " + readable(run.morphed->before, 4) + " before, wanted is " + brief(run.wanted, 15) +
+               "; " + readable(run.found.best.judged(), 4) + " at worst, " + conditions(run);
     else if (judged >= run.wanted)
         line = is_verified(run)
                    ? "found: similarity " + readable(judged, 5) + " at worst, " + conditions(run)
@@ -211,6 +216,32 @@ std::string carries(const DesignRun& run) {
     return all + "; " + body;
 }
 
+/// How far the phases were moved, and what that did.
+std::string moved(const rough::Morphed& morphed) {
+    std::string all =
+        "similarity " + readable(morphed.before, 4) + " before, " + readable(morphed.after, 4) + " after";
+    for (const rough::PhaseChange& change : morphed.changes)
+        join(all, std::to_string(change.place.series + 1) + ":" + std::to_string(change.n) + " by " +
+                      readable(change.after - change.before) + " rad" +
+                      (change.at_limit ? " (as far as it may)" : ""));
+    return all;
+}
+
+/// What the controlled phases could not bring back.
+std::string left_off(const DesignRun& run) {
+    const auto& off = run.morphed->off;
+    if (off.empty())
+        return "";
+    const auto worst = std::max_element(off.begin(), off.end(), [](const auto& a, const auto& b) {
+        return std::abs(a.misfit) < std::abs(b.misfit);
+    });
+    const rough::Target& target = run.setup.targets[worst->target];
+    const Unit unit = target.against_pressure() ? pressure_unit(target.last()) : length_unit(target.last());
+    return "out of reach of these chromosomes within the largest change: " + std::to_string(off.size()) +
+           " points, the worst off by " + percent(worst->misfit / target.weight) + " at " +
+           readable(unit.factor * worst->x) + " " + unit.name;
+}
+
 /// What stands in the way of an answer that was not found.
 std::string in_the_way(const DesignRun& run) {
     std::string all;
@@ -227,6 +258,10 @@ std::string in_the_way(const DesignRun& run) {
                       " mm are not made (--shortest-wave)");
     if (run.setup.limits.any_shape())
         join(all, "the limits on shape");
+    if (run.morphed) {
+        join(all, left_off(run));
+        return all;
+    }
     join(all, run.found.stopped.empty() ? "the search ended by itself: another --seed, or --seconds for more"
                                         : "the search was ended early: " + run.found.stopped);
     return all;
@@ -236,7 +271,8 @@ std::string in_the_way(const DesignRun& run) {
 
 Summary summary_of(const DesignRun& run) {
     Summary summary;
-    summary.judged = judged_under(run);
+    // A line in production compares like with like: the model, grid and load steps of its target.
+    summary.judged = run.morphed ? run.found.best.similarity : judged_under(run);
     summary.found = summary.judged >= run.wanted && is_verified(run) && run.out_of_reach.empty() &&
                     run.found.best.within_limits;
     summary.verdict = verdict_of(run, summary.judged);
@@ -245,6 +281,8 @@ Summary summary_of(const DesignRun& run) {
         if (!text.empty())
             summary.facts.push_back({key, name, text});
     };
+    if (run.morphed)
+        add("moved", "Moved", moved(*run.morphed));
     add("matched", "Matched", matched(run, respond(run.setup, run.found.best.genome, run.setup.model)));
     std::string off;
     for (const auto& [name, share] : summary.not_asked)

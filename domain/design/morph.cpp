@@ -1,0 +1,258 @@
+#include "domain/design/morph.hpp"
+
+#include "domain/errors.hpp"
+#include "domain/text/words.hpp"
+#include "ga/refinement/levenberg_marquardt.hpp"
+#include "ga/refinement/nlopt.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace rough {
+
+namespace {
+
+constexpr int first_try = 20, second_try = 12; ///< curves with derivatives, at most
+/// Share of the misfit allowed that is aimed at, as a step ends near its bounds and not on them.
+constexpr double aimed = 0.98;
+/// What a misfit beyond the one allowed costs, beside a change of every phase by its whole range: so much
+/// that no change saves it.
+constexpr double cost_of_misfit = 100;
+
+const Series* series_of(const Genome& genome, std::size_t place) {
+    return place >= 1 && place <= genome.series.size() ? &genome.series[place - 1] : nullptr;
+}
+
+bool has(const Genome& genome, const ChromosomeName& name) {
+    const Series* series = series_of(genome, name.series);
+    return series && std::any_of(series->chromosomes.begin(), series->chromosomes.end(),
+                                 [&](const Chromosome& chromosome) { return chromosome.n == name.n; });
+}
+
+/// "1:1 to 1:13, 2:1 to 2:9"
+std::string chromosomes_of(const Genome& genome) {
+    std::string words;
+    for (std::size_t s = 0; s < genome.series.size(); ++s) {
+        int least = genome.series[s].chromosomes[0].n, most = least;
+        for (const Chromosome& chromosome : genome.series[s].chromosomes)
+            least = std::min(least, chromosome.n), most = std::max(most, chromosome.n);
+        const std::string place = std::to_string(s + 1) + ":";
+        words += (s ? ", " : "") + place + std::to_string(least) + " to " + place + std::to_string(most);
+    }
+    return words;
+}
+
+/// Misfits at a point of the box, with their columns of the controlled phases.
+struct Seen {
+    Eigen::VectorXd x;
+    ga::Sensitivity rows;
+};
+
+/// The landscape of the controlled phases: x = 0 is the genome as it was given, 1 the largest change.
+class Phases {
+  public:
+    Phases(const DesignProblem& problem, const Genome& genome, const std::vector<ChromosomeName>& control,
+           double radius)
+        : problem_(problem), genome_(genome), values_(genes(genome)), radius_(radius) {
+        const auto places = gene_places(genome);
+        for (std::size_t g = 0; g < places.size(); ++g)
+            for (const ChromosomeName& name : control)
+                if (places[g].kind == GenePlace::Kind::phase && places[g].series + 1 == name.series &&
+                    genome.series[places[g].series].chromosomes[places[g].chromosome].n == name.n)
+                    chosen_.push_back(g);
+    }
+
+    Index size() const { return static_cast<Index>(chosen_.size()); }
+    const std::vector<std::size_t>& chosen() const { return chosen_; }
+    long asked = 0; ///< curves with derivatives
+
+    Genome at(const Eigen::VectorXd& x) const {
+        std::vector<double> values = values_;
+        for (Index i = 0; i < size(); ++i)
+            values[chosen_[static_cast<std::size_t>(i)]] += radius_ * x[i];
+        return with_genes(genome_, values);
+    }
+
+    /// Computed once for calls in a row at one point: a search asks for constraints and slopes apart.
+    const Seen& look(const Eigen::VectorXd& x) {
+        if (last_.x.size() == x.size() && last_.x == x)
+            return last_;
+        ++asked;
+        const ga::Sensitivity all = problem_.sensitivity(at(x), "similarity");
+        last_ = {x, {all.residuals, Eigen::MatrixXd(radius_ * all.jacobian(Eigen::all, chosen_))}};
+        return last_;
+    }
+
+  private:
+    const DesignProblem& problem_;
+    const Genome& genome_;
+    std::vector<double> values_;
+    double radius_; ///< rad
+    std::vector<std::size_t> chosen_;
+    Seen last_;
+};
+
+/// Looks for the point nearest to 0 whose misfits are `allowed`, or else that of the least largest misfit.
+class LeastChange {
+  public:
+    LeastChange(Phases& phases, double allowed) : phases_(phases), allowed_(allowed) {
+        look(Eigen::VectorXd::Zero(phases.size()));
+    }
+
+    bool meets() const { return best_.merit > 0; }
+    const Eigen::VectorXd& best() const { return best_.x; }
+
+    /// Sequential quadratic programming from the best point so far.
+    void nearest(int evaluations) {
+        const Eigen::VectorXd from = best_.x;
+        const double wanted = aimed * allowed_;
+        const Index n = from.size(), rows = look(from).residuals.size();
+        // One more variable t, in units of what is wanted: |r_k| <= (1 + t) wanted.
+        Eigen::VectorXd lower = Eigen::VectorXd::Constant(n + 1, -1), upper = Eigen::VectorXd::Ones(n + 1),
+                        start(n + 1);
+        lower[n] = 0;
+        upper[n] = std::max(1., look(from).residuals.cwiseAbs().maxCoeff() / wanted - 1);
+        start << from, upper[n];
+        ga::NloptSearch search(nlopt::LD_SLSQP, lower, upper, 10 * evaluations);
+        search->set_ftol_rel(1e-4);
+        const long last = phases_.asked + evaluations;
+        search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
+            if (gradient)
+                Eigen::Map<Eigen::VectorXd>(gradient, n + 1) << x.head(n), cost_of_misfit;
+            return 0.5 * x.head(n).squaredNorm() + cost_of_misfit * x[n];
+        });
+        const auto fill = [&](const Eigen::VectorXd& x, double* c, double* gradient) {
+            using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+            Eigen::Map<Eigen::VectorXd> values(c, 2 * rows);
+            values.setZero();
+            if (phases_.asked >= last) {
+                search->force_stop();
+                return;
+            }
+            const ga::Sensitivity& at = look(x.head(n));
+            values << at.residuals / wanted, -at.residuals / wanted;
+            values.array() -= 1 + x[n];
+            if (!gradient)
+                return;
+            Eigen::Map<Rows> slopes(gradient, 2 * rows, n + 1);
+            slopes.topLeftCorner(rows, n) = at.jacobian / wanted;
+            slopes.bottomLeftCorner(rows, n) = -at.jacobian / wanted;
+            slopes.col(n).setConstant(-1);
+        };
+        search.constrain(static_cast<unsigned>(2 * rows), fill);
+        search.from(start);
+    }
+
+    /// Levenberg-Marquardt from 0, which goes round hills that the quadratic programmes run into.
+    void least_misfit(int evaluations) {
+        ga::Landscape land;
+        land.start = Eigen::VectorXd::Zero(phases_.size());
+        land.lower = Eigen::VectorXd::Constant(phases_.size(), -1);
+        land.upper = -land.lower;
+        land.sensitivity = [&](const Eigen::VectorXd& x) { return std::optional(look(x)); };
+        land.exhausted = [] { return false; };
+        ga::lm(evaluations, 5).improve(land);
+    }
+
+  private:
+    const ga::Sensitivity& look(const Eigen::VectorXd& x) {
+        const ga::Sensitivity& rows = phases_.look(x).rows;
+        const double worst = rows.residuals.cwiseAbs().maxCoeff();
+        best_.offer(x, worst <= allowed_ ? 1 / (1 + x.norm()) : -worst);
+        return rows;
+    }
+
+    Phases& phases_;
+    double allowed_;
+    ga::BestPoint best_;
+};
+
+std::vector<PointOff> points_off(const DesignSetup& setup, const std::vector<Eigen::VectorXd>& misfits,
+                                 double allowed) {
+    std::vector<PointOff> off;
+    for (std::size_t t = 0; t < misfits.size(); ++t)
+        for (Index k = 0; k < misfits[t].size(); ++k)
+            if (std::abs(misfits[t][k]) > allowed)
+                off.push_back({t, setup.targets[t].x[k], misfits[t][k]});
+    return off;
+}
+
+} // namespace
+
+std::vector<ChromosomeName> chromosomes_from(const std::string& text, const Genome& genome) {
+    std::vector<ChromosomeName> names;
+    for (const std::string& word : listed(text)) {
+        const auto colon = word.find(':');
+        const auto whole = [&](const std::string& digits) {
+            if (digits.empty() || digits.size() > 6 ||
+                digits.find_first_not_of("0123456789") != std::string::npos)
+                throw InputError("control: " + word + " given, expected SERIES:CHROMOSOME, e.g. 1:3",
+                                 "control");
+            return std::stoi(digits);
+        };
+        const int series = whole(word.substr(0, colon));
+        const ChromosomeName name{static_cast<std::size_t>(series),
+                                  whole(colon == std::string::npos ? "" : word.substr(colon + 1))};
+        if (!has(genome, name))
+            throw InputError("control: " + word + " given, expected chromosomes of the genome, " +
+                                 chromosomes_of(genome),
+                             "control");
+        for (const ChromosomeName& other : names)
+            if (other.series == name.series && other.n == name.n)
+                throw InputError("control: " + word + " given twice, expected each once", "control");
+        names.push_back(name);
+    }
+    if (names.empty())
+        throw InputError("control: nothing given, expected SERIES:CHROMOSOME, e.g. 1:3", "control");
+    return names;
+}
+
+Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<ChromosomeName>& control,
+              double largest_change, double reach) {
+    if (!(largest_change > 0) || largest_change > 0.5)
+        refuse_value("largest-change", largest_change, " given, expected above 0 to 0.5 of a turn");
+    DesignSetup setup = given;
+    const double radius = 2 * std::numbers::pi * largest_change;
+    setup.phases = PhaseReach{0, radius};
+    const DesignProblem problem(setup);
+    Phases phases(problem, genome, control, radius);
+    const double allowed = 1 - reach;
+    LeastChange search(phases, allowed);
+    if (!search.meets())
+        search.nearest(first_try);
+    if (!search.meets()) {
+        search.least_misfit(second_try);
+        search.nearest(second_try);
+    }
+    const Eigen::VectorXd& x = search.best();
+
+    Morphed result;
+    result.before = similarity(problem.setup(), genome);
+    const DesignOutcome outcome = problem.evaluate(phases.at(x));
+    result.genome = folded(outcome.genome);
+    result.after = outcome.similarity();
+    result.off = points_off(problem.setup(), outcome.misfits, allowed);
+    result.gradients = phases.asked;
+    const auto places = gene_places(genome);
+    const auto before = genes(genome), after = genes(phases.at(x));
+    for (Index i = 0; i < x.size(); ++i) {
+        const std::size_t g = phases.chosen()[static_cast<std::size_t>(i)];
+        result.changes.push_back({places[g],
+                                  genome.series[places[g].series].chromosomes[places[g].chromosome].n,
+                                  before[g], after[g], std::abs(x[i]) >= 1 - 1e-6});
+    }
+    return result;
+}
+
+SearchResult as_found(const DesignSetup& setup, const Morphed& morphed) {
+    SearchResult found;
+    found.setup = completed(setup);
+    const DesignSetup reported = as_reported(found.setup);
+    found.best = judged_answer(reported, morphed.genome);
+    found.alternatives = {found.best};
+    found.counters.gradients = morphed.gradients;
+    found.counters.asked = morphed.gradients;
+    return found;
+}
+
+} // namespace rough
