@@ -1,5 +1,5 @@
 #include "apps/python/module/python.hpp"
-#include "apps/report/profile_page.hpp"
+#include "apps/report/map_page.hpp"
 #include "domain/scan/map.hpp"
 
 #include <pybind11/numpy.h>
@@ -54,11 +54,16 @@ py::object as_python(Profile surface) {
 
 namespace {
 
+py::dict in_dictionary(const std::vector<app::Parameter>& parameters) {
+    py::dict all;
+    for (const app::Parameter& one : parameters)
+        all[py::str(one.name)] = one.value;
+    return all;
+}
+
 py::dict parameters_of(const Profile& profile) {
     const rough::Roughness r = roughness(profile);
-    py::dict all;
-    for (const app::Parameter& one : app::parameters(r, false))
-        all[py::str(one.name)] = one.value;
+    py::dict all = in_dictionary(app::parameters(r, false));
     for (const auto& [name, value] : {std::pair{"rms_curvature", r.rms_curvature},
                                       {"m0", r.m0},
                                       {"m2", r.m2},
@@ -132,6 +137,14 @@ void add_profile(py::module_& module) {
             "nodes", [](const Surface& s) { return std::pair(s.shape().columns, s.rows); },
             "How many along x and y.")
         .def(
+            "roughness",
+            [](const Surface& surface, bool wraps) {
+                return in_dictionary(app::parameters(areal_parameters(surface, wraps)));
+            },
+            py::arg("wraps") = false,
+            "Sa, Sq, Sdq, Sal, Str, ... (ISO 25178-2; lengths in mm) about the mean plane; wraps: it "
+            "repeats.")
+        .def(
             "row",
             [](const Surface& s, rough::Index row) {
                 if (row < 0 || row >= s.rows)
@@ -148,12 +161,18 @@ void add_profile(py::module_& module) {
         });
     module.def(
         "read_surface",
-        [](const std::filesystem::path& file, const OneOrTwo<double>& spacing, const std::string& unit) {
+        [](const std::filesystem::path& file, const OneOrTwo<double>& spacing, const std::string& unit,
+           const std::string& detrend) {
             const auto [along, across] = both(spacing);
-            return Surface{rough::read_map(file, {unit, along, across})};
+            Surface surface{rough::read_map(file, {unit, along, across}).heights};
+            surface.heights = detrended(surface, rough::detrend_named(detrend, "detrend"));
+            return surface;
         },
-        py::arg("file"), py::kw_only(), py::arg("spacing"), py::arg("unit") = "",
-        "A measured area as it stands in a text matrix; spacing in `unit` (mm), as a pair along x and y.");
+        py::arg("file"), py::kw_only(), py::arg("spacing") = 0.0, py::arg("unit") = "",
+        py::arg("detrend") = "none",
+        "A measured area: X3P, SDF, SUR, GSF, columns x, y, height, or a text matrix with its spacing (a "
+        "pair\n"
+        "along x and y) in `unit` (mm). detrend: the form that is taken off, line for a plane.");
     module.def(
         "read_profile",
         [](const std::filesystem::path& file, const std::string& unit, double spacing,

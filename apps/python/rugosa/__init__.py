@@ -22,17 +22,18 @@ __all__ = ["Answer", "Curve", "Database", "Design", "Genome", "InputError", "Not
            "read", "search"]
 
 
-def read(file, **options):
+def read(file, *, surface=False, **options):
     """A genome file (.json) as a Genome, a measured scan as a Profile, or a map as a Surface.
 
     Options of a scan as the program's flags: unit, spacing, row, detrend, outliers, lambda_s, lambda_c, fill.
-    A text matrix with its spacing as a pair, along x and y, is a map; it has a unit besides.
+    With surface=True, or a spacing that is a pair along x and y, the file is a map; it has spacing, unit and
+    detrend.
     """
     if _pathlib.Path(file).suffix == ".json":
         if options:
             raise TypeError(f"read: {next(iter(options))} given with a genome file, expected with a scan only")
         return Genome.read(file)
-    if isinstance(options.get("spacing"), (tuple, list)):
+    if surface or isinstance(options.get("spacing"), (tuple, list)):
         return read_surface(file, **options)
     return read_profile(file, **options)[0]
 

@@ -1,4 +1,5 @@
 import gc
+import json
 import resource
 import threading
 import time
@@ -92,6 +93,17 @@ class Contact(WithFolder):
                 curve = rugosa.contact(*given, kernel=kernel, steps=5)
                 numpy.testing.assert_array_equal(curve.pressure, csv["pressure_MPa"], kernel)
                 numpy.testing.assert_array_equal(curve.contact_fraction, csv["contact_fraction"], kernel)
+
+    def test_a_map_has_the_areal_parameters_of_the_program(self):
+        heights = numpy.random.default_rng(3).normal(0, 1e-3, (16, 20))
+        numpy.savetxt(self.folder / "map.txt", heights, fmt="%.17g")
+        self.rugosa("profile", "--surface", "map.txt", "--spacing", "10x20", "--unit", "um", "--out", "m")
+        written = json.loads((self.folder / "m/surface.json").read_text())
+        read = rugosa.read(self.folder / "map.txt", spacing=(10, 20), unit="um", detrend="line")
+        self.assertEqual(read.roughness()["Sq"], written["Sq_mm"])
+        self.assertEqual(read.roughness()["Str"], written["Str"])
+        again = rugosa.read(self.folder / "m/surface.x3p", surface=True)
+        numpy.testing.assert_allclose(again.heights, read.heights, rtol=1e-12, atol=1e-18)
 
     def test_gradient_on_an_area_agrees_with_differences(self):
         heights = numpy.random.default_rng(4).normal(0, 1e-3, (6, 9))
