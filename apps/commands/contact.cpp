@@ -10,7 +10,7 @@
 #include "apps/report/output.hpp"
 #include "apps/report/shape_notes.hpp"
 #include "apps/report/units.hpp"
-#include "domain/accuracy/respond_within.hpp"
+#include "domain/accuracy/line_of_map.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/contact/solve.hpp"
 #include "domain/contact/spots.hpp"
@@ -37,7 +37,7 @@ std::vector<Setting> contact_settings() {
         {"seed", "1", "accepted as in design and run, but nothing here is random"},
         accuracy_setting("",
                          "the resolved model: --nodes if given, else 64 nodes to the shortest wave; a scan "
-                         "is always solved on its own nodes"),
+                         "is always solved on its own nodes, a map too unless one line answers for it"),
         {"to-pressure", "", "mean pressure of the last load step, MPa, in place of --reach"},
         {"pressures", "",
          "mean pressures of the load steps, MPa, as P1,P2,…, in place of --reach and --steps"},
@@ -120,14 +120,18 @@ struct Pressed {
     std::vector<std::string> notes; ///< what was read, and what strains the model
 };
 
-/// The contact spots of the last load step, the largest first.
-std::string spots_csv(const AreaScene& scene, const rough::Response& response) {
+/// The contact spots of the last load step, the largest first; those of a line are as wide as the map.
+std::string spots_csv(const AreaScene& scene, const rough::Response& response, bool by_line) {
     rough::ContactOptions options = scene.model.contact;
     options.states = true;
+    const rough::Profile surface = by_line ? rough::line_of_map(scene.map).line : scene.map;
+    const double ratio = static_cast<double>(scene.map.nodes() / surface.nodes());
     const auto last =
-        rough::solve_contact(scene.map, scene.model.body, {response.displacement.tail(1)[0]}, options);
-    const auto sizes = rough::contact_spots(last.states[0].nodes, scene.map.shape(), scene.model.grid.wraps);
-    std::vector<double> nodes(sizes.begin(), sizes.end()), areas;
+        rough::solve_contact(surface, scene.model.body, {response.displacement.tail(1)[0]}, options);
+    const auto sizes = rough::contact_spots(last.states[0].nodes, surface.shape(), scene.model.grid.wraps);
+    std::vector<double> nodes, areas;
+    for (const rough::Index size : sizes)
+        nodes.push_back(ratio * static_cast<double>(size));
     for (const double count : nodes)
         areas.push_back(count * scene.map.spacing * scene.map.row_spacing);
     const auto values = [](const std::vector<double>& from) {
@@ -140,10 +144,17 @@ std::string spots_csv(const AreaScene& scene, const rough::Response& response) {
 Pressed pressed_area(const Settings& settings, const std::filesystem::path& spots) {
     AreaScene scene = area_from(settings, contact_settings());
     scene.model = loaded(scene.model, settings);
-    rough::AccountedResponse result = rough::respond_exactly(scene.map, scene.model);
-    result.account.resolved_nodes = scene.map.nodes();
-    result.account.grids = {scene.map.nodes()};
-    const std::string table = spots_csv(scene, result.response);
+    scene.model.accuracy = accuracy_from(settings);
+    const bool within = scene.model.accuracy > 0;
+    rough::AccountedResponse result =
+        within
+            ? rough::respond_within(scene.map, within_accuracy(scene.model, settings), scene.model.accuracy)
+            : rough::respond_exactly(scene.map, scene.model);
+    if (!within) {
+        result.account.resolved_nodes = scene.map.nodes();
+        result.account.grids = {scene.map.nodes()};
+    }
+    const std::string table = spots_csv(scene, result.response, result.account.by_line);
     rough::write_atomically(spots, table);
     tell(spots.string() + ": " + std::to_string(std::count(table.begin(), table.end(), '\n') - 1) +
          " contact spots under the last load");
@@ -282,7 +293,7 @@ int contact(const Words& words) {
          name_of(response.solver) + ", height range " + readable(response.range) +
          " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));
     // Held nodes change what may be made of the curve.
-    (result.account.held_nodes > 0 ? say : tell)(in_words(result.account));
+    (result.account.held_nodes > 0 || (area && model.accuracy > 0) ? say : tell)(in_words(result.account));
     return 0;
 }
 

@@ -108,7 +108,7 @@ bool asks_for_area(const Settings& settings) {
 }
 
 AreaScene area_from(const Settings& settings, const std::vector<Setting>& known) {
-    for (const char* name : {"profile", "accuracy", "friction", "datum", "strip-width"})
+    for (const char* name : {"profile", "friction", "datum", "strip-width"})
         if (settings.has(name))
             throw rough::InputError(settings.place(name) +
                                     ": given with an area, expected none: it is for profiles"

@@ -1,7 +1,10 @@
 #include "domain/accuracy/account.hpp"
 
 #include "domain/contact/names.hpp"
+#include "domain/errors.hpp"
 #include "domain/plain_stream.hpp"
+
+#include <cmath>
 
 namespace rough {
 
@@ -48,11 +51,20 @@ std::string in_words(const Account& account) {
                   << account.dropped_error;
         words << ". ";
     }
+    if (account.by_line)
+        words << "One line, the mean along the lay, answers for the map (Str " << account.aspect_ratio
+              << "): bounded, its curve is off by at most " << account.line_error << ". ";
+    else if (std::isfinite(account.line_error))
+        words << "One line, the mean along the lay, would not have answered for the map (Str "
+              << account.aspect_ratio << "): measured, its curve is off by up to " << account.line_error
+              << ". ";
     if (account.accuracy > 0)
         words << "Against the resolved model's the curve is off by an estimated " << account.estimated_error
               << " at most, relative, in pressure and secant stiffness; " << account.accuracy
-              << " was asked for. Contact fractions are off by an estimated " << account.area_error
-              << " at most.";
+              << " was asked for. "
+              << (std::isfinite(account.area_error)
+                      ? line_of("Contact fractions are off by an estimated ", account.area_error, " at most.")
+                      : "Contact fractions are not bounded.");
     else
         words << "This is the model as given; what its grid leaves out was not estimated, as no accuracy "
                  "was asked for.";

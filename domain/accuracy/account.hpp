@@ -3,6 +3,7 @@
 #include "domain/accuracy/chromosomes.hpp"
 #include "domain/response/response.hpp"
 
+#include <limits>
 #include <string>
 
 namespace rough {
@@ -31,7 +32,12 @@ struct Account {
     /// part of `estimated_error`.
     double area_error = 0;
     Index held_nodes = 0; ///< at the last load step, nodes that bear the hardness
-    double seconds = 0;   ///< wall time
+    bool by_line = false; ///< of a map: one line answered for it
+    double aspect_ratio = std::numeric_limits<double>::quiet_NaN(); ///< of a map that repeats: Str
+    /// Of a map, how far its line is off, relative: bounded where it answered, measured where it did not; no
+    /// number where no line was pressed.
+    double line_error = std::numeric_limits<double>::quiet_NaN();
+    double seconds = 0; ///< wall time
 
     bool extrapolated() const { return read_grids > 1; } ///< whether several grids give the answer together
 };

@@ -2,6 +2,7 @@
 
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/extrapolation.hpp"
+#include "domain/accuracy/line_of_map.hpp"
 #include "domain/accuracy/load_rows.hpp"
 #include "domain/accuracy/surface.hpp"
 #include "domain/contact/full_contact.hpp"
@@ -336,6 +337,8 @@ AccountedResponse respond_within(const Genome& genome, const Model& resolved, do
 
 AccountedResponse respond_within(const Profile& scan, const Model& resolved, double accuracy) {
     expect_accuracy(accuracy);
+    if (scan.is_area())
+        return timed([&] { return respond_map_within(scan, resolved, accuracy); });
     return timed([&] {
         Question question({[&](const Grid&) { return scan; }, 0}, resolved, accuracy);
         question.by_resolved_grid();

@@ -23,7 +23,7 @@ Grid resolved_grid(const Genome& genome, double length, bool wraps);
 AccountedResponse respond_within(const Genome& genome, const Model& resolved, double accuracy);
 /// The same for a measured profile, always on its own nodes: a scan's steps, burrs and noise are as fine as
 /// its spacing, and no coarser grid can know what it misses. What is saved is load steps and the tolerance,
-/// both within exact bounds.
+/// both within exact bounds. Of a map what one line may save (line_of_map.hpp).
 AccountedResponse respond_within(const Profile& scan, const Model& resolved, double accuracy);
 
 /// As the model asks: within its accuracy where it has one, else exactly.

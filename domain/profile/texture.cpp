@@ -96,7 +96,7 @@ double lay(const Profile& map, bool wraps) {
             if ((x == 0 && y == 0) || powers(i, j) <= negligible)
                 continue;
             const double across = (std::atan2(y, x) + pi / 2) * directions / pi, // degrees
-                reach = std::max(1.0, std::max(dx, dy) / std::hypot(x, y) * directions / pi);
+                reach = std::clamp(std::max(dx, dy) / std::hypot(x, y) * directions / pi, 1.0, 90.0);
             for (Index k = std::lround(std::ceil(across - reach));
                  k <= std::lround(std::floor(across + reach)); ++k)
                 angular[(k + 2 * directions) % directions] +=

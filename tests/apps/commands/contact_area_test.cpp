@@ -80,7 +80,7 @@ TEST_CASE("what an area cannot be pressed with is refused in one line") {
           std::pair("--surface map.txt --spacing 1 --nodes 4x4", "--nodes"),
           std::pair("--surface map.txt --genome g.json", "one of"),
           std::pair("--genome g.json --nodes 8x1e9", "--nodes"),
-          std::pair("--genome g.json --nodes 8x8 --accuracy 0.1", "--accuracy")}) {
+          std::pair("--genome g.json --nodes 8x8 --accuracy 0.1 --hardness 1", "hardness")}) {
         const Ended ended = rugosa("contact " + std::string(words) + " --out c.csv", folder.path());
         INFO(words << ": " << ended.err);
         CHECK(ended.code == 2);
@@ -88,4 +88,37 @@ TEST_CASE("what an area cannot be pressed with is refused in one line") {
         CHECK_THAT(ended.err, Catch::Contains(expected));
         CHECK(!std::filesystem::exists(folder / "c.csv"));
     }
+}
+
+TEST_CASE("within an accuracy one line answers for a map whose ridges it follows, and says so") {
+    const Folder folder;
+    folder.write("g.json", one_wave);
+    const std::string common = "contact --genome g.json --kernel periodic --steps 5 ";
+    const Ended line = rugosa(common + "--nodes 40 --out line.csv", folder.path()),
+                area = rugosa(common + "--nodes 40x16 --length 0.84942x0.1 --accuracy 1e-3 --out area.csv",
+                              folder.path());
+    INFO(area.err);
+    REQUIRE(area.code == 0);
+    CHECK_THAT(area.out, Catch::Contains("One line, the mean along the lay, answers for the map"));
+    const auto of_area = rows_of(folder / "area.csv"), of_line = rows_of(folder / "line.csv");
+    for (std::size_t j = 0; j < 5; ++j)
+        for (const std::size_t column : {0, 1, 2, 3})
+            CHECK(of_area[j][column] == Approx(of_line[j][column]).epsilon(1e-6));
+    CHECK(rows_of(folder / "area-spots.csv")[0][0] == Approx(of_line[4][2] * 640));
+    CHECK_THAT(rough::read_whole(folder / "area.json"), Catch::Contains("\"by_line\": true"));
+    std::string bumps; // of every direction
+    for (int j = 0; j < 12; ++j) {
+        for (int i = 0; i < 12; ++i)
+            bumps += std::to_string(std::cos(i * M_PI / 6) * std::cos(j * M_PI / 6) +
+                                    0.1 * std::cos(i * M_PI / 6)) +
+                     " ";
+        bumps += "\n";
+    }
+    folder.write("map.txt", bumps);
+    const Ended map = rugosa("contact --surface map.txt --spacing 1 --kernel periodic --reach 0.05 --steps 4 "
+                             "--accuracy 0.01 --out m.csv",
+                             folder.path());
+    INFO(map.err);
+    REQUIRE(map.code == 0);
+    CHECK_THAT(map.out, Catch::Contains("would not have answered"));
 }

@@ -101,6 +101,9 @@ TEST_CASE("texture: a wave's autocorrelation length, lay and aspect ratio", "[ar
         CHECK(along_y.Str < 0.07);
         CHECK(along_y.Str_is_bound);
         CHECK(texture(wave(0, 8), wraps).Std == 0);
+        const Profile strip =
+            map_of({40, 16}, 0.02, 0.002, [](double x, double) { return std::cos(5 * pi * x); });
+        CHECK(texture(strip, wraps).Std == 90); // one wave, much wider than long
         // wave vector (6, 10/0.8): the lay is at right angles to it
         const Texture oblique = texture(wave(6, 10), wraps);
         CHECK(oblique.Std == std::lround(std::fmod(std::atan2(12.5, 6) * 180 / pi + 90, 180)));
