@@ -179,10 +179,6 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
         refuse("hardness: ", body.hardness,
                " MPa given, expected none: a contact fraction with held nodes has "
                "no gradient");
-    if (with_area && profile.is_area())
-        refuse("contact fraction: its gradient asked for on a map, expected a profile: the edge of a spot "
-               "has no "
-               "place between two nodes yet");
     const double range = displacement_range(profile, body.kernel);
     const std::vector<double> displacements = step_displacements(profile, body, loading, options);
     options.states = true;

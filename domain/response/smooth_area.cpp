@@ -19,18 +19,27 @@ struct Edge {
     Index touching, free;
 };
 
-std::vector<Edge> edges_of(const std::vector<int>& nodes, Index count, bool wraps) {
-    std::vector<char> touches(static_cast<std::size_t>(count), 0);
+std::vector<Edge> edges_of(const std::vector<int>& nodes, Extent shape, bool wraps) {
+    std::vector<char> touches(static_cast<std::size_t>(shape.nodes()), 0);
     for (const int i : nodes)
         touches[static_cast<std::size_t>(i)] = 1;
     std::vector<Edge> edges;
-    for (const int i : nodes)
-        for (Index k : {Index(i) - 1, Index(i) + 1}) {
-            if (wraps)
-                k = (k + count) % count;
-            if (k >= 0 && k < count && !touches[static_cast<std::size_t>(k)])
-                edges.push_back({i, k});
-        }
+    const auto beside = [&](Index at, Index by, Index count) {
+        return wraps ? (at + by + count) % count : at + by < count ? at + by : -1;
+    };
+    for (const int node : nodes) {
+        const Index i = node % shape.columns, j = node / shape.columns;
+        const auto consider = [&](Index column, Index row) {
+            const Index k = row * shape.columns + column;
+            if (column >= 0 && row >= 0 && !touches[static_cast<std::size_t>(k)])
+                edges.push_back({node, k});
+        };
+        for (const Index by : {-1, 1})
+            consider(beside(i, by, shape.columns), j);
+        for (const Index by : {-1, 1})
+            if (shape.rows > 1)
+                consider(i, beside(j, by, shape.rows));
+    }
     return edges;
 }
 
@@ -45,6 +54,8 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
     const double tangent_unit = problem.pressure_unit / problem.displacement_unit;
     const double per_mm = 1 / (static_cast<double>(n) * problem.displacement_unit);
     SetSolver solver(problem);
+    // Four edges of a node share what two do: the sum goes on as it was where a node enters.
+    const double share = problem.shape.rows > 1 ? 0.5 : 1;
     Index highest = 0;
     profile.heights.maxCoeff(&highest);
     SmoothArea area{Eigen::VectorXd(steps), Eigen::VectorXd::Zero(steps), Eigen::MatrixXd::Zero(steps, n)};
@@ -63,16 +74,16 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
         solver.load(w);
         double count = static_cast<double>(state.nodes.size()), rate = 0;
         Eigen::VectorXd on = Eigen::VectorXd::Zero(n); // d/dp_i; off: d/dgap_k
-        for (const auto& [i, k] : edges_of(state.nodes, n, problem.kernel == Kernel::periodic)) {
+        for (const auto& [i, k] : edges_of(state.nodes, problem.shape, problem.kernel == Kernel::periodic)) {
             const double closing = std::max(closest, 1 - w.displacement[k]);
             const double since = p.pressure[i] / w.pressure[i] + closest * approach;
             const double until =
                 std::max(0.0, p.displacement[k] - approach + problem.gap[k]) / closing + closest * approach;
             const double both = since + until;
-            count += since / both - 0.5;
-            rate += 1 / both;
-            on[i] += until / (both * both) / w.pressure[i];
-            off.pressure[k] -= since / (both * both) / closing;
+            count += share * (since / both - 0.5);
+            rate += share / both;
+            on[i] += share * (until / (both * both) / w.pressure[i]);
+            off.pressure[k] -= share * (since / (both * both) / closing);
         }
         // dp_A = w s + H_AA^-1 dZ_A, dgap_k = H_kA dp_A - s - dZ_k with s = dDelta - dZ_max.
         solver.load(off);

@@ -10,7 +10,7 @@ namespace rough {
 /// Between a touching node i and its free neighbour k the edge of contact is taken to stand at the fraction
 /// d/(d + e) of the way, where d = p_i/w_i is the approach since node i touched and e = gap_k/(1 - (H w)_k)
 /// that until node k will, both to first order at the contact set as it is. In the mean over a node's entry
-/// it is the count.
+/// it is the count. On an area the edges along x and along y count half each.
 struct SmoothArea {
     Eigen::VectorXd fraction;        ///< one a step
     Eigen::VectorXd by_displacement; ///< d fraction/d Delta_j with the heights fixed, 1/mm

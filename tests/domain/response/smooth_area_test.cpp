@@ -28,6 +28,18 @@ Pressed random_scene(std::mt19937_64& random, Kernel kernel, Index nodes, double
     return scene;
 }
 
+/// The same of an area.
+Pressed random_area(std::mt19937_64& random, Kernel kernel, double reach) {
+    Pressed scene;
+    scene.body.kernel = kernel;
+    scene.profile = sample(testing::random_genome(random, 1, 3, 0.84942, 0.2),
+                           {16, 0.84942, kernel == Kernel::periodic, 0, 14, 0.8});
+    Loading loading;
+    loading.reach = reach;
+    scene.displacements = step_displacements(scene.profile, scene.body, loading);
+    return scene;
+}
+
 ContactCurve pressed(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
     ContactOptions options;
     options.states = true;
@@ -65,8 +77,11 @@ TEST_CASE(
 TEST_CASE("the derivatives of a smooth contact fraction follow differences in heights and displacement") {
     std::mt19937_64 random(42);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
-        for (int scene = 0; scene < 3; ++scene) {
-            const Pressed pressing = random_scene(random, kernel, 128, 0.05, 0.8);
+        for (int scene = 0; scene < 6; ++scene) {
+            if (scene >= 3 && kernel == Kernel::strip)
+                break;
+            const Pressed pressing =
+                scene < 3 ? random_scene(random, kernel, 128, 0.05, 0.8) : random_area(random, kernel, 0.8);
             const Profile& profile = pressing.profile;
             const Body& body = pressing.body;
             const std::vector<double>& displacements = pressing.displacements;
@@ -126,4 +141,27 @@ TEST_CASE("a contact fraction's gradient has the displacements move with the hei
     CHECK(area.by_heights.rowwise().sum().cwiseAbs().maxCoeff() <
           1e-7 * area.by_heights.cwiseAbs().maxCoeff());
     CHECK(area.by_heights.cwiseAbs().rowwise().maxCoeff().minCoeff() > 0);
+}
+
+TEST_CASE("an area's smooth contact fraction goes on where a node enters", "[areas]") {
+    std::mt19937_64 random(46);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
+        Pressed scene = random_area(random, kernel, 0.5);
+        // From just below to just above the displacement at which a node enters, by bisection.
+        const auto count = [&](double displacement) {
+            return pressed(scene.profile, scene.body, {displacement}).states[0].nodes.size();
+        };
+        double below = scene.displacements[8], above = scene.displacements[9];
+        REQUIRE(count(below) < count(above));
+        const std::size_t least = count(below);
+        while (above - below > 1e-11 * above) {
+            const double middle = 0.5 * (below + above);
+            (count(middle) == least ? below : above) = middle;
+        }
+        const auto at = [&](double displacement) {
+            return smooth_area(scene.profile, scene.body, pressed(scene.profile, scene.body, {displacement}))
+                .fraction[0];
+        };
+        CHECK(at(above) == Approx(at(below)).margin(0.1 / static_cast<double>(scene.profile.nodes())));
+    }
 }
