@@ -104,23 +104,29 @@ Axis y_axis(const std::vector<PlaneWave>& all, const Grid& grid) {
     return {all, &PlaneWave::k_y, grid.rows, grid.row_spacing(), 0};
 }
 
-Profile sample_area(const Genome& genome, const Grid& grid) {
-    const auto all = plane_waves(genome, grid);
+/// The waves' sum, from `offset` (mm) on.
+Eigen::MatrixXd sampled_from(double offset, const std::vector<PlaneWave>& all, const Grid& grid) {
     const Axis x = x_axis(all, grid), y = y_axis(all, grid);
     Eigen::VectorXd c(x.cosines.cols()), s(x.cosines.cols());
-    double offset = 0;
     for (Index w = 0; w < c.size(); ++w) {
         const PlaneWave& wave = all[static_cast<std::size_t>(w)];
         c[w] = wave.amplitude * std::cos(wave.phase);
         s[w] = wave.amplitude * std::sin(wave.phase);
-        offset += c[w];
     }
     // cos(X + Y + phi) = cos(X + phi) cos Y - sin(X + phi) sin Y: two products of matrices
     Eigen::MatrixXd heights = Eigen::MatrixXd::Constant(grid.nodes, grid.rows, offset);
     heights.noalias() -=
         (x.cosines * c.asDiagonal() - x.sines * s.asDiagonal()).eval() * y.cosines.transpose();
     heights.noalias() += (x.sines * c.asDiagonal() + x.cosines * s.asDiagonal()).eval() * y.sines.transpose();
-    return {heights.reshaped(), grid.spacing(), grid.rows, grid.row_spacing()};
+    return heights;
+}
+
+Profile sample_area(const Genome& genome, const Grid& grid) {
+    const auto all = plane_waves(genome, grid);
+    double offset = 0;
+    for (const PlaneWave& wave : all)
+        offset += wave.amplitude * std::cos(wave.phase);
+    return {sampled_from(offset, all, grid).reshaped(), grid.spacing(), grid.rows, grid.row_spacing()};
 }
 
 /// One functional's sums over an area: S = sum g exp(i(k_x x + k_y y)), T_x and T_y the same of g x and g y.
@@ -235,6 +241,10 @@ std::vector<PlaneWave> plane_waves(const Genome& genome, const Grid& grid) {
             }
         }
     return all;
+}
+
+Eigen::VectorXd sampled(const std::vector<PlaneWave>& waves, const Grid& grid) {
+    return sampled_from(0, waves, grid).reshaped();
 }
 
 Profile sample(const Genome& genome, const Grid& grid) {

@@ -34,6 +34,9 @@ struct PlaneWave {
 /// the nearest of the lattice 2 pi (i/L_x, j/L_y), of those but zero.
 std::vector<PlaneWave> plane_waves(const Genome& genome, const Grid& grid);
 
+/// The waves' sum at an area's nodes without the constants that Eq. 1 adds, row after row, mm.
+Eigen::VectorXd sampled(const std::vector<PlaneWave>& waves, const Grid& grid);
+
 /// Pulls derivatives with respect to heights back to genes.
 /// `height_gradient` is rows x N, each row a linear functional of heights that is blind to a constant
 /// (contact never sees one, and the offsets of Eq. 1 are left out on that ground); the result is rows x

@@ -59,14 +59,17 @@ std::vector<Genome> sobol_database(const DatabaseLayout& layout) {
     int longest = 0;
     for (const auto& [H, gamma] : pairs)
         longest = std::max(longest, last_chromosome(layout.lambda, gamma, layout.shortest));
-    const auto phases = sobol_phases(layout.phase_columns, longest);
+    const auto phases = sobol_phases(layout.phase_columns * layout.ridges, longest);
 
     std::vector<Genome> genomes;
     for (const auto& [H, gamma] : pairs)
         for (std::size_t column = 0; column < static_cast<std::size_t>(layout.phase_columns); ++column) {
             Series series{layout.A, H, gamma, layout.lambda, {}};
-            for (int n = 1; n <= last_chromosome(layout.lambda, gamma, layout.shortest); ++n)
-                series.chromosomes.push_back({n, {phases[static_cast<std::size_t>(n - 1)][column]}});
+            for (int n = 1; n <= last_chromosome(layout.lambda, gamma, layout.shortest); ++n) {
+                const auto first = phases[static_cast<std::size_t>(n - 1)].begin() +
+                                   static_cast<std::ptrdiff_t>(column) * layout.ridges;
+                series.chromosomes.push_back({n, {first, first + layout.ridges}});
+            }
             genomes.push_back({1, {series}});
         }
     return genomes;

@@ -15,6 +15,7 @@ struct DatabaseLayout {
     double A = 1;            ///< amplitude of every series; with lambda in mm, the unit that makes heights mm
     double lambda = 0.84942; ///< mm
     double shortest = 0;     ///< shortest wave length admitted, mm (the paper: the grid's spacing)
+    int ridges = 1;          ///< of a chromosome, M; an area takes them as directions
 };
 
 /// The pairs (H, gamma): Boost's two-dimensional Sobol sequence, its first point skipped, mapped to the
@@ -25,8 +26,8 @@ std::vector<std::pair<double, double>> sobol_pairs(const DatabaseLayout& layout)
 /// = 1..last.
 std::vector<std::vector<double>> sobol_phases(int columns, int last);
 
-/// One-ridge genomes of a single series, pair by pair, each with every phase column in turn: chromosomes n
-/// = 1..n_f (Eq. 4), the phase of chromosome n from the n-th point of the phase sequence.
+/// Genomes of a single series, pair by pair, each with every phase column in turn: chromosomes n = 1..n_f
+/// (Eq. 4), the phases of chromosome n from the n-th point of the phase sequence, a column a ridge.
 std::vector<Genome> sobol_database(const DatabaseLayout& layout);
 
 } // namespace rough

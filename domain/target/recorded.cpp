@@ -11,8 +11,8 @@ namespace rough {
 
 namespace {
 
-constexpr const char* recorded_keys[] = {"kernel", "length_mm", "effective_modulus_MPa", "datum_mm",
-                                         "strip_width_mm"};
+constexpr const char* recorded_keys[] = {"kernel",   "length_mm",     "width_mm", "effective_modulus_MPa",
+                                         "datum_mm", "strip_width_mm"};
 
 bool same(const std::string& key, const std::string& left, const std::string& right,
           const std::string& file) {
@@ -36,7 +36,7 @@ std::string as_read(const std::string& key, const std::string& value) {
 std::map<std::string, std::string> recorded_model(const Model& model) {
     const Fields all = fields(model);
     std::map<std::string, std::string> recorded(all.begin(), all.end());
-    for (const char* of_the_solution : {"nodes", "steps", "reach"})
+    for (const char* of_the_solution : {"nodes", "rows", "steps", "reach"})
         recorded.erase(of_the_solution);
     return recorded;
 }

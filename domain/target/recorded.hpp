@@ -15,8 +15,8 @@ struct RecordedDifference {
     std::string own;      ///< of the model; "" where it has no such thing
 };
 
-/// All that matter, in the order kernel, length, modulus, datum, strip width; numbers may differ by 1e-9,
-/// relative. Throws InputError where a recorded number is none.
+/// All that matter, in the order kernel, length, width, modulus, datum, strip width; numbers may differ by
+/// 1e-9, relative. Throws InputError where a recorded number is none.
 std::vector<RecordedDifference> recorded_differences(const Target& target, const Model& model);
 
 /// Those over which a target carries. The half-plane, whose stiffness depends on datum and length, is taken

@@ -1,5 +1,6 @@
 #include "domain/target/stiffness_limits.hpp"
 
+#include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
 
 #include <Eigen/Cholesky>
@@ -10,8 +11,34 @@
 
 namespace rough {
 
+namespace {
+
+/// More nodes of an area tell nothing more of full contact.
+constexpr Index most_area_nodes = 128 * 128;
+
+StiffnessLimits area_limits(const Model& model) {
+    Grid grid = model.grid;
+    const auto flat = [&] {
+        return Profile{Eigen::VectorXd::Zero(grid.shape().nodes()), grid.spacing(), grid.rows,
+                       grid.row_spacing()};
+    };
+    const double entry =
+        area_influence_column(model.body.kernel, grid.shape(), grid.row_spacing() / grid.spacing())[0];
+    const double least =
+        model.body.effective_modulus / (elements(flat(), model.body.kernel) * grid.spacing() * entry);
+    while (grid.shape().nodes() > most_area_nodes) {
+        grid.nodes = (grid.nodes + 1) / 2;
+        grid.rows = (grid.rows + 1) / 2;
+    }
+    return {least, full_contact_stiffness(flat(), model.body)};
+}
+
+} // namespace
+
 StiffnessLimits stiffness_limits(const Model& given) {
     const Model model = completed(given);
+    if (model.grid.is_area())
+        return area_limits(model);
     // Full contact grows stiffer as the grid grows coarser, so a coarse grid's is an upper bound.
     Grid grid = model.grid;
     const double delta = grid.spacing();
