@@ -101,7 +101,7 @@ class Question {
         response_.full_stiffness = full_contact_stiffness(whole_, resolved.body);
         response_.displacement = Eigen::Map<const Eigen::VectorXd>(rows_.data(), count_);
         account_.accuracy = accuracy;
-        account_.resolved_nodes = resolved.grid.nodes;
+        account_.resolved_nodes = resolved.grid.shape().nodes();
         account_.rows = resolved.loading.steps;
         account_.tolerance = model_.contact.tolerance;
     }
@@ -158,7 +158,7 @@ class Question {
 
     void by_resolved_grid() {
         const LoadRows rows = resolved(rows_);
-        account_.grids.push_back(model_.grid.nodes);
+        account_.grids.push_back(model_.grid.shape().nodes());
         account_.solver = response_.solver = rows.solver;
         account_.solved_rows = rows.solved;
         account_.resolved_rows = static_cast<int>(count_);

@@ -13,17 +13,22 @@ namespace rough {
 namespace {
 
 /// H on all nodes in contact order, MPa and mm: displacement (mm) for each unit of pressure (MPa).
-Eigen::MatrixXd influence_in_order(Index nodes, double spacing, const Body& given,
-                                   const std::vector<int>& order) {
-    const Body body = completed(given, profile_length({Eigen::VectorXd::Zero(nodes), spacing}, given.kernel));
+Eigen::MatrixXd influence_in_order(const Profile& surface, const Body& given, const std::vector<int>& order) {
+    const Body body = completed(given, profile_length(surface, given.kernel));
+    const Index nodes = surface.nodes(), columns = surface.shape().columns;
+    const double spacing = surface.spacing;
     const Eigen::VectorXd column =
-        influence_column(body.kernel, nodes, body.datum / spacing, body.strip_width / spacing) *
+        (surface.is_area()
+             ? area_influence_column(body.kernel, surface.shape(), surface.row_spacing / spacing)
+             : influence_column(body.kernel, nodes, body.datum / spacing, body.strip_width / spacing)) *
         (spacing / body.effective_modulus);
     Eigen::MatrixXd H(nodes, nodes);
     for (Index i = 0; i < nodes; ++i)
-        for (Index k = 0; k < nodes; ++k)
+        for (Index k = 0; k < nodes; ++k) {
+            const Index a = order[static_cast<std::size_t>(i)], b = order[static_cast<std::size_t>(k)];
             H(i, k) =
-                column[std::abs(order[static_cast<std::size_t>(i)] - order[static_cast<std::size_t>(k)])];
+                column[std::abs(a / columns - b / columns) * columns + std::abs(a % columns - b % columns)];
+        }
     return H;
 }
 
@@ -31,7 +36,14 @@ Eigen::MatrixXd influence_in_order(Index nodes, double spacing, const Body& give
 
 InverseProfile inverse_profile(Index nodes, double spacing, const Body& body, const std::vector<int>& order,
                                const Advance& advance, double last_pressure, double last_displacement) {
-    const Eigen::MatrixXd H = influence_in_order(nodes, spacing, body, order);
+    return inverse_profile({Eigen::VectorXd(nodes), spacing}, body, order, advance, last_pressure,
+                           last_displacement);
+}
+
+InverseProfile inverse_profile(const Profile& surface, const Body& body, const std::vector<int>& order,
+                               const Advance& advance, double last_pressure, double last_displacement) {
+    const Index nodes = surface.nodes();
+    const Eigen::MatrixXd H = influence_in_order(surface, body, order);
     // The periodic body's H is singular on all nodes: the last node never joins.
     const Index most = body.kernel == Kernel::periodic ? nodes - 1 : nodes;
     const Eigen::LLT<Eigen::MatrixXd> factor(H.topLeftCorner(most, most));
@@ -40,15 +52,18 @@ InverseProfile inverse_profile(Index nodes, double spacing, const Body& body, co
                          "beyond (L + delta)/4");
     const Eigen::MatrixXd L = factor.matrixL();
     const Eigen::VectorXd z = L.triangularView<Eigen::Lower>().solve(Eigen::VectorXd::Ones(most));
-    const double length = profile_length({Eigen::VectorXd::Zero(nodes), spacing}, body.kernel);
+    // P is the sum of pressures over L/delta, of an area L_x L_y/(delta_x delta_y).
+    const double cell = surface.is_area() ? 1 : surface.spacing;
+    const double whole =
+        surface.is_area() ? elements(surface, body.kernel) : profile_length(surface, body.kernel);
     Eigen::VectorXd stiffness(most);
     for (Index k = 0; k < most; ++k) // sum of H_AA^-1 1 is z.z
-        stiffness[k] = z.head(k + 1).squaredNorm() * spacing / length;
+        stiffness[k] = z.head(k + 1).squaredNorm() * cell / whole;
     const std::vector<double> steps = advance(stiffness);
 
     Eigen::VectorXd u = Eigen::VectorXd::Zero(nodes), gap = Eigen::VectorXd::Zero(nodes), lowest;
     double displacement = 0, pressure = 0;
-    InverseProfile result{{Eigen::VectorXd(nodes), spacing}, {0}, 0, 0, Eigen::VectorXd(nodes)};
+    InverseProfile result{surface, {0}, 0, 0, Eigen::VectorXd(nodes)};
     const auto end_load = [&](double part, double K, const Eigen::VectorXd& ends) {
         result.last_displacement = displacement + part;
         result.last_pressure = pressure + part * K;

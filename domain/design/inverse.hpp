@@ -32,6 +32,9 @@ using Advance = std::function<std::vector<double>(const Eigen::VectorXd& stiffne
 /// hundred nodes.
 InverseProfile inverse_profile(Index nodes, double spacing, const Body& body, const std::vector<int>& order,
                                const Advance& advance, double last_pressure, double last_displacement);
+/// The same on the nodes of a surface, a line's or an area's, whose heights are not read.
+InverseProfile inverse_profile(const Profile& surface, const Body& body, const std::vector<int>& order,
+                               const Advance& advance, double last_pressure, double last_displacement);
 
 /// The same with the heights of nodes that do not touch under the load moved so that the height range is
 /// last_displacement: the profile reaches the last pressure at full approach, as Eq. 11 asks. A profile that

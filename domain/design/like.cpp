@@ -56,7 +56,7 @@ std::vector<Quantity> likeness_named(const std::string& name) {
 }
 
 std::string usual_variant(const DesignSetup& setup) {
-    return setup.like && asks_for_area(setup) ? "like" : "default";
+    return setup.like && !setup.like->is_area() && asks_for_area(setup) ? "like" : "default";
 }
 
 } // namespace rough

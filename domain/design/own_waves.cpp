@@ -68,6 +68,8 @@ Index most_own_waves(const DesignSetup& given) {
 Genome own_waves(const DesignSetup& given, Index waves) {
     if (!given.like)
         throw InputError("own: no measured profile given, expected a design like one");
+    if (given.like->is_area())
+        throw InputError("own: a map given, expected a profile: the waves are a line's");
     const DesignSetup setup = completed(given);
     const double longest = longest_own(setup);
     const Index count = std::max<Index>(1, waves);

@@ -1,6 +1,7 @@
 #include "domain/design/search.hpp"
 
 #include "domain/design/archive.hpp"
+#include "domain/design/coarse_to_fine.hpp"
 #include "domain/design/pipelines.hpp"
 #include "domain/design/within_limits.hpp"
 #include "domain/errors.hpp"
@@ -34,6 +35,8 @@ constexpr int confirming = 16;
 constexpr Index confirmed_on_finer = 1024;
 /// So often the steps may be refined, and the way to go on from what was found in coarser ones.
 constexpr int most_refinements = 2;
+/// So often an area's search aims again.
+constexpr int most_corrections = 2;
 const char* const settling = "score | refine lm 40 sharpen=8 | best 2 | refine lm 40 sharpen=5 | "
                              "score judged | refine lm 16 sharpen=4";
 /// The same where the answer falls in steps beyond those it was judged in alone.
@@ -54,6 +57,7 @@ Answer answer_of(const Judge& judge, const DesignSetup& setup, const Genome& gen
     answer.similarity_stepped = judged.stepped;
     answer.similarity_worst = judged.worst();
     answer.within_limits = holds_limits(setup, answer.genome);
+    answer.judgement = judged;
     return answer;
 }
 
@@ -107,6 +111,8 @@ std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Popula
         if (keys.insert(problem.key(genome)).second)
             candidates.push_back(genome);
     };
+    if (problem.setup().model.grid.is_area())
+        return {archive.best.front().genome};
     const std::size_t most = options.compared;
     for (std::size_t i = 0; i < std::min(population.size(), most); ++i)
         consider(population[i].genome);
@@ -117,6 +123,11 @@ std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Popula
     return candidates;
 }
 
+/// A line that wraps takes waves that repeat; an area moves those of any genome to its lattice.
+bool takes_harmonics(const DesignSetup& setup) {
+    return setup.model.grid.wraps && !setup.model.grid.is_area() && !setup.phases;
+}
+
 std::vector<Genome> database_for(const DesignSetup& setup, int threads) {
     DatabaseLayout layout;
     layout.lambda = std::clamp(setup.model.grid.length, setup.bounds.lambda_from, setup.bounds.lambda_to);
@@ -125,9 +136,10 @@ std::vector<Genome> database_for(const DesignSetup& setup, int threads) {
     layout.gamma_from = std::clamp(layout.gamma_from, setup.bounds.gamma_from, setup.bounds.gamma_to);
     layout.gamma_to = std::clamp(layout.gamma_to, setup.bounds.gamma_from, setup.bounds.gamma_to);
     layout.shortest = setup.limits.shortest_wave;
+    layout.ridges = setup.ridges;
     std::vector<Genome> genomes = sobol_database(layout);
     ga::parallel_for(genomes.size(), ga::thread_count(threads), [&](std::size_t i) {
-        if (setup.model.grid.wraps && !setup.phases)
+        if (takes_harmonics(setup))
             genomes[i] = in_harmonics(genomes[i], setup.model.grid.length);
         genomes[i] = with_fitting_amplitude(setup, genomes[i]);
     });
@@ -165,12 +177,12 @@ bool better(const Answer& a, const Answer& b) {
 /// One run of a pipeline whose paths begin with `name`.
 SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked, const std::string& name,
                            std::vector<ga::Observer<Genome>> observers) {
-    const DesignProblem problem(given);
+    const DesignProblem problem(given, asked.memory);
     const DesignSetup& setup = problem.setup();
     const DesignSetup reported = as_reported(setup);
-    const Judge judge(reported);
+    const Judge judge(reported, ga::thread_count(asked.threads));
     SearchOptions options = asked;
-    if (setup.model.grid.wraps && !setup.phases)
+    if (takes_harmonics(setup))
         for (Genome& genome : options.starts)
             genome = in_harmonics(genome, setup.model.grid.length);
     auto stage = options.pipeline.empty() ? design_variant(setup, options.variant)
@@ -186,7 +198,8 @@ SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked,
             archive.offer(problem, individual);
         if (auto ranked = genomes_on_front(event.population); !ranked.empty())
             front = std::move(ranked);
-        if (!options.reach || archive.best.empty() || archive.best.front().value < judged_from)
+        if (!options.reach || archive.best.empty() || archive.best.front().value < judged_from ||
+            setup.model.grid.is_area())
             return;
         const Answer best = answer_of(judge, reported, archive.best.front().genome);
         // Where steps may be refined, that is done from what is met in these.
@@ -255,9 +268,12 @@ SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked,
                                             *std::min_element(one.similarity.begin(), one.similarity.end())),
                                 nullptr});
     if (archive.best.empty()) // stopped before the first curve
-        archive.offer(
-            problem,
-            {shaped_start(setup, ga::Stream(options.seed)), 0, {}, ga::Fitness(by_similarity, 0), nullptr});
+        archive.offer(problem, {options.starts.empty() ? shaped_start(setup, ga::Stream(options.seed))
+                                                       : options.starts.front(),
+                                0,
+                                {},
+                                ga::Fitness(by_similarity, 0),
+                                nullptr});
 
     const std::vector<Genome> candidates = candidates_of(problem, population, archive, options);
     std::vector<Answer> answers = answers_of(judge, reported, candidates, options.threads);
@@ -296,12 +312,7 @@ bool is_unconfirmed(const SearchResult& result) {
 /// The earlier result with what a later search found and took. One in finer steps replaces it: it has
 /// judged the earlier answers anew.
 SearchResult joined(SearchResult earlier, SearchResult later, bool finer) {
-    later.counters.asked += earlier.counters.asked;
-    later.counters.evaluations += earlier.counters.evaluations;
-    later.counters.remembered += earlier.counters.remembered;
-    later.counters.gradients += earlier.counters.gradients;
-    later.counters.failures += earlier.counters.failures;
-    later.counters.given_up += earlier.counters.given_up;
+    later.counters = sum(earlier.counters, later.counters);
     later.notes.insert(later.notes.begin(), earlier.notes.begin(), earlier.notes.end());
     later.pipeline = earlier.pipeline + "\n" + later.pipeline;
     if (!finer && !better(later.best, earlier.best)) {
@@ -320,6 +331,56 @@ void take_what_is_left(SearchOptions& next, const SearchOptions& whole, const Se
     next.evaluations = whole.evaluations - result.counters.asked;
 }
 
+/// By coarser grids, then with the errors of the grid and the steps allowed for.
+SearchResult searched_area(const DesignSetup& given, const SearchOptions& options, const std::string& name,
+                           const std::vector<ga::Observer<Genome>>& observers) {
+    const ga::Stopwatch clock;
+    const DesignSetup setup = DesignProblem(given).setup(), reported = as_reported(setup);
+    ga::RunOptions run;
+    run.variant = name;
+    run.seed = options.seed;
+    run.threads = options.threads;
+    run.budget = {options.evaluations, options.seconds, options.stop};
+    CoarseToFine found{options.starts, {}, ""};
+    if (found.starts.empty())
+        found = coarse_to_fine(setup, run, observers);
+    double begun = clock.seconds();
+    SearchOptions last = options;
+    last.starts = found.starts;
+    last.pipeline = on_own_grid;
+    last.seconds = std::max(0.0, options.seconds - begun);
+    last.evaluations = std::max(1L, options.evaluations - found.counters.asked);
+    SearchResult result = searched_once(given, last, name, observers);
+    result.counters = sum(found.counters, result.counters);
+    result.pipeline = found.pipeline + result.pipeline;
+    const double wanted = options.reach.value_or(worth_the_name);
+    const Judge judge(reported, ga::thread_count(options.threads));
+    for (int round = 1; round <= most_corrections; ++round) {
+        // A round takes about as long as the search and the judgement before it.
+        const double now = clock.seconds(), took = now - begun;
+        if (result.best.judged() >= wanted || !result.stopped.empty() || now + took > options.seconds)
+            break;
+        begun = now;
+        run.variant = name + "-" + std::to_string(round + 1);
+        run.budget.seconds = options.seconds - now;
+        run.budget.evaluations = std::max(1L, options.evaluations - result.counters.asked);
+        const DesignSetup aimed = allowing_for(setup, result.best.judgement);
+        const auto better_aimed =
+            ga::run(design_pipeline(aimed, on_own_grid), DesignProblem(aimed),
+                    ga::population(std::vector<Genome>{result.best.genome}), run, observers);
+        result.counters = sum(result.counters, better_aimed.counters);
+        result.pipeline += std::string("\n") + on_own_grid;
+        if (!better_aimed.best)
+            break;
+        const Answer answer = answer_of(judge, reported, better_aimed.best->genome);
+        if (!better(answer, result.best))
+            break;
+        result.best = result.alternatives.front() = answer;
+        result.notes.push_back("the grid's and the load steps' errors were allowed for in the aim");
+    }
+    return result;
+}
+
 } // namespace
 
 SearchResult search(const DesignSetup& given, const SearchOptions& options,
@@ -327,11 +388,15 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     const ga::Stopwatch clock;
     const std::string name = options.pipeline.empty() ? options.variant : "pipeline";
     const bool timed = std::isfinite(options.seconds);
-    const bool makes_starts = name == "default" || name == "multistart";
+    const bool area = given.model.grid.is_area();
+    if (area && name == "default")
+        return searched_area(given, options, name, observers);
+    const bool makes_starts = (name == "default" || name == "multistart") && !area;
     const bool goes_on = name == "like";
     const bool again = options.begins_anew && (makes_starts || goes_on) && timed;
     SearchOptions first = options;
-    first.settles_steps = options.settles_steps && (makes_starts || name == "in-line") && !given.phases;
+    first.settles_steps =
+        options.settles_steps && (makes_starts || name == "in-line") && !given.phases && !area;
     if (timed && (again || first.settles_steps))
         first.seconds *= first_share;
     SearchResult result = searched_once(given, first, name, observers);

@@ -49,9 +49,12 @@ struct SearchOptions {
     /// and `multistart`. `like` goes on from what it has.
     bool begins_anew = false;
     std::size_t alternatives = 3; ///< different answers to return, the best among them
-    /// Answers of the pipeline, and best ones of its way, compared on the finer grid at the end.
+    /// Answers of the pipeline, and best ones of its way, compared on the finer grid at the end. On an area,
+    /// whose finer grid costs much, only the best so far is judged.
     std::size_t compared = 3;
     std::optional<Keeping> keeping = {}; ///< nothing: it is kept nowhere
+    /// Of curves that searches of one set-up share (DesignProblem).
+    std::shared_ptr<ResponseMemory> memory = nullptr;
 };
 
 /// A genome in final amplitude and how well it answers.
@@ -63,6 +66,7 @@ struct Answer {
     double similarity_worst = 0;   ///< the least of these and of both together
     bool within_limits = true;     ///< it holds every limit of the set-up
     double difference = 1;         ///< from the answers before it, the least
+    Judgement judgement = {};      ///< what these similarities are of
 
     /// What an answer is judged by: it must survive finer grids and load steps.
     double judged() const { return similarity_worst; }
@@ -96,9 +100,11 @@ const std::map<std::string, std::string>& design_variants();
 bool holds_limits(const DesignSetup& setup, const Genome& genome);
 
 /// Runs a pipeline on a design and picks what to believe: of the best individuals of all stages those that
-/// are best at their worst (Judgement). There is always an answer: the best so far, or a first start. Throws
-/// ga::UsageError on a pipeline that cannot work or a kept run of another search, NotConverged when no curve
-/// of the whole run could be computed.
+/// are best at their worst (Judgement). There is always an answer: the best so far, or a first start. On an
+/// area `default` searches coarser grids first and goes on from what they found; where the judged answer
+/// falls short of `reach`, or of worth_the_name, by the grids' and steps' errors, it aims again with these
+/// allowed for, twice at most. Throws ga::UsageError on a pipeline that cannot work or a kept run of another
+/// search, NotConverged when no curve of the whole run could be computed.
 SearchResult search(const DesignSetup& setup, const SearchOptions& options = {},
                     std::vector<ga::Observer<Genome>> observers = {});
 

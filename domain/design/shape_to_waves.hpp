@@ -14,4 +14,10 @@ namespace rough {
 Genome shaped_as(const Profile& profile, const std::vector<Series>& series, double shortest,
                  double damping = 1e-6);
 
+/// The same on an area: two series of one law (A and chromosomes are not read) with `ridges` directions to a
+/// chromosome, so that each wave vector has two phases and with them any amplitude up to 2 G_n. Wave vectors
+/// are those that `grid` takes (plane_waves); the map has its lengths, and nodes of its own.
+Genome shaped_as(const Profile& map, const Series& law, int ridges, const Grid& grid, double shortest,
+                 double damping = 1e-4);
+
 } // namespace rough

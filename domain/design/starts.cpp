@@ -14,6 +14,41 @@ namespace rough {
 
 namespace {
 
+/// Nodes by their depth, the least first.
+std::vector<int> in_order_of(const std::vector<double>& depth) {
+    std::vector<int> order(depth.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+        return depth[static_cast<std::size_t>(a)] < depth[static_cast<std::size_t>(b)];
+    });
+    return order;
+}
+
+/// drawn_order of an area: cones of like width, one near the middle or up to eight anywhere.
+std::vector<int> drawn_area_order(const Profile& surface, const Grid& grid, ga::Stream& random) {
+    const std::size_t peaks = random.chance(0.5) ? 1 : 2 + random.below(7);
+    const double margin = peaks == 1 ? 0.4 : 0.1;
+    std::vector<double> depth(static_cast<std::size_t>(surface.nodes()), HUGE_VAL);
+    for (std::size_t p = 0; p < peaks; ++p) {
+        const double x = grid.length * random.uniform(margin, 1 - margin),
+                     y = grid.width * random.uniform(margin, 1 - margin),
+                     width = peaks == 1 ? 1 : random.uniform(0.7, 1);
+        const auto away = [&](double from, double to, double period) {
+            const double straight = std::abs(from - to);
+            return grid.wraps ? std::min(straight, period - straight) : straight;
+        };
+        const Index columns = surface.shape().columns;
+        for (Index i = 0; i < surface.nodes(); ++i) {
+            const double here =
+                std::hypot(away(surface.spacing * static_cast<double>(i % columns), x, grid.length),
+                           away(surface.row_spacing * static_cast<double>(i / columns), y, grid.width));
+            double& least = depth[static_cast<std::size_t>(i)];
+            least = std::min(least, here / width);
+        }
+    }
+    return in_order_of(depth);
+}
+
 /// Where nodes touch first: peaks of a field over the profile, highest first. One asperity in half of the
 /// cases, else up to eight, of equal height and like width.
 std::vector<int> drawn_order(Index nodes, bool wraps, ga::Stream& random) {
@@ -38,15 +73,10 @@ std::vector<int> drawn_order(Index nodes, bool wraps, ga::Stream& random) {
             depth[i] = std::min(depth[i], (wraps ? std::min(away, 1 - away) : away) / peak.width);
         }
     }
-    std::vector<int> order(depth.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-        return depth[static_cast<std::size_t>(a)] < depth[static_cast<std::size_t>(b)];
-    });
-    return order;
+    return in_order_of(depth);
 }
 
-constexpr Index shaping_nodes = 256;
+constexpr Index shaping_nodes = 256, shaping_side = 24;
 
 } // namespace
 
@@ -54,7 +84,10 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     const DesignSetup setup = completed(given);
     const Target& target = setup.targets.front();
     Grid grid = setup.model.grid;
-    grid.nodes = std::min(grid.nodes, shaping_nodes);
+    grid.nodes = std::min(grid.nodes, grid.is_area() ? shaping_side : shaping_nodes);
+    grid.rows = std::min(grid.rows, shaping_side);
+    const Profile surface{Eigen::VectorXd(grid.shape().nodes()), grid.spacing(), grid.rows,
+                          grid.row_spacing()};
     // A coarser grid asks for a farther datum; a start need only be near.
     Body body = setup.model.body;
     if (body.kernel == Kernel::free)
@@ -63,9 +96,11 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     const double last_pressure = setup.max_pressure          ? *setup.max_pressure
                                  : target.against_pressure() ? target.last()
                                                              : infinity;
-    InverseProfile inverse = inverse_profile(
-        grid.nodes, grid.spacing(), body, drawn_order(grid.nodes, grid.wraps, random),
-        advance_for(target, grid.nodes), last_pressure, target.against_pressure() ? infinity : target.last());
+    InverseProfile inverse = inverse_profile(surface, body,
+                                             grid.is_area() ? drawn_area_order(surface, grid, random)
+                                                            : drawn_order(grid.nodes, grid.wraps, random),
+                                             advance_for(target, surface.nodes()), last_pressure,
+                                             target.against_pressure() ? infinity : target.last());
     if (setup.max_pressure)
         inverse = with_range_at_last(std::move(inverse));
     const Eigen::VectorXd& heights = inverse.profile.heights;
@@ -73,6 +108,9 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
         return drawn_start(setup, random); // all of the target is above full contact: flat answers best
     const double gamma = random.uniform(1.3, 1.6);
     const double H = random.uniform(0.8, 1.6);
+    if (grid.is_area())
+        return shaped_as(inverse.profile, drawn_series(setup, H, gamma, L * random.uniform(0.9, 1.5)),
+                         setup.ridges, grid, setup.limits.shortest_wave);
     if (grid.wraps)
         return shaped_as(inverse.profile, harmonic_series(L, setup.limits.shortest_wave, H),
                          setup.limits.shortest_wave);

@@ -7,8 +7,9 @@ namespace rough {
 /// A genome made for the set-up's first target: nodes come into contact in an order that `random` draws (one
 /// asperity, or some of equal height, somewhere along the profile), the profile that answers exactly so is
 /// found by solving contact backwards (inverse_profile), and two series drawn within the set-up's bounds are
-/// laid on it (shaped_as), or on a grid that wraps the harmonics of its length. Not rough to the eye, near
-/// the target, and with few contacts that come and go: good ground for refinement.
+/// laid on it (shaped_as), or on a grid that wraps the harmonics of its length; on an area, which is solved
+/// on at most 24 nodes a side, the twin series of one law. Not rough to the eye, near the target, and with
+/// few contacts that come and go: good ground for refinement.
 Genome shaped_start(const DesignSetup& setup, ga::Stream random);
 
 } // namespace rough

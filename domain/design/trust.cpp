@@ -2,9 +2,11 @@
 
 #include "domain/contact/names.hpp"
 #include "domain/design/starts.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/plain_stream.hpp"
 #include "domain/problem/setup.hpp"
+#include "domain/problem/surface_descriptors.hpp"
 #include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
 
@@ -55,8 +57,9 @@ void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOp
                    Trust& trust) {
     const Profile profile = sample(genome, setup.model.grid);
     const Index n = profile.nodes();
-    trust.rms_slope = (profile.heights.tail(n - 1) - profile.heights.head(n - 1)).norm() /
-                      (profile.spacing * std::sqrt(static_cast<double>(n - 1)));
+    trust.rms_slope = profile.is_area() ? std::pow(10, surface_descriptors(setup.model.grid)[1].of(genome))
+                                        : (profile.heights.tail(n - 1) - profile.heights.head(n - 1)).norm() /
+                                              (profile.spacing * std::sqrt(static_cast<double>(n - 1)));
     const DesignResponse response = respond(setup, genome, setup.model);
     double displacement = 0;
     for (const Response& one : response.responses)
@@ -66,12 +69,20 @@ void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOp
     const ContactCurve curve = solve_contact(profile, setup.model.body, {displacement}, contact);
     const ContactState& state = curve.states.front();
     trust.peak_pressure = state.pressure.maxCoeff();
-    const auto [least, most] = std::minmax_element(state.nodes.begin(), state.nodes.end());
-    trust.contact_at_ends = setup.model.body.kernel != Kernel::periodic && (*least == 0 || *most == n - 1);
-    trust.shortest_wave_nodes = margins(genome, setup.model.grid, {})[0].value / setup.model.grid.spacing();
+    const auto [columns, rows] = profile.shape();
+    trust.contact_at_ends =
+        setup.model.body.kernel != Kernel::periodic &&
+        std::any_of(state.nodes.begin(), state.nodes.end(), [columns = columns, rows = rows](int node) {
+            const Index i = node % columns, j = node / columns;
+            return i == 0 || i == columns - 1 || (rows > 1 && (j == 0 || j == rows - 1));
+        });
+    trust.shortest_wave_nodes = shortest_wave(genome) * (1 + 1e-12) /
+                                std::max(setup.model.grid.spacing(), setup.model.grid.row_spacing());
 
     if (trust.rms_slope > 0.1)
-        flag(trust, "rms slope ", trust.rms_slope, " is above 0.1: half-plane theory supposes small slopes");
+        flag(trust, "rms slope ", trust.rms_slope,
+             " is above 0.1: ", profile.is_area() ? "half-space" : "half-plane",
+             " theory supposes small slopes");
     if (options.hardness > 0 && trust.peak_pressure > options.hardness)
         flag(trust, "peak pressure ", trust.peak_pressure, " MPa is above the hardness, ", options.hardness,
              " MPa: the peaks would flow");
@@ -79,7 +90,8 @@ void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOp
         flag(trust, "the shortest wave has ", trust.shortest_wave_nodes,
              " nodes, under 8: the grid is part of the answer");
     if (trust.contact_at_ends)
-        flag(trust, "contact reaches the profile's ends, where a real surface would go on");
+        flag(trust, "contact reaches the ", profile.is_area() ? "area's edges" : "profile's ends",
+             ", where a real surface would go on");
 }
 
 /// One question, asked of what it refers to; NaN where it has no answer.
@@ -102,20 +114,26 @@ Job under(const DesignSetup& setup, const Genome& genome, const std::string& nam
 }
 
 std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
-                           const Trust& trust) {
-    std::vector<Job> jobs{under(setup, genome, as_designed, setup.model)};
-    for (const Index finer : {2, 4})
-        jobs.push_back(
-            under(setup, genome, std::to_string(finer) + " times the nodes", refined(setup.model, finer)));
+                           const Trust& trust, const Answer* judged) {
+    std::vector<Job> jobs;
+    const auto ask = [&](const std::string& name, const Model& model, double Answer::*known) {
+        if (judged && known && setup.model.grid.is_area())
+            jobs.push_back({name, [=] { return judged->*known; }});
+        else
+            jobs.push_back(under(setup, genome, name, model));
+    };
+    ask(as_designed, setup.model, &Answer::similarity);
+    ask("2 times the nodes", refined(setup.model, 2), nullptr);
+    ask("4 times the nodes", refined(setup.model, 4), &Answer::similarity_refined);
     Model steps = setup.model;
     steps.loading.steps *= 4;
-    jobs.push_back(under(setup, genome, "4 times the load steps", steps));
+    ask("4 times the load steps", steps, &Answer::similarity_stepped);
     if (setup.like)
         jobs.push_back({in_finer_steps_too, [&setup, &genome] {
                             const DesignSetup finer = in_finer_steps(setup);
                             return similarity(finer, respond(finer, genome, finer.model));
                         }});
-    if (setup.model.body.kernel == Kernel::free) {
+    if (setup.model.body.kernel == Kernel::free && !setup.model.grid.is_area()) {
         DesignSetup far = in_final_amplitude(setup);
         far.targets = with_datum(setup.targets, setup.model, 4);
         far.model.body.datum *= 4;
@@ -155,7 +173,7 @@ std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const
 std::vector<Job> kernels_of(const DesignSetup& setup, const Genome& genome) {
     std::vector<Job> jobs;
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
-        if (kernel != setup.model.body.kernel)
+        if (kernel != setup.model.body.kernel && !(setup.model.grid.is_area() && kernel == Kernel::strip))
             jobs.push_back(under(setup, genome, name_of(kernel), with_kernel(setup.model, kernel)));
     return jobs;
 }
@@ -201,14 +219,15 @@ std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& 
     return moved;
 }
 
-Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOptions& options) {
+Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOptions& options,
+               const Answer* judged) {
     Trust trust;
     DesignSetup setup = completed(given);
     judge_strains(setup, genome, options, trust);
     const auto late = [clock = ga::Stopwatch(), limit = options.seconds] { return clock.seconds() > limit; };
     if (std::isfinite(options.seconds))
         setup.model.contact.stop = late;
-    std::vector<Job> jobs = checks_of(setup, genome, options, trust);
+    std::vector<Job> jobs = checks_of(setup, genome, options, trust, judged);
     const std::size_t checks = jobs.size();
     for (Job& job : kernels_of(setup, genome))
         jobs.push_back(std::move(job));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/problem/problem.hpp"
+#include "domain/design/search.hpp"
 
 #include <limits>
 #include <optional>
@@ -50,10 +50,13 @@ struct Trust {
     std::vector<std::string> left_out; ///< what there was no time for
 };
 
-/// Re-verifies a genome in final amplitude. The datum's change is exact on the target side: 1/K(4 d) = 1/K(d)
+/// Re-verifies a genome in final amplitude. On an area what the search has judged already is taken from its
+/// answer, where that is given: a fine area's curve costs a minute. The datum's change is exact on the target
+/// side: 1/K(4 d) = 1/K(d)
 /// + (2 L/(pi E*)) ln 4 at the same load, displacements grow by (2 P L/(pi E*)) ln 4, areas and interface
 /// stiffness stay.
-Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options);
+Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
+               const Answer* judged = nullptr);
 
 /// The targets as they read with the datum `factor` times farther; free kernel only. A target against
 /// displacement has no reading of its own where the load at its points is not known, and is left out.

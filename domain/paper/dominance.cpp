@@ -3,6 +3,7 @@
 #include "domain/mwm/length_scales.hpp"
 #include "domain/numerics/statistics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -43,6 +44,14 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
         for (std::size_t i = 0; i < parts.size(); ++i)
             result.dominant[i] = !std::isfinite(best) || result.correlation[i] == best;
     return result;
+}
+
+DominanceRule::DominanceRule(Model model, DominanceReading reading)
+    : model_(std::move(model)), reading_(reading) {
+    for (Grid& grid = model_.grid; grid.is_area() && std::max(grid.nodes, grid.rows) > 64;) {
+        grid.nodes = (grid.nodes + 1) / 2;
+        grid.rows = (grid.rows + 1) / 2;
+    }
 }
 
 Dominance DominanceRule::operator()(const Genome& genome) const {

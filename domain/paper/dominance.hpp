@@ -48,9 +48,9 @@ struct Dominance {
 /// several threads.
 class DominanceRule {
   public:
-    /// Under a model; accuracy is its own for the whole genome, parts are solved throughout.
-    explicit DominanceRule(Model model, DominanceReading reading = DominanceReading::same_pressure)
-        : model_(std::move(model)), reading_(reading) {}
+    /// Under a model; accuracy is its own for the whole genome, parts are solved throughout. An area's grid is
+    /// halved while it has more than 64 nodes a side: curves are correlated here, not scored.
+    explicit DominanceRule(Model model, DominanceReading reading = DominanceReading::same_pressure);
 
     /// One contact curve a chromosome, one for the whole. Chromosomes of equal wave number, of any series,
     /// are one.

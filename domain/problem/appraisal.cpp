@@ -95,7 +95,7 @@ std::unique_ptr<ga::Appraisal<DesignOutcome>> step_by_step(const DesignProblem& 
                                                            const Genome& genome) {
     const DesignSetup& setup = problem.setup();
     const Solver solver = setup.model.contact.solver;
-    if (!setup.max_pressure || setup.model.accuracy > 0 ||
+    if (!setup.max_pressure || setup.model.accuracy > 0 || setup.model.grid.is_area() ||
         (solver != Solver::automatic && solver != Solver::nested) ||
         setup.model.grid.nodes > most_appraised_nodes)
         return nullptr;

@@ -32,11 +32,15 @@ Genome drawn_start(const DesignSetup& given, ga::Stream random) {
     Genome genome{1, {}};
     const double shortest = setup.limits.shortest_wave;
     const auto with_chromosomes = [&](Series series) {
-        for (int n = 1; n <= last_chromosome(series.lambda, series.gamma, shortest); ++n)
-            series.chromosomes.push_back({n, {random.uniform(0, 2 * std::numbers::pi)}});
+        for (int n = 1; n <= last_chromosome(series.lambda, series.gamma, shortest); ++n) {
+            Chromosome chromosome{n, {}};
+            for (int m = 0; m < setup.ridges; ++m)
+                chromosome.phases.push_back(random.uniform(0, 2 * std::numbers::pi));
+            series.chromosomes.push_back(std::move(chromosome));
+        }
         genome.series.push_back(std::move(series));
     };
-    if (setup.model.grid.wraps) {
+    if (setup.model.grid.wraps && !setup.model.grid.is_area()) {
         for (Series& series :
              harmonic_series(setup.model.grid.length, shortest,
                              within(random.uniform(0.5, 1.5), setup.bounds.H_from, setup.bounds.H_to)))
@@ -57,7 +61,9 @@ Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome) {
         return genome;
     const Target& target = setup.targets.front();
     Model model = setup.model;
-    model.loading = {std::max(40, model.loading.steps), model.loading.reach};
+    // A start need not be read so finely where a curve costs much.
+    const int steps = model.grid.is_area() ? model.loading.steps : std::max(40, model.loading.steps);
+    model.loading = {steps, model.loading.reach};
     const Response response = respond(folded(genome), model);
     const double own =
         target.against_pressure() ? response.pressure.tail(1)[0] : response.displacement.tail(1)[0];

@@ -1,7 +1,11 @@
 #include "domain/problem/judgement.hpp"
 
+#include "domain/contact/full_contact.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/target/similarity.hpp"
+#include "ga/parallel.hpp"
+
 #include <algorithm>
-#include <tuple>
 
 namespace rough {
 
@@ -15,6 +19,40 @@ Response every(Index part, Response response) {
                          &response.tangent_stiffness, &response.kkt_residual})
         *column = Eigen::VectorXd((*column)(Eigen::seqN(part - 1, steps, part)));
     return response;
+}
+
+/// Which of `count` finer load steps are solved on a fine area.
+bool is_solved(Index step, Index count) {
+    return 5 * step < count || step < judged_refinement || (step + 1) % judged_refinement == 0;
+}
+
+/// The other steps: P by the cubic through pressures and tangents of the solved ones beside them, the rest by
+/// straight lines.
+Response read_between(Response response) {
+    const Index count = response.steps();
+    for (Index j = 0; j < count; ++j) {
+        if (is_solved(j, count))
+            continue;
+        const Index a = j - (j + 1) % judged_refinement, b = a + judged_refinement;
+        const auto& D = response.displacement;
+        const double h = D[b] - D[a], t = (D[j] - D[a]) / h;
+        for (auto* column : {&response.pressure, &response.contact_fraction, &response.kkt_residual})
+            (*column)[j] = (1 - t) * (*column)[a] + t * (*column)[b];
+        const double secant = (response.pressure[b] - response.pressure[a]) / h;
+        const double before = response.tangent_stiffness[a] - secant,
+                     after = response.tangent_stiffness[b] - secant;
+        response.pressure[j] += h * t * (1 - t) * ((1 - t) * before - t * after);
+        response.tangent_stiffness[j] =
+            (1 - t) * response.tangent_stiffness[a] + t * response.tangent_stiffness[b];
+    }
+    return response;
+}
+
+double least_similarity(const std::vector<Eigen::VectorXd>& misfits) {
+    double least = similarity(misfits.front());
+    for (const Eigen::VectorXd& each : misfits)
+        least = std::min(least, similarity(each));
+    return least;
 }
 
 } // namespace
@@ -34,18 +72,67 @@ DesignSetup in_finer_steps(DesignSetup setup, int times) {
 
 double Judgement::worst() const { return std::min({similarity, refined, stepped, both}); }
 
+std::vector<Response> Judge::on_fine_area(const Genome& genome) const {
+    const Model model = refined(finer_.model, judged_refinement);
+    const Profile map = sample(at_scale_one(genome, finer_), model.grid);
+    std::vector<Response> responses;
+    for (const Loading& loading : loadings_of(finer_, finer_.model.loading).each) {
+        const std::vector<double> displacements = step_displacements(map, model.body, loading, model.contact);
+        std::vector<LoadStep> steps(displacements.size());
+        std::vector<std::size_t> solved;
+        for (std::size_t j = 0; j < steps.size(); ++j) {
+            steps[j].displacement = displacements[j];
+            if (is_solved(static_cast<Index>(j), static_cast<Index>(steps.size())))
+                solved.push_back(j);
+        }
+        // In runs of their own, however many threads there are: where one begins does not show in the digits.
+        constexpr std::size_t runs = 2;
+        ga::parallel_for(runs, threads_, [&](std::size_t run) {
+            const std::size_t from = run * solved.size() / runs, to = (run + 1) * solved.size() / runs;
+            std::vector<double> at;
+            for (std::size_t k = from; k < to; ++k)
+                at.push_back(displacements[solved[k]]);
+            const ContactCurve curve = solve_contact(map, model.body, at, model.contact);
+            for (std::size_t k = from; k < to; ++k)
+                steps[solved[k]] = curve.steps[k - from];
+        });
+        responses.push_back(
+            read_between(response_of(steps, model.contact.solver, displacement_range(map, model.body.kernel),
+                                     full_contact_stiffness(map, model.body))));
+    }
+    return responses;
+}
+
 Judgement Judge::of(const Genome& genome) const {
-    // On the finer side the similarity in all steps, then in every fourth.
-    const auto on_grid = [&](Index refine) {
-        std::vector<Response> fine = pressed(finer_, genome, refined(finer_.model, refine)), own;
+    const bool area = setup_.model.grid.is_area();
+    Judgement result;
+    // On the finer side the misfits in all steps, then in every fourth.
+    const auto judge = [&](std::vector<Response> fine, std::size_t own_steps, std::size_t all_steps) {
+        std::vector<Response> own;
         for (const Response& response : fine)
             own.push_back(every(judged_refinement, response));
-        return std::pair(similarity(finer_, scored(finer_, std::move(fine))),
-                         similarity(setup_, scored(setup_, std::move(own))));
+        result.misfits[all_steps] = misfits_of(finer_, scored(finer_, std::move(fine)));
+        result.misfits[own_steps] = misfits_of(setup_, scored(setup_, own));
+        return own;
     };
-    Judgement result;
-    std::tie(result.stepped, result.similarity) = on_grid(1);
-    std::tie(result.both, result.refined) = on_grid(judged_refinement);
+    std::vector<Response> fine = pressed(finer_, genome, refined(finer_.model, 1));
+    if (area) {
+        std::vector<Response> read;
+        for (const Response& response : fine)
+            read.push_back(read_between(response));
+        const auto off = misfits_of(finer_, scored(finer_, std::move(read))),
+                   exact = misfits_of(finer_, scored(finer_, fine));
+        for (std::size_t t = 0; t < off.size(); ++t)
+            result.reading_error = std::max(result.reading_error, (off[t] - exact[t]).cwiseAbs().maxCoeff());
+    }
+    judge(std::move(fine), 0, 2);
+    result.on_finer =
+        judge(area ? on_fine_area(genome) : pressed(finer_, genome, refined(finer_.model, judged_refinement)),
+              1, 3);
+    result.similarity = least_similarity(result.misfits[0]);
+    result.refined = least_similarity(result.misfits[1]);
+    result.stepped = least_similarity(result.misfits[2]);
+    result.both = least_similarity(result.misfits[3]) - result.reading_error;
     return result;
 }
 

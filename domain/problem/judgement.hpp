@@ -2,6 +2,8 @@
 
 #include "domain/problem/response.hpp"
 
+#include <array>
+
 namespace rough {
 
 /// How many times the nodes and the load steps an answer has to survive.
@@ -15,9 +17,14 @@ DesignSetup in_finer_steps(DesignSetup setup, int times = judged_refinement);
 /// where it applies.
 struct Judgement {
     double similarity = 0; ///< on the set-up's grid, in its load steps
-    double refined = 0;    ///< on a grid of 4(N - 1) + 1 nodes (periodic: 4 N)
+    double refined = 0;    ///< on a grid of 4(N - 1) + 1 nodes (periodic: 4 N), along both axes of an area
     double stepped = 0;    ///< in four times the load steps, on both sides
     double both = 0;       ///< on that grid in those steps
+    /// Of an area `both` is less than what it was read as by so much (Judge::of).
+    double reading_error = 0;
+    std::vector<Response> on_finer; ///< as pressed() has them, on that grid in the set-up's load steps
+    /// Each target's, of the four in the order above.
+    std::array<std::vector<Eigen::VectorXd>, 4> misfits;
 
     double worst() const; ///< the least of the four
 };
@@ -25,16 +32,24 @@ struct Judgement {
 /// Judges the genomes of one set-up.
 class Judge {
   public:
-    /// Solves a measured profile's finer response, where the targets are one's.
-    explicit Judge(const DesignSetup& setup) : setup_(setup), finer_(in_finer_steps(setup)) {}
+    /// Solves a measured profile's finer response, where the targets are one's. A fine area's load steps are
+    /// solved by up to so many threads.
+    explicit Judge(const DesignSetup& setup, int threads = 1)
+        : setup_(setup), finer_(in_finer_steps(setup)), threads_(threads) {}
 
     /// Of two curves in finer steps every fourth load step is one of the set-up's own: two solutions give all
-    /// four. Throws what respond() throws.
+    /// four. On a fine area the finer steps of the first fifth of the way are solved, from there on every
+    /// fourth; those between are read off cubics through pressures and tangents. What this reading is off by
+    /// on the set-up's own grid, where every step is solved, is taken off `both`. Throws what respond()
+    /// throws.
     Judgement of(const Genome& genome) const;
     const DesignSetup& finer() const { return finer_; } ///< the set-up in four times the load steps
 
   private:
+    std::vector<Response> on_fine_area(const Genome& genome) const;
+
     DesignSetup setup_, finer_;
+    int threads_;
 };
 
 } // namespace rough

@@ -2,16 +2,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace rough {
 
 namespace {
 
-/// The derivative of order 0, 1 or 2 of the profile at x.
-double derivative(const std::vector<Wave>& waves, int order, double x) {
+/// A point of the surface, mm, and a direction there, a unit vector.
+struct Place {
+    double x = 0, y = 0, along_x = 1, along_y = 0;
+};
+
+/// A line's cosines run along x.
+std::vector<PlaneWave> waves_on(const Grid& grid, const Genome& genome) {
+    if (grid.is_area())
+        return plane_waves(genome, grid);
+    std::vector<PlaneWave> all;
+    for (const Wave& w : waves(genome))
+        all.push_back({w.amplitude, w.wave_number, 0, w.phase});
+    return all;
+}
+
+/// The derivative of order 0, 1 or 2 of the surface at a place, in its direction.
+double derivative(const std::vector<PlaneWave>& waves, int order, const Place& at) {
     double value = 0;
-    for (const Wave& w : waves) {
-        const double angle = w.wave_number * x + w.phase, k = w.wave_number;
+    for (const PlaneWave& w : waves) {
+        const double angle = w.k_x * at.x + w.k_y * at.y + w.phase;
+        const double k = w.k_x * at.along_x + w.k_y * at.along_y;
         if (order == 0)
             value -= w.amplitude * std::cos(angle);
         else if (order == 1)
@@ -23,31 +40,71 @@ double derivative(const std::vector<Wave>& waves, int order, double x) {
 }
 
 /// What the derivative of that order may exceed its values at nodes h apart by: h^2/8 times a bound on its
-/// own second derivative.
-double between_nodes(const std::vector<Wave>& waves, int order, double h) {
+/// own second derivative; on an area that along x and that along y, which a wave's k^2 is the sum of.
+double between_nodes(const std::vector<PlaneWave>& waves, int order, double h) {
     double bound = 0;
-    for (const Wave& w : waves)
-        bound += h * h / 8 * std::abs(w.amplitude) * std::pow(w.wave_number, order + 2);
+    for (const PlaneWave& w : waves)
+        bound += h * h / 8 * std::abs(w.amplitude) * std::pow(std::hypot(w.k_x, w.k_y), order + 2);
     return bound;
 }
 
-constexpr Index finer = 8; ///< than the model's grid
+/// The grid that extremes are looked for on; of an area, whose nodes grow by the square, a coarser one.
+Grid looked_at(const Grid& grid) { return refined(grid, grid.is_area() ? 4 : 8); }
+
+double spacing_of(const Grid& fine) { return std::max(fine.spacing(), fine.row_spacing()); }
 
 struct Extremes {
-    double least, greatest;     ///< at the nodes
-    double x_least, x_greatest; ///< mm
-    double between;             ///< what a point between nodes may exceed them by
+    double least, greatest;      ///< at the nodes
+    Place at_least, at_greatest; ///< where
+    double between;              ///< what a point between nodes may exceed them by
     double largest() const { return std::max(-least, greatest) + between; }
     double range() const { return greatest - least + 2 * between; }
 };
 
-Extremes extremes(const std::vector<Wave>& waves, const Grid& grid, int order) {
-    const Grid fine = refined(grid, finer);
+/// Of an area: heights, the gradient's size, or the curvatures in their principal directions.
+Extremes extremes_on_area(const std::vector<PlaneWave>& waves, const Grid& fine, int order) {
+    const auto field = [&](int along_x) {
+        std::vector<PlaneWave> each = waves;
+        for (PlaneWave& w : each) { // d/ds of -cos(s) is -cos(s + pi/2)
+            w.amplitude *= std::pow(w.k_x, along_x) * std::pow(w.k_y, order - along_x);
+            w.phase += order * std::numbers::pi / 2;
+        }
+        return sampled(each, fine);
+    };
+    const Eigen::VectorXd x = field(order), y = order > 0 ? field(0) : x, xy = order > 1 ? field(1) : x;
+    Extremes result{HUGE_VAL, -HUGE_VAL, {}, {}, between_nodes(waves, order, spacing_of(fine))};
+    const auto consider = [&](Index node, double value, double angle) {
+        const Place at{fine.from + fine.spacing() * static_cast<double>(node % fine.nodes),
+                       fine.row_spacing() * static_cast<double>(node / fine.nodes), std::cos(angle),
+                       std::sin(angle)};
+        if (value > result.greatest)
+            result.greatest = value, result.at_greatest = at;
+        if (value < result.least)
+            result.least = value, result.at_least = at;
+    };
+    for (Index i = 0; i < x.size(); ++i)
+        if (order == 0) {
+            consider(i, x[i], 0);
+        } else if (order == 1) {
+            consider(i, std::hypot(x[i], y[i]), std::atan2(y[i], x[i]));
+        } else {
+            const double mean = 0.5 * (x[i] + y[i]), half = std::hypot(0.5 * (x[i] - y[i]), xy[i]);
+            const double angle = 0.5 * std::atan2(2 * xy[i], x[i] - y[i]);
+            consider(i, mean + half, angle);
+            consider(i, mean - half, angle + std::numbers::pi / 2);
+        }
+    return result;
+}
+
+Extremes extremes(const std::vector<PlaneWave>& waves, const Grid& grid, int order) {
+    const Grid fine = looked_at(grid);
+    if (grid.is_area())
+        return extremes_on_area(waves, fine, order);
     const double h = fine.spacing();
     Eigen::ArrayXd values = Eigen::ArrayXd::Zero(fine.nodes);
-    for (const Wave& w : waves) {
+    for (const PlaneWave& w : waves) {
         // The rotation by k h, restarted every 64 nodes so that rounding does not build up.
-        const double k = w.wave_number;
+        const double k = w.k_x;
         const double size = w.amplitude * std::pow(k, order);
         const double c = std::cos(k * h), s = std::sin(k * h);
         double cosine = 0, sine = 0;
@@ -64,27 +121,27 @@ Extremes extremes(const std::vector<Wave>& waves, const Grid& grid, int order) {
         }
     }
     Index low = 0, high = 0;
-    Extremes result{values.minCoeff(&low), values.maxCoeff(&high), 0, 0, between_nodes(waves, order, h)};
-    result.x_least = h * static_cast<double>(low);
-    result.x_greatest = h * static_cast<double>(high);
+    Extremes result{values.minCoeff(&low), values.maxCoeff(&high), {}, {}, between_nodes(waves, order, h)};
+    result.at_least.x = h * static_cast<double>(low);
+    result.at_greatest.x = h * static_cast<double>(high);
     return result;
 }
 
-/// One limit on shape as a functional of the profile: sum of weights times derivatives at places.
+/// One limit on shape as a functional of the surface: sum of weights times derivatives at places.
 struct ShapeLimit {
     double ratio; ///< value over limit; a radius as curvature
     int order;
-    std::vector<std::pair<double, double>> places; ///< weight (1/limit, signed), x
+    std::vector<std::pair<double, Place>> places; ///< weight (1/limit, signed)
 };
 
 std::vector<ShapeLimit> shape_limits(const Genome& genome, const Grid& grid, const MakingLimits& limits) {
-    const auto all = waves(genome);
+    const auto all = waves_on(grid, genome);
     std::vector<ShapeLimit> result;
     const auto largest = [&](int order, double limit) {
         const Extremes e = extremes(all, grid, order);
         const bool up = e.greatest >= -e.least;
         result.push_back(
-            {e.largest() / limit, order, {{(up ? 1 : -1) / limit, up ? e.x_greatest : e.x_least}}});
+            {e.largest() / limit, order, {{(up ? 1 : -1) / limit, up ? e.at_greatest : e.at_least}}});
     };
     if (limits.largest_slope > 0)
         largest(1, limits.largest_slope);
@@ -93,26 +150,26 @@ std::vector<ShapeLimit> shape_limits(const Genome& genome, const Grid& grid, con
         result.push_back(
             {e.range() / limits.largest_height,
              0,
-             {{1 / limits.largest_height, e.x_greatest}, {-1 / limits.largest_height, e.x_least}}});
+             {{1 / limits.largest_height, e.at_greatest}, {-1 / limits.largest_height, e.at_least}}});
     }
     if (limits.smallest_radius > 0)
         largest(2, 1 / limits.smallest_radius);
     return result;
 }
 
-double value_at(const Genome& genome, const ShapeLimit& limit, double h) {
-    const auto all = waves(genome);
-    const double between = between_nodes(all, limit.order, h);
+double value_at(const Genome& genome, const ShapeLimit& limit, const Grid& fine) {
+    const auto all = waves_on(fine, genome);
+    const double between = between_nodes(all, limit.order, spacing_of(fine));
     double value = 0;
-    for (const auto& [weight, x] : limit.places)
-        value += weight * derivative(all, limit.order, x) + std::abs(weight) * between;
+    for (const auto& [weight, at] : limit.places)
+        value += weight * derivative(all, limit.order, at) + std::abs(weight) * between;
     return value;
 }
 
 } // namespace
 
 std::vector<Margin> margins(const Genome& genome, const Grid& grid, const MakingLimits& limits) {
-    const auto all = waves(genome);
+    const auto all = waves_on(grid, genome);
     return {{"shortest_wave_mm", limits.shortest_wave, shortest_wave(genome) * (1 + 1e-12), true},
             {"slope", limits.largest_slope, extremes(all, grid, 1).largest(), false},
             {"height_mm", limits.largest_height, extremes(all, grid, 0).range(), false},
@@ -131,7 +188,7 @@ LimitRows limit_rows(const Genome& genome, const Grid& grid, const MakingLimits&
                      const Eigen::RowVectorXd& d_scale) {
     const auto all = shape_limits(genome, grid, limits);
     const std::vector<double> values = genes(genome);
-    const double spacing = refined(grid, finer).spacing();
+    const Grid fine = looked_at(grid);
     LimitRows rows{Eigen::VectorXd::Zero(static_cast<Index>(all.size())),
                    Eigen::MatrixXd::Zero(static_cast<Index>(all.size()), static_cast<Index>(values.size()))};
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -140,16 +197,15 @@ LimitRows limit_rows(const Genome& genome, const Grid& grid, const MakingLimits&
         if (rows.residuals[row] == 0)
             continue;
         if (d_scale.size() > 0) // the profile is proportional to its scale
-            rows.jacobian.row(row) += value_at(genome, all[i], spacing) / genome.scale * d_scale;
+            rows.jacobian.row(row) += value_at(genome, all[i], fine) / genome.scale * d_scale;
         for (std::size_t g = 0; g < values.size(); ++g) {
             const double h = 1e-6 * std::max(1.0, std::abs(values[g]));
             auto up = values, down = values;
             up[g] += h;
             down[g] -= h;
-            rows.jacobian(row, static_cast<Index>(g)) +=
-                (value_at(with_genes(genome, up), all[i], spacing) -
-                 value_at(with_genes(genome, down), all[i], spacing)) /
-                (2 * h);
+            rows.jacobian(row, static_cast<Index>(g)) += (value_at(with_genes(genome, up), all[i], fine) -
+                                                          value_at(with_genes(genome, down), all[i], fine)) /
+                                                         (2 * h);
         }
     }
     return rows;

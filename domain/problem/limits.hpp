@@ -19,10 +19,11 @@ struct GeneBounds {
 
 /// What can be made. 0: no limit.
 struct MakingLimits {
-    double shortest_wave = 0;   ///< mm
-    double largest_slope = 0;   ///< of the profile's own |dZ/dx|
-    double largest_height = 0;  ///< max Z - min Z, mm
-    double smallest_radius = 0; ///< of curvature, 1/|d2Z/dx2|, mm: no larger than the circle's own
+    double shortest_wave = 0;  ///< mm
+    double largest_slope = 0;  ///< of the profile's own |dZ/dx|, an area's gradient
+    double largest_height = 0; ///< max Z - min Z, mm
+    /// of curvature, 1/|d2Z/dx2|, in whatever direction of an area, mm: no larger than the circle's own
+    double smallest_radius = 0;
 
     /// Whether the sampled shape is limited, not the waves alone.
     bool any_shape() const { return largest_slope > 0 || largest_height > 0 || smallest_radius > 0; }
@@ -41,8 +42,9 @@ struct Margin {
 };
 
 /// A genome's shortest wave, largest slope, height and smallest radius of curvature over [0, length], by the
-/// derivatives of its cosines on a grid eight times finer than `grid`, with a bound for what lies between its
-/// nodes added (h^2/8 times the sum of G R k^(order + 2)): no finer grid shows a larger value.
+/// derivatives of its cosines on a grid eight times finer than `grid`, an area's four times, with a bound for
+/// what lies between its nodes added (h^2/8 times the sum of G R k^(order + 2)): no finer grid shows a larger
+/// value.
 std::vector<Margin> margins(const Genome& genome, const Grid& grid, const MakingLimits& limits);
 
 /// How far slope, height and curvature exceed the limits in all, relative to each limit; 0 within them.

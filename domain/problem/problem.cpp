@@ -28,7 +28,8 @@ constexpr double limit_weight = 30;
 constexpr Index full_contact_nodes = 128;
 
 double stiffest_of(Model model) {
-    model.grid.nodes = std::min(model.grid.nodes, full_contact_nodes);
+    if (!model.grid.is_area())
+        model.grid.nodes = std::min(model.grid.nodes, full_contact_nodes);
     return stiffness_limits(model).most;
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr Index exactly_reported = 16385;
 constexpr double reported_tolerance = 1e-10;
+constexpr int area_ridges = 8;
 /// A target's last pressure may be rounded.
 constexpr double rounding = 1 + 1e-9;
 
@@ -29,18 +30,28 @@ GeneBounds completed(GeneBounds bounds, double length) {
 DesignSetup completed(DesignSetup setup) {
     setup.model = completed(setup.model);
     const Grid& grid = setup.model.grid;
-    if (!setup.phases && grid.nodes < 16)
-        refuse_value("nodes", grid.nodes, " given, expected 16 at least for a design");
+    const Index fewest = grid.is_area() ? std::min(grid.nodes, grid.rows) : grid.nodes;
+    if (!setup.phases && fewest < 16)
+        refuse_value("nodes", fewest, " given, expected 16 at least for a design");
+    if (grid.is_area() && setup.model.accuracy > 0)
+        refuse_value("accuracy", setup.model.accuracy,
+                     " given with an area, expected none: its bounds are of "
+                     "profiles");
+    if (grid.is_area() && setup.model.body.kernel == Kernel::strip)
+        refuse_value("kernel", "strip given with an area, expected free or periodic");
     validate(setup.model);
+    if (setup.ridges == 0)
+        setup.ridges = grid.is_area() ? area_ridges : 1;
     if (setup.phases)
         return setup;
     setup.bounds = completed(setup.bounds, grid.length);
     double& shortest = setup.limits.shortest_wave;
+    const double spacing = std::max(grid.spacing(), grid.row_spacing());
     if (shortest == 0)
-        shortest = 8 * grid.spacing();
-    if (shortest < grid.spacing())
+        shortest = 8 * spacing;
+    if (shortest < spacing)
         refuse_value("shortest wave", shortest, " mm given, expected at least the distance of two nodes, ",
-                     grid.spacing(), " mm: the grid sees no shorter wave");
+                     spacing, " mm: the grid sees no shorter wave");
     if (shortest > setup.bounds.lambda_to)
         refuse_value("shortest wave", shortest, " mm given, expected at most the longest wave, ",
                      setup.bounds.lambda_to, " mm");
@@ -86,7 +97,7 @@ DesignSetup exactly(DesignSetup setup) {
 
 DesignSetup as_reported(DesignSetup searched) {
     DesignSetup setup = exactly(std::move(searched));
-    if (refined(setup.model, 4).grid.nodes <= exactly_reported)
+    if (!setup.model.grid.is_area() && refined(setup.model, 4).grid.nodes <= exactly_reported)
         setup.model.contact.tolerance = std::min(setup.model.contact.tolerance, reported_tolerance);
     return setup;
 }

@@ -30,6 +30,9 @@ struct DesignSetup {
     Outlook outlook = Outlook::proven;     ///< of evaluations under way
     /// The measured profile whose own response the targets are: in other load steps they are others.
     std::optional<Profile> like = {};
+    /// Of each chromosome of a genome that is drawn, M. 0: 1, as a line's collapse to one cosine; on an area,
+    /// where they are directions, 8.
+    int ridges = 0;
 };
 
 /// The bounds with lambda's, where they were left at 0, filled in: a quarter of the length (mm) to four times
@@ -38,7 +41,8 @@ GeneBounds completed(GeneBounds bounds, double length);
 
 /// The set-up with what was left at 0 filled in: the model, and where genes other than phases may move the
 /// bounds and the shortest wave, 8 node distances. Throws InputError on a model without a solution, under 16
-/// nodes, or a shortest wave under a node distance or above the longest.
+/// nodes a side, a shortest wave under a node distance or above the longest, or an accuracy or a strip with
+/// an area.
 DesignSetup completed(DesignSetup setup);
 
 /// Throws InputError on no targets, a target beyond max_pressure, targets that the set-up cannot load
@@ -52,7 +56,8 @@ std::vector<Index> points_of_half(const DesignSetup& setup, bool high);
 DesignSetup exactly(DesignSetup setup);
 
 /// The set-up as answers are reported under: solved throughout, to nine digits of a similarity by whatever
-/// solver on grids whose finer one has up to 16385 nodes, to the solver's tolerance on larger ones.
+/// solver on grids whose finer one has up to 16385 nodes, to the solver's tolerance on larger ones and on
+/// areas.
 DesignSetup as_reported(DesignSetup searched);
 
 } // namespace rough

@@ -61,7 +61,7 @@ inline void from_json(const nlohmann::json& j, Target& target) {
 }
 
 inline void to_json(nlohmann::json& j, const DesignSetup& setup) {
-    const auto& [model, targets, max_pressure, threshold, bounds, phases, limits, outlook, like] = setup;
+    const auto& [model, targets, max_pressure, threshold, bounds, phases, limits, outlook, like, ridges] = setup;
     const auto& [H_from, H_to, gamma_from, gamma_to, lambda_from, lambda_to] = bounds;
     const auto& [shortest_wave, largest_slope, largest_height, smallest_radius] = limits;
     const auto known = [](const auto& value) { return value ? nlohmann::json(*value) : nlohmann::json(); };
@@ -74,7 +74,8 @@ inline void to_json(nlohmann::json& j, const DesignSetup& setup) {
          {shortest_wave, largest_slope, largest_height, smallest_radius},
          static_cast<int>(outlook),
          like ? nlohmann::json{numbers_of(like->heights), like->spacing, like->rows, like->row_spacing}
-              : nlohmann::json()};
+              : nlohmann::json(),
+         ridges};
 }
 inline void from_json(const nlohmann::json& j, DesignSetup& setup) {
     const auto number = [](const nlohmann::json& value) {
@@ -87,7 +88,8 @@ inline void from_json(const nlohmann::json& j, DesignSetup& setup) {
              .threshold = number(j.at(3)),
              .bounds = {b.at(0), b.at(1), b.at(2), b.at(3), b.at(4), b.at(5)},
              .limits = {l.at(0), l.at(1), l.at(2), l.at(3)},
-             .outlook = static_cast<Outlook>(j.at(7).get<int>())};
+             .outlook = static_cast<Outlook>(j.at(7).get<int>()),
+             .ridges = j.at(9)};
     if (!p.is_null())
         setup.phases = PhaseReach{p.at(0), p.at(1)};
     if (!like.is_null())

@@ -22,7 +22,25 @@ Feature height(const Profile& profile, double length) {
             z / (z.squaredNorm() * std::numbers::ln10)};
 }
 
+/// Of an area: log10 of the root mean square gradient.
+Feature gradient(const Profile& map) {
+    const auto [columns, rows] = map.shape();
+    const auto z = map.heights.reshaped(columns, rows);
+    const Eigen::MatrixXd x = (z.bottomRows(columns - 1) - z.topRows(columns - 1)) / map.spacing,
+                          y = (z.rightCols(rows - 1) - z.leftCols(rows - 1)) / map.row_spacing;
+    const double of_x = 1 / static_cast<double>(x.size()), of_y = 1 / static_cast<double>(y.size());
+    const double square = of_x * x.squaredNorm() + of_y * y.squaredNorm();
+    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(columns, rows);
+    by.bottomRows(columns - 1) += of_x / map.spacing * x;
+    by.topRows(columns - 1) -= of_x / map.spacing * x;
+    by.rightCols(rows - 1) += of_y / map.row_spacing * y;
+    by.leftCols(rows - 1) -= of_y / map.row_spacing * y;
+    return {0.5 * std::log10(square), by.reshaped().transpose() / (square * std::numbers::ln10)};
+}
+
 Feature slope(const Profile& profile, double) {
+    if (profile.is_area())
+        return gradient(profile);
     const Index last = profile.nodes() - 1;
     const Eigen::RowVectorXd steps = (profile.heights.tail(last) - profile.heights.head(last)).transpose();
     Feature slope{std::log10(steps.norm() / std::sqrt(static_cast<double>(last)) / profile.spacing),

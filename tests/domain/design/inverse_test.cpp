@@ -69,6 +69,53 @@ TEST_CASE("any order of nodes and any advance have a profile that comes into con
         }
 }
 
+TEST_CASE("on an area nodes come into contact in any order that is asked, too", "[areas]") {
+    std::mt19937_64 random(22);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic})
+        for (int scene = 0; scene < 4; ++scene) {
+            const Profile surface{Eigen::VectorXd(42), 0.1, 6, 0.13};
+            std::vector<int> order = outwards(42, 0);
+            std::shuffle(order.begin(), order.end(), random);
+            std::vector<double> steps(42);
+            for (double& step : steps)
+                step = std::uniform_real_distribution<double>(0.1e-5, 1e-5)(random);
+            Eigen::VectorXd stiffness;
+            const InverseProfile inverse = inverse_profile(
+                surface, {kernel, 1.7}, order,
+                [&](const Eigen::VectorXd& K) {
+                    stiffness = K;
+                    return steps;
+                },
+                infinity, infinity);
+            CHECK(inverse.profile.is_area());
+            for (std::size_t k = 0; k + 2 < inverse.entry.size(); k += 3) {
+                ContactOptions options;
+                options.states = true;
+                const double between = 0.5 * (inverse.entry[k] + inverse.entry[k + 1]);
+                const ContactCurve curve = solve_contact(inverse.profile, {kernel, 1.7}, {between}, options);
+                const std::vector<int> expected(order.begin(), order.begin() + static_cast<long>(k) + 1);
+                REQUIRE(sorted(curve.states[0].nodes) == sorted(expected));
+                CHECK(curve.steps[0].tangent_stiffness ==
+                      Approx(stiffness[static_cast<Index>(k)]).epsilon(1e-9));
+            }
+        }
+}
+
+TEST_CASE("waves laid on a map of just those waves give it back", "[areas]") {
+    for (const bool wraps : {false, true}) {
+        const Grid grid{14, 0.84942, wraps, 0, 12, 0.8};
+        std::mt19937_64 random(23);
+        const Genome genome = rough::testing::random_genome(random, 1, 4, 0.84942, 0.3);
+        const Profile map = sample(genome, grid);
+        const Genome laid = shaped_as(map, genome.series[0], 4, grid, 0.3, 1e-12);
+        REQUIRE(laid.series.size() == 2);
+        const Profile back = sample(laid, grid);
+        const Eigen::VectorXd a = map.heights.array() - map.heights.mean(),
+                              b = back.heights.array() - back.heights.mean();
+        CHECK((a - b).cwiseAbs().maxCoeff() < 1e-4 * a.cwiseAbs().maxCoeff());
+    }
+}
+
 TEST_CASE("one asperity answers a rising stiffness curve as asked, for every kernel") {
     Target target;
     target.x = Eigen::VectorXd::LinSpaced(20, 4e-6, 1.56e-4);

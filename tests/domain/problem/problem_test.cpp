@@ -4,11 +4,13 @@
 #include "domain/design/target_dominance.hpp"
 #include "domain/problem/drawn_start.hpp"
 #include "ga/pareto/ranking.hpp"
+#include "tests/domain/problem/jacobian.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rough;
+using rough::testing::check_jacobian;
 
 namespace {
 
@@ -30,70 +32,6 @@ DesignSetup drawn_with_area() {
     area.y = Eigen::VectorXd::LinSpaced(area.points(), 0.05, 0.6);
     setup.targets.push_back(area);
     return setup;
-}
-
-/// Whatever has a corner: contact sets, extreme nodes, which segment of a curve serves a point, the band.
-std::vector<double> corners(const DesignSetup& setup, const Genome& genome, Index refine) {
-    const Model model = refined(setup.model, refine);
-    std::vector<double> marks;
-    const DesignResponse response = respond(setup, genome, model);
-    for (const Response& one : response.responses)
-        for (Index j = 0; j < one.steps(); ++j)
-            marks.push_back(one.contact_fraction[j]);
-    for (std::size_t g = 0; g < setup.targets.size(); ++g) {
-        const Target& target = setup.targets[g];
-        const Curve& curve = response.curves[g];
-        for (Index k = 0; k < target.points(); ++k) {
-            marks.push_back(static_cast<double>(segment_at(curve, target.x[k]).left));
-            if (target.has_band())
-                marks.push_back((curve.at(target.x[k]) > target.upper[k]) -
-                                (curve.at(target.x[k]) < target.lower[k]));
-        }
-    }
-    Index highest, lowest;
-    const Profile profile = sample(genome, model.grid);
-    profile.heights.maxCoeff(&highest);
-    profile.heights.minCoeff(&lowest);
-    marks.push_back(static_cast<double>(highest));
-    marks.push_back(static_cast<double>(lowest));
-    return marks;
-}
-
-/// Those of every curve that an objective reads.
-std::vector<double> corners(const DesignSetup& setup, const Genome& genome, const std::string& objective) {
-    std::vector<double> marks = corners(setup, genome, 1);
-    if (objective == "judged")
-        for (const auto& [steps, refine] :
-             {std::pair(setup, 4), std::pair(in_finer_steps(setup), 1), std::pair(in_finer_steps(setup), 4)})
-            for (const double mark : corners(steps, genome, refine))
-                marks.push_back(mark);
-    return marks;
-}
-
-void check_jacobian(const DesignSetup& setup, const Genome& start, const std::string& objective) {
-    const DesignProblem problem(setup);
-    const Genome genome = problem.settled(start, problem.evaluate(start));
-    const ga::Sensitivity all = problem.sensitivity(genome, objective);
-    const double largest = all.jacobian.cwiseAbs().maxCoeff();
-    const auto values = problem.genes(genome);
-    const auto base = corners(setup, genome, objective);
-    int kept = 0;
-    for (std::size_t g = 0; g < values.size(); ++g) {
-        const double h = 1e-7 * std::max(1.0, std::abs(values[g]));
-        auto up = values, down = values;
-        up[g] += h;
-        down[g] -= h;
-        const Genome above = problem.with_genes(genome, up), below = problem.with_genes(genome, down);
-        if (corners(setup, above, objective) != base || corners(setup, below, objective) != base)
-            continue;
-        ++kept;
-        const Eigen::VectorXd difference = (problem.sensitivity(above, objective).residuals -
-                                            problem.sensitivity(below, objective).residuals) /
-                                           (2 * h);
-        INFO("objective " << objective << ", gene " << g);
-        CHECK((difference - all.jacobian.col(static_cast<Index>(g))).cwiseAbs().maxCoeff() < 1e-5 * largest);
-    }
-    CHECK(kept > static_cast<int>(values.size()) / 2);
 }
 
 } // namespace

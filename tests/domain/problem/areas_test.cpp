@@ -1,0 +1,219 @@
+#include "domain/mwm/sobol.hpp"
+#include "domain/problem/drawn_start.hpp"
+#include "domain/problem/surface_descriptors.hpp"
+#include "domain/target/stiffness_limits.hpp"
+#include "tests/domain/problem/jacobian.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <numbers>
+
+using namespace rough;
+using rough::testing::check_jacobian;
+
+namespace {
+
+DesignSetup area_setup(Kernel kernel, Index columns = 18, Index rows = 16) {
+    DesignSetup setup;
+    setup.model.body.kernel = kernel;
+    setup.model.grid.nodes = columns;
+    setup.model.grid.rows = rows;
+    setup.model.grid.width = 0.8;
+    setup.model.loading.steps = 8;
+    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    setup.limits.shortest_wave = 0.25;
+    return completed(setup);
+}
+
+Genome two_series(std::mt19937_64& random, const DesignSetup& setup) {
+    return with_fitting_amplitude(setup,
+                                  testing::random_genome(random, 2, 3, 0.84942, setup.limits.shortest_wave));
+}
+
+/// A chromosome of two ridges, across each other: Z = -G [cos(k x + 0.4) + cos(k y + 1)] and a constant.
+Genome crossed_waves(double lambda) { return {0.02, {{1, 0.8, 1.5, lambda, {{1, {0.4, 1}}}}}}; }
+
+} // namespace
+
+TEST_CASE("on areas the derivatives of the misfits follow differences in every gene", "[areas]") {
+    std::mt19937_64 random(71);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic})
+        for (const bool free_amplitude : {false, true}) {
+            DesignSetup setup = area_setup(kernel);
+            if (!free_amplitude)
+                setup.max_pressure = 1.6e-4;
+            check_jacobian(setup, two_series(random, setup), "similarity");
+        }
+}
+
+TEST_CASE("on areas they do so for interface stiffness, contact fractions and loads", "[areas]") {
+    std::mt19937_64 random(72);
+    for (const Quantity quantity : {Quantity::interface_stiffness, Quantity::area_at_pressure,
+                                    Quantity::area_at_displacement, Quantity::load_at_displacement}) {
+        INFO("quantity " << static_cast<int>(quantity));
+        DesignSetup setup = area_setup(Kernel::free);
+        Target& target = setup.targets[0];
+        target.quantity = quantity;
+        target.x = Eigen::VectorXd::LinSpaced(8, 1e-5, 2e-4);
+        target.y = is_area(quantity) ? Eigen::VectorXd(Eigen::VectorXd::LinSpaced(8, 0.05, 0.6))
+                                     : Eigen::VectorXd(0.6 * target.x);
+        if (quantity == Quantity::interface_stiffness)
+            target.y = Eigen::VectorXd::LinSpaced(8, 0.5, 4);
+        // A smooth contact fraction is steep where a node is about to enter, and differences of it less good.
+        check_jacobian(setup, two_series(random, setup), "similarity", is_area(quantity) ? 1e-4 : 1e-5);
+    }
+}
+
+TEST_CASE("an area's judgement is that of separate solutions, and no better than all fine steps solved",
+          "[areas]") {
+    std::mt19937_64 random(73);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
+        DesignSetup setup = area_setup(kernel, 18, 16);
+        setup.model.loading.steps = 20;
+        setup.max_pressure = 1.6e-4;
+        setup.model.contact.tolerance = 1e-9;
+        const Genome genome = two_series(random, setup);
+        const auto alone = [&](Index refine, int times) {
+            Model model = refined(setup.model, refine);
+            model.loading.steps *= times;
+            return similarity(setup, respond(setup, genome, model));
+        };
+        const Judgement judged = Judge(setup).of(genome);
+        CHECK(judged.similarity == Approx(alone(1, 1)).epsilon(1e-6));
+        CHECK(judged.refined == Approx(alone(4, 1)).epsilon(1e-6));
+        CHECK(judged.stepped == Approx(alone(1, 4)).epsilon(1e-6));
+        const double both = alone(4, 4);
+        CHECK(judged.reading_error > 0);
+        CHECK(judged.reading_error < 0.1 * (1 - both));
+        CHECK(judged.both <= both + 1e-9);
+        CHECK(judged.both >= both - 3 * judged.reading_error);
+        CHECK(judged.both == Judge(setup, 2).of(genome).both);
+        CHECK(judged.on_finer[0].steps() == 20);
+    }
+}
+
+TEST_CASE("two waves across each other have the slope, height and curvature of both", "[areas]") {
+    const double L = 0.84942;
+    const Grid grid{33, L, false, 0, 33, L};
+    const Genome genome = crossed_waves(L / 2);
+    const Series& series = genome.series[0];
+    const double G = genome.scale * amplitude(series, 1, 2), k = wave_number(series, 1);
+    const auto found = margins(genome, grid, {});
+    CHECK(found[1].value == Approx(std::sqrt(2) * G * k).epsilon(1e-2));
+    CHECK(found[2].value == Approx(4 * G).epsilon(1e-2));
+    CHECK(found[3].value == Approx(1 / (G * k * k)).epsilon(1e-2));
+    CHECK(found[1].value >= std::sqrt(2) * G * k);
+    CHECK(found[2].value >= 4 * G);
+    CHECK(found[3].value <= 1 / (G * k * k));
+}
+
+TEST_CASE("on areas no finer grid shows a gradient or a height beyond the margins", "[areas]") {
+    std::mt19937_64 random(74);
+    for (const bool wraps : {false, true}) {
+        const Grid grid{24, 0.84942, wraps, 0, 20, 0.8};
+        const Genome genome = testing::random_genome(random, 2, 3, 0.84942, 0.25);
+        const auto says = margins(genome, grid, {});
+        const Profile fine = sample(genome, refined(grid, 16));
+        const auto [columns, rows] = fine.shape();
+        const auto z = fine.heights.reshaped(columns, rows);
+        const Eigen::ArrayXXd x = (z.bottomRows(columns - 1) - z.topRows(columns - 1)) / fine.spacing,
+                              y = (z.rightCols(rows - 1) - z.leftCols(rows - 1)) / fine.row_spacing;
+        const double steepest =
+            (x.leftCols(rows - 1).square() + y.topRows(columns - 1).square()).sqrt().maxCoeff();
+        const double height = z.maxCoeff() - z.minCoeff();
+        CHECK(steepest <= says[1].value * (1 + 1e-3)); // differences across a corner are a little apart
+        CHECK(steepest > 0.95 * says[1].value);
+        CHECK(height <= says[2].value);
+        CHECK(height > 0.97 * says[2].value);
+    }
+}
+
+TEST_CASE("the rows of limits on an area's shape follow differences", "[areas]") {
+    std::mt19937_64 random(75);
+    DesignSetup setup = area_setup(Kernel::free);
+    setup.max_pressure = 1.6e-4;
+    const DesignProblem problem(setup);
+    Genome genome = two_series(random, setup);
+    genome = problem.settled(genome, problem.evaluate(genome));
+    const auto has = margins(genome, setup.model.grid, {});
+    setup.limits.largest_slope = 0.8 * has[1].value;
+    setup.limits.largest_height = 0.7 * has[2].value;
+    setup.limits.smallest_radius = 1.2 * has[3].value;
+    CHECK(DesignProblem(setup).evaluate(genome).excess > 0.5);
+    check_jacobian(setup, genome, "similarity");
+}
+
+TEST_CASE("on areas descriptors have the derivatives that differences find", "[areas]") {
+    std::mt19937_64 random(76);
+    const Grid grid{24, 0.84942, false, 0, 20, 0.8};
+    const Genome genome = testing::random_genome(random, 1, 3, 0.84942, 0.25);
+    const auto values = genes(genome);
+    for (const auto& descriptor : surface_descriptors(grid)) {
+        const auto slopes = descriptor.gradient(genome);
+        for (std::size_t g = 0; g < values.size(); ++g) {
+            auto up = values, down = values;
+            up[g] += 1e-6, down[g] -= 1e-6;
+            INFO(descriptor.name << ", gene " << g);
+            CHECK((descriptor.of(with_genes(genome, up)) - descriptor.of(with_genes(genome, down))) / 2e-6 ==
+                  Approx(slopes[g]).epsilon(1e-5).margin(1e-7));
+        }
+    }
+    // A single wave along the diagonal of nobody: k_x = k, k_y = 0, so the gradient is the slope.
+    const Genome wave{0.01, {{1, 0.8, 2, 0.84942, {{2, {0.3}}}}}};
+    const double line = surface_descriptors({24, 0.84942})[1].of(wave);
+    CHECK(surface_descriptors(grid)[1].of(wave) == Approx(line).epsilon(1e-9));
+}
+
+TEST_CASE(
+    "genomes for areas are drawn with eight directions a chromosome, and a database has columns for each",
+    "[areas]") {
+    const DesignSetup setup = area_setup(Kernel::periodic);
+    CHECK(setup.ridges == 8);
+    for (const Series& series : drawn_start(setup, ga::Stream(3)).series)
+        for (const Chromosome& chromosome : series.chromosomes)
+            CHECK(chromosome.phases.size() == 8);
+    DatabaseLayout layout;
+    layout.shortest = 0.2;
+    layout.ridges = 3;
+    const auto genomes = sobol_database(layout);
+    const auto phases = sobol_phases(15, 4);
+    REQUIRE(genomes.size() == 100);
+    for (const std::size_t column : {0u, 4u}) {
+        const Series& series = genomes[column].series[0];
+        for (std::size_t n = 0; n < series.chromosomes.size(); ++n)
+            CHECK(series.chromosomes[n].phases ==
+                  std::vector<double>(phases[n].begin() + 3 * static_cast<long>(column),
+                                      phases[n].begin() + 3 * static_cast<long>(column) + 3));
+    }
+}
+
+TEST_CASE("an area's stiffness lies between that of a single cell and of full contact", "[areas]") {
+    for (const Index side : {16, 33}) {
+        DesignSetup setup = area_setup(Kernel::free, side, side);
+        const StiffnessLimits limits = stiffness_limits(setup.model);
+        std::mt19937_64 random(77);
+        const Response response = respond(sample(two_series(random, setup), setup.model.grid), setup.model);
+        CHECK(response.tangent_stiffness[0] >= limits.least);
+        CHECK(response.tangent_stiffness.maxCoeff() < limits.most);
+        // A square punch of this side: 1.15 E* a b/sqrt(a b), by its corners' own area.
+        CHECK(limits.most == Approx(1.15 / std::sqrt(0.84942 * 0.8)).epsilon(0.15));
+        // A cell under its own pressure: u = p (8/pi E*) a asinh(1), of half-side a.
+        const double a = 0.5 * setup.model.grid.spacing(), b = 0.5 * setup.model.grid.row_spacing();
+        const double u = 4 / std::numbers::pi * (a * std::asinh(b / a) + b * std::asinh(a / b));
+        CHECK(limits.least == Approx(4 * a * b / (0.84942 * 0.8) / u).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("what a design on an area cannot have is refused by its name", "[areas]") {
+    using Catch::Contains;
+    DesignSetup setup = area_setup(Kernel::free);
+    setup.model.accuracy = 1e-3;
+    CHECK_THROWS_WITH(completed(setup), Contains("accuracy") && Contains("area"));
+    setup.model.accuracy = 0;
+    setup.model.body.kernel = Kernel::strip;
+    CHECK_THROWS_WITH(completed(setup), Contains("strip"));
+    setup.model.body.kernel = Kernel::free;
+    setup.model.grid.rows = 8;
+    CHECK_THROWS_WITH(completed(setup), Contains("nodes: 8"));
+}
