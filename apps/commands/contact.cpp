@@ -142,7 +142,7 @@ std::string spots_csv(const AreaScene& scene, const rough::Response& response, b
 }
 
 Pressed pressed_area(const Settings& settings, const std::filesystem::path& spots) {
-    AreaScene scene = area_from(settings, contact_settings());
+    AreaScene scene = area_from(settings);
     scene.model = loaded(scene.model, settings);
     scene.model.accuracy = accuracy_from(settings);
     const bool within = scene.model.accuracy > 0;

@@ -130,7 +130,7 @@ int design(const Words& words) {
     if (!run.interrupted) {
         progress.show("verifying");
         run.trust_options.seconds = schedule.for_trust();
-        run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options);
+        run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best);
         run.summary = summary_of(run);
         run.seconds = schedule.spent();
         write_design_result(run, folder);

@@ -165,7 +165,7 @@ int profile(const Words& words) {
         throw rough::InputError("profile: expected one of a genome file, --profile and --surface");
     const rough::Extrusion extrusion = extrusion_from(settings);
     if (settings.has("surface"))
-        return profile_map(settings, profile_settings(), extrusion);
+        return profile_map(settings, extrusion);
     if (settings.given("periodic"))
         throw rough::InputError("--periodic: given without --surface, expected with a map");
     const bool pictures = settings.is_on("pictures");

@@ -20,44 +20,41 @@ std::pair<std::string, std::string> pair_of(const std::string& text) {
                                    : std::pair(text.substr(0, by), text.substr(by + 1));
 }
 
-/// The settings with some values changed; "" takes one away.
-Settings changed(const Settings& settings, const std::vector<Setting>& known,
-                 const std::map<std::string, std::string>& values) {
-    std::map<std::string, std::string> given;
-    for (const Setting& setting : known)
-        if (settings.given(setting.name))
-            given[setting.name] = settings.text(setting.name);
-    for (const auto& [name, value] : values)
-        if (value.empty())
-            given.erase(name);
-        else
-            given[name] = value;
-    return {"", known, given};
-}
-
 /// The settings along x, or along y.
-Settings along(const Settings& settings, const std::vector<Setting>& known, bool x) {
+Settings along(const Settings& settings, const std::string& prefix, bool x) {
     std::map<std::string, std::string> values;
-    for (const char* name : {"nodes", "length", "spacing"})
-        if (settings.has(name)) {
+    for (const char* key : {"nodes", "length", "spacing"})
+        if (const std::string name = prefix + key; settings.knows(name) && settings.has(name)) {
             const auto [first, second] = pair_of(settings.text(name));
             values[name] = x ? first : second;
             if (values[name].empty())
                 throw rough::InputError(settings.place(name) + ": '" + settings.text(name) +
                                         "' given, expected two numbers with an x between, as in 64x48");
         }
-    return changed(settings, known, values);
+    return settings.with(values);
 }
 
-/// How far wave vectors were moved to fit a periodic area.
-std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
-    double farthest = 0;
-    for (const rough::PlaneWave& wave : plane_waves(genome, grid))
-        farthest = std::max(farthest, wave.moved);
-    return farthest > 1e-12
-               ? "note: wave vectors were moved to the nearest that fit the periodic area, by up to " +
-                     readable(100 * farthest) + " % of their length"
-               : "";
+/// Throws where one of these keys, which only a profile has, or its kernel is given.
+void expect_of_areas(const Settings& settings, const std::string& prefix,
+                     const std::vector<const char*>& keys) {
+    for (const char* key : keys)
+        if (const std::string name = prefix + key; settings.knows(name) && settings.has(name))
+            throw rough::InputError(settings.place(name) +
+                                    ": given with an area, expected none: it is for profiles alone");
+    if (settings.text(prefix + "kernel") == "strip")
+        throw rough::InputError(settings.place(prefix + "kernel") +
+                                ": strip given with an area, expected free or periodic");
+}
+
+/// The model along x with the rows and the width of that along y.
+rough::Model crossed(rough::Model model, const rough::Grid& across, const Settings& settings,
+                     const std::string& prefix) {
+    model.grid.rows = across.nodes;
+    model.grid.width = across.length;
+    if (static_cast<double>(model.grid.nodes) * static_cast<double>(model.grid.rows) > 1e7)
+        throw rough::InputError(settings.place(prefix + "nodes") + ": '" + settings.text(prefix + "nodes") +
+                                "' given, expected at most 1e7 in all");
+    return model;
 }
 
 } // namespace
@@ -69,15 +66,15 @@ std::vector<Setting> area_settings() {
          "--spacing DX or DXxDY; or columns x, y, height"}};
 }
 
-rough::Map surface_from(const Settings& settings, const std::vector<Setting>& known, rough::Detrend form) {
+rough::Map surface_from(const Settings& settings, rough::Detrend form) {
     for (const char* name : {"nodes", "length", "row", "fill", "outliers"})
         if (settings.given(name))
             throw rough::InputError(settings.place(name) +
                                     ": given with --surface, expected none: it is for profiles");
     rough::MapLayout layout{settings.text("unit")};
     if (settings.has("spacing")) {
-        layout.spacing = along(settings, known, true).positive("spacing");
-        layout.row_spacing = along(settings, known, false).positive("spacing");
+        layout.spacing = along(settings, "", true).positive("spacing");
+        layout.row_spacing = along(settings, "", false).positive("spacing");
     }
     if (!layout.unit.empty())
         rough::length_unit_named(layout.unit, settings.place("unit"));
@@ -102,26 +99,40 @@ rough::Map surface_from(const Settings& settings, const std::vector<Setting>& kn
     return map;
 }
 
-bool asks_for_area(const Settings& settings) {
-    const auto is_pair = [&](const char* name) { return settings.text(name).find('x') != std::string::npos; };
-    return settings.has("surface") || is_pair("nodes") || is_pair("length");
+bool asks_for_area(const Settings& settings, const std::string& prefix) {
+    const auto is_pair = [&](const char* name) {
+        return settings.text(prefix + name).find('x') != std::string::npos;
+    };
+    return (settings.knows("surface") && settings.has("surface")) || is_pair("nodes") || is_pair("length");
 }
 
-AreaScene area_from(const Settings& settings, const std::vector<Setting>& known) {
-    for (const char* name : {"profile", "friction", "datum", "strip-width"})
-        if (settings.has(name))
-            throw rough::InputError(settings.place(name) +
-                                    ": given with an area, expected none: it is for profiles"
-                                    " alone");
-    if (settings.text("kernel") == "strip")
-        throw rough::InputError(settings.place("kernel") +
-                                ": strip given with an area, expected free or periodic");
-    const Settings x = along(settings, known, true), y = along(settings, known, false);
+rough::Model surface_model_from(const Settings& settings, const std::string& prefix) {
+    if (!asks_for_area(settings, prefix))
+        return model_from(settings, prefix);
+    expect_of_areas(settings, prefix, {"datum", "strip-width", "accuracy"});
+    return crossed(model_from(along(settings, prefix, true), prefix),
+                   model_from(along(settings, prefix, false), prefix).grid, settings, prefix);
+}
+
+std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
+    double farthest = 0;
+    if (grid.is_area() && grid.wraps)
+        for (const rough::PlaneWave& wave : plane_waves(genome, grid))
+            farthest = std::max(farthest, wave.moved);
+    return farthest > 1e-12
+               ? "note: wave vectors were moved to the nearest that fit the periodic area, by up to " +
+                     readable(100 * farthest) + " % of their length"
+               : "";
+}
+
+AreaScene area_from(const Settings& settings) {
+    expect_of_areas(settings, "", {"profile", "friction", "datum", "strip-width"});
+    const Settings x = along(settings, "", true), y = along(settings, "", false);
     AreaScene scene;
     if (settings.has("surface")) {
-        rough::Map read = surface_from(settings, known, rough::Detrend::none);
+        rough::Map read = surface_from(settings, rough::Detrend::none);
         scene.map = std::move(read.heights);
-        scene.model = model_from(changed(x, known, {{"spacing", ""}}));
+        scene.model = model_from(x.with({{"spacing", ""}}));
         rough::Grid& grid = scene.model.grid;
         const auto [columns, rows] = scene.map.shape();
         grid.nodes = columns;
@@ -133,22 +144,13 @@ AreaScene area_from(const Settings& settings, const std::vector<Setting>& known)
     } else {
         expect_none(settings, scan_settings(), "given with a genome, expected with --surface only");
         const rough::Source source = rough::open_genome(settings.text("genome"));
-        scene.model = model_from(x, source);
-        rough::Grid& grid = scene.model.grid;
-        const rough::Grid across = model_from(y, source).grid;
-        grid.rows = across.nodes;
-        grid.width = across.length;
-        if (static_cast<double>(grid.nodes) * static_cast<double>(grid.rows) > 1e7)
-            throw rough::InputError("--nodes: '" + settings.text("nodes") +
-                                    "' given, expected at most 1e7 in all");
-        scene.map = sample(*source.genome, grid);
-        if (grid.wraps)
-            if (const std::string note = fit_note(*source.genome, grid); !note.empty())
-                scene.notes.push_back(note);
+        scene.model = crossed(model_from(x, source), model_from(y, source).grid, settings, "");
+        scene.map = sample(*source.genome, scene.model.grid);
+        if (const std::string note = fit_note(*source.genome, scene.model.grid); !note.empty())
+            scene.notes.push_back(note);
     }
     if (scene.model.body.kernel == rough::Kernel::free)
-        scene.notes.push_back(
-            "an area on a half-space needs no datum: displacements are measured to infinity");
+        scene.notes.emplace_back(no_datum_note);
     return scene;
 }
 

@@ -11,15 +11,19 @@ namespace app {
 
 namespace {
 
-const std::map<std::string, std::string> flag_of{{"kernel", "kernel"},
-                                                 {"length_mm", "length"},
-                                                 {"effective_modulus_MPa", "modulus"},
-                                                 {"datum_mm", "datum"},
-                                                 {"strip_width_mm", "strip-width"}};
+const std::map<std::string, std::string> flag_of{{"kernel", "kernel"},   {"length_mm", "length"},
+                                                 {"width_mm", "length"}, {"effective_modulus_MPa", "modulus"},
+                                                 {"datum_mm", "datum"},  {"strip_width_mm", "strip-width"}};
 
 /// Names all that differs, and the flags with which nothing would.
 void expect_same_model(const rough::Target& goal, const rough::Model& model) {
     const auto differences = recorded_differences(goal, model);
+    for (const auto& [key, recorded, own] : differences)
+        if ((key == "datum_mm" && model.grid.is_area()) || (key == "width_mm" && !model.grid.is_area()))
+            throw rough::InputError(goal.name + ": recorded with " + key + " " + recorded +
+                                    ", expected a target of " +
+                                    (model.grid.is_area() ? "an area, which has none"
+                                                          : "a profile, or --nodes and --length as pairs"));
     std::string flags;
     for (const auto& [key, recorded, own] : differences) {
         const auto length = goal.recorded.find("length_mm");

@@ -276,6 +276,16 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
     return settings;
 }
 
+Settings Settings::with(const std::map<std::string, std::string>& values) const {
+    Settings changed = *this;
+    for (const auto& [name, value] : values)
+        if (value.empty())
+            changed.given_.erase(name);
+        else
+            changed.given_[name] = value;
+    return changed;
+}
+
 std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists) {
     std::vector<Setting> all;
     for (const auto& list : lists)

@@ -154,6 +154,35 @@ void write_plot(std::ostream& out, const Plot& plot) {
     out << (drawings.empty() ? "unset logscale\nplot [0:1] [0:1] NaN notitle" : "plot " + drawings) << "\n";
 }
 
+/// Dark to light, as people who see colours differently can tell it.
+constexpr const char* shades_palette = "set palette defined (0 '#352a87', 0.25 '#0f5cdd', 0.5 '#06a4ca', "
+                                       "0.75 '#b1be59', 1 '#f9fb0e') maxcolors 64\n";
+
+/// A picture has no more places than that along an axis.
+constexpr Eigen::Index most_shades = 256;
+
+void write_shades(std::ostream& out, const Plot& plot) {
+    const Shades& shades = *plot.shades;
+    const Eigen::Index columns = shades.values.rows(), rows = shades.values.cols();
+    const Eigen::Index every = (std::max(columns, rows) + most_shades - 1) / most_shades;
+    out << "$m << EOD\n";
+    for (Eigen::Index j = 0; j < rows; j += every) {
+        for (Eigen::Index i = 0; i < columns; i += every)
+            std::isfinite(shades.values(i, j)) ? out << shades.values(i, j) << " " : out << "NaN ";
+        out << "\n";
+    }
+    out << "EOD\nset terminal svg size 480," << plot.height << " dynamic rounded enhanced font 'Arial,14'\n";
+    write_axis(out, "x", plot.x);
+    write_axis(out, "y", plot.y);
+    const auto step = [every](double to, Eigen::Index count) {
+        return static_cast<double>(every) * to / static_cast<double>(std::max<Eigen::Index>(1, count - 1));
+    };
+    out << "set size ratio -1\nunset grid\n"
+        << shades_palette << "set cblabel " << gnuplot_text(shades.label)
+        << " noenhanced\nplot $m matrix using ($1*" << step(shades.to_x, columns) << "):($2*"
+        << step(shades.to_y, rows) << "):3 with image notitle\nset size noratio\nset grid\n";
+}
+
 constexpr const char* document = "<?xml";
 
 /// gnuplot's documents; in their texts '<' is escaped.
@@ -174,7 +203,7 @@ Drawing drawn_together(const std::vector<Plot>& plots, const std::string& name, 
     script << "set encoding utf8\nset minussign\nset border 3\nset tics nomirror out scale 0.4\nset "
               "grid\nset samples 2\n";
     for (const Plot& plot : plots)
-        write_plot(script, plot);
+        plot.shades ? write_shades(script, plot) : write_plot(script, plot);
     const Drawn drawn = run_gnuplot(script.str(), seconds);
     const std::vector<std::string> documents = documents_of(drawn.pictures);
     Drawing result{{}, drawn.failure};

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +48,13 @@ struct Guide {
     bool across = false; ///< horizontal, at a value of y
 };
 
+/// Values on the nodes of a rectangle as colours, with their scale beside it.
+struct Shades {
+    Eigen::MatrixXd values;    ///< a column a row of nodes along x; NaN stays empty
+    double to_x = 1, to_y = 1; ///< ends of the axes, which begin at 0
+    std::string label;         ///< of the scale, with its unit
+};
+
 struct Plot {
     std::string alt;        ///< what there is to see, for who does not see it
     std::string title = {}; ///< a page sets it over the picture
@@ -55,6 +63,7 @@ struct Plot {
     std::vector<Guide> guides = {};
     std::string key = "tmargin left horizontal"; ///< where the labels stand, in gnuplot's words; or "off"
     double height = 300;                         ///< of 480 units wide
+    std::optional<Shades> shades = {};           ///< under the series
 };
 
 /// Pictures, each empty where it could not be drawn, and why.

@@ -32,14 +32,20 @@ constexpr std::array<Ink, 9> inks{{
     {"unseen", "#040506", 4, 5, 6, "#22262b", "#e4e6e8"},
 }};
 
-/// The class for a colour as gnuplot writes it; its own black and grey are the axes and the grid.
-std::string ink_class(const std::string& colour) {
+/// The ink of a colour as gnuplot writes it, or none.
+const Ink* ink_of(const std::string& colour) {
     int red = 0, green = 0, blue = 0;
     if (std::sscanf(colour.c_str(), "rgb(%d,%d,%d)", &red, &green, &blue) == 3)
         for (const Ink& ink : inks)
             if (ink.red == red && ink.green == green && ink.blue == blue)
-                return ink.name;
-    return colour == "gray" ? "grid" : "text";
+                return &ink;
+    return nullptr;
+}
+
+/// Its class; gnuplot's own black and grey are the axes and the grid.
+std::string ink_class(const std::string& colour) {
+    const Ink* ink = ink_of(colour);
+    return ink ? ink->name : colour == "gray" ? "grid" : "text";
 }
 
 /// "95.13" as "95.1", "242.00" as "242"
@@ -116,6 +122,17 @@ class Tidy {
             return group(element, pen);
         if (name == "path")
             return path(element, pen);
+        if (name == "image")
+            return "<image preserveAspectRatio=\"none\"" + attribute("x", shortened(given(element, "x"))) +
+                   attribute("y", shortened(given(element, "y"))) +
+                   attribute("width", shortened(given(element, "width"))) +
+                   attribute("height", shortened(given(element, "height"))) +
+                   attribute("href", given(element, "xlink:href")) + "/>";
+        // A colour of a scale, which is no ink.
+        if (const std::string fill = given(element, "fill");
+            name == "polygon" && fill.starts_with("rgb") && !ink_of(fill))
+            return "<polygon" + attribute("style", "fill:" + fill) +
+                   attribute("points", shortened(given(element, "points"))) + "/>";
         if (name == "polygon")
             return "<polygon" + attribute("class", ink_class(given(element, "fill"))) +
                    attribute("points", shortened(given(element, "points"))) + "/>";

@@ -33,7 +33,8 @@ json variant_json(const VariantRun& variant, const std::vector<rough::Model>& lo
         result["pipeline"] = variant.pipeline;
     for (const rough::Model& model : loaded)
         result["modelled"].push_back(modelled_json(variant.answer.genome, model));
-    if (const rough::Model& model = loaded.front(); model.body.kernel == rough::Kernel::free)
+    if (const rough::Model& model = loaded.front();
+        model.body.kernel == rough::Kernel::free && !model.grid.is_area())
         for (const double stiffness : variant.answer.response.tangent_stiffness)
             result["tangent_stiffness_per_ln_datum_MPa_per_mm"].push_back(
                 rough::datum_sensitivity(stiffness, model.grid.length, model.body.effective_modulus));
@@ -71,7 +72,10 @@ json model_json(const rough::Model& model) {
                    {"accuracy", nullptr}};
     if (model.accuracy > 0)
         result["accuracy"] = model.accuracy;
-    if (model.body.kernel == rough::Kernel::free)
+    if (model.grid.is_area()) {
+        result["nodes"] = {model.grid.nodes, model.grid.rows};
+        result["length_mm"] = {model.grid.length, model.grid.width};
+    } else if (model.body.kernel == rough::Kernel::free)
         result["datum_mm"] = model.body.datum;
     if (model.body.kernel == rough::Kernel::strip)
         result["strip_width_mm"] = model.body.strip_width;

@@ -61,7 +61,8 @@ inline void from_json(const nlohmann::json& j, Target& target) {
 }
 
 inline void to_json(nlohmann::json& j, const DesignSetup& setup) {
-    const auto& [model, targets, max_pressure, threshold, bounds, phases, limits, outlook, like, ridges] = setup;
+    const auto& [model, targets, max_pressure, threshold, bounds, phases, limits, outlook, like, ridges] =
+        setup;
     const auto& [H_from, H_to, gamma_from, gamma_to, lambda_from, lambda_to] = bounds;
     const auto& [shortest_wave, largest_slope, largest_height, smallest_radius] = limits;
     const auto known = [](const auto& value) { return value ? nlohmann::json(*value) : nlohmann::json(); };

@@ -34,7 +34,12 @@ Shown shown_as(const rough::Target& goal) {
     }
 }
 
-Plot goal_plot(const DesignRun& run, std::size_t g) {
+/// The answer's.
+struct Curves {
+    rough::DesignResponse own, finer; ///< on the set-up's grid and on one four times finer
+};
+
+Plot goal_plot(const DesignRun& run, const Curves& curves, std::size_t g) {
     const rough::Target& goal = run.setup.targets[g];
     const Shown shown = shown_as(goal);
     Plot plot;
@@ -42,12 +47,11 @@ Plot goal_plot(const DesignRun& run, std::size_t g) {
     plot.title = std::filesystem::path(goal.name).filename().string();
     plot.x = {shown.x, false, 0, unset};
     plot.y = {shown.y, false, 0, unset};
-    for (const auto& [refine, label, dash] :
-         {std::tuple(1, "answer", Dash::solid), std::tuple(4, "on a grid four times finer", Dash::dashed)}) {
-        const auto response = respond(run.setup, run.found.best.genome, refined(run.setup.model, refine));
-        const rough::Curve curve = to_its_end(response.curves[g]);
-        plot.series.push_back({label, shown.unit.factor * curve.x, curve.y,
-                               refine == 1 ? Colour::blue : Colour::orange, Style::line, 2, dash});
+    for (const auto& [response, label, colour, dash] :
+         {std::tuple(&curves.own, "answer", Colour::blue, Dash::solid),
+          std::tuple(&curves.finer, "on a grid four times finer", Colour::orange, Dash::dashed)}) {
+        const rough::Curve curve = to_its_end(response->curves[g]);
+        plot.series.push_back({label, shown.unit.factor * curve.x, curve.y, colour, Style::line, 2, dash});
     }
     if (run.from) {
         const rough::Curve before =
@@ -63,7 +67,7 @@ Plot goal_plot(const DesignRun& run, std::size_t g) {
     return plot;
 }
 
-Plot misfit_plot(const DesignRun& run, std::size_t g) {
+Plot misfit_plot(const DesignRun& run, const Curves& curves, std::size_t g) {
     const rough::Target& goal = run.setup.targets[g];
     const Shown shown = shown_as(goal);
     Plot plot;
@@ -72,14 +76,51 @@ Plot misfit_plot(const DesignRun& run, std::size_t g) {
     plot.x = {shown.x, false, 0, unset};
     plot.y = {"Misfit (%)"};
     plot.guides = {{0, true}};
-    for (const int refine : {1, 4}) {
-        const auto response = respond(run.setup, run.found.best.genome, refined(run.setup.model, refine));
-        plot.series.push_back({refine == 1 ? "answer" : "on a grid four times finer",
-                               shown.unit.factor * goal.x,
-                               100 / goal.weight * misfit(goal, response.curves[g]),
-                               refine == 1 ? Colour::blue : Colour::orange, Style::line_points, 1.5});
-    }
+    for (const auto& [response, label, colour] :
+         {std::tuple(&curves.own, "answer", Colour::blue),
+          std::tuple(&curves.finer, "on a grid four times finer", Colour::orange)})
+        plot.series.push_back({label, shown.unit.factor * goal.x,
+                               100 / goal.weight * misfit(goal, response->curves[g]), colour,
+                               Style::line_points, 1.5});
     return plot;
+}
+
+/// Heights of an area, or what stands at its nodes.
+Plot shades_plot(const rough::Grid& grid, const Eigen::VectorXd& values, const std::string& title,
+                 const std::string& label, const std::string& alt) {
+    Plot plot;
+    plot.alt = alt;
+    plot.title = title;
+    plot.x = {"x (mm)", false, 0, grid.length};
+    plot.y = {"y (mm)", false, 0, grid.width};
+    plot.height = 400;
+    plot.shades = {values.reshaped(grid.nodes, grid.rows),
+                   grid.spacing() * static_cast<double>(grid.nodes - 1),
+                   grid.row_spacing() * static_cast<double>(grid.rows - 1), label};
+    return plot;
+}
+
+Plot heights_plot(const DesignRun& run, const rough::Genome& genome, const std::string& title) {
+    const Eigen::VectorXd z = sample(genome, run.setup.model.grid).heights;
+    const Unit unit = length_unit(z.maxCoeff() - z.minCoeff());
+    return shades_plot(run.setup.model.grid, unit.factor * (z.array() - z.maxCoeff()).matrix(), title,
+                       "Height under the highest point (" + unit.name + ")",
+                       "Heights of the surface as colours");
+}
+
+/// At the end of the load.
+Plot pressure_plot(const DesignRun& run) {
+    const rough::Model& model = run.setup.model;
+    rough::ContactOptions options = model.contact;
+    options.states = true;
+    const auto last = solve_contact(sample(run.found.best.genome, model.grid), model.body,
+                                    {run.response.displacement.tail(1)[0]}, options);
+    Eigen::VectorXd pressure = Eigen::VectorXd::Constant(model.grid.shape().nodes(), unset);
+    pressure(last.states[0].nodes) = last.states[0].pressure;
+    const Unit unit = pressure_unit(last.states[0].pressure.maxCoeff());
+    return shades_plot(model.grid, unit.factor * pressure, "Where it touches",
+                       "Pressure at the last load (" + unit.name + ")",
+                       "Contact pressure at the last load step as colours, nothing where there is none");
 }
 
 Plot scan_plot(const rough::Profile& scan) {
@@ -124,13 +165,15 @@ Plot profile_plot(const DesignRun& run) {
 
 void add_answer(Page& page, const DesignRun& run) {
     page.section("The answer");
+    const Curves curves{respond(run.setup, run.found.best.genome, run.setup.model),
+                        scored(run.setup, run.found.best.judgement.on_finer)};
     for (std::size_t g = 0; g < run.setup.targets.size(); ++g)
         page.figure(
             {"goal-" + std::to_string(g + 1),
              "Figure " + std::to_string(g + 1) + ". Asked and found.",
              "Points are the target; the answer is judged by its worst similarity: on its own grid, on one "
              "four times finer, in four times the load steps, and both.",
-             {goal_plot(run, g), misfit_plot(run, g)}});
+             {goal_plot(run, curves, g), misfit_plot(run, curves, g)}});
     Table limits{
         "What can be made", {"Quantity", "Limit", "Of the answer", "Margin"}, {}, {false, true, true, true}};
     const auto in_words = [](const std::string& name) -> std::string {
@@ -199,7 +242,16 @@ void add_alternatives(Page& page, const DesignRun& run) {
     Figure surfaces{"profiles",
                     "Figure " + std::to_string(run.setup.targets.size() + 1) + ". The surfaces.",
                     "Heights under the highest point of each.",
-                    {profile_plot(run)}};
+                    {}};
+    if (run.setup.model.grid.is_area()) {
+        surfaces.caption = "Heights, and where the first answer touches at the end of the load.";
+        for (std::size_t i = 0; i < run.found.alternatives.size() && i < line_colours.size(); ++i)
+            surfaces.panels.push_back(
+                heights_plot(run, run.found.alternatives[i].genome, "Answer " + std::to_string(i + 1)));
+        surfaces.panels.insert(surfaces.panels.begin() + 1, pressure_plot(run));
+    } else {
+        surfaces.panels.push_back(profile_plot(run));
+    }
     if (run.setup.like) {
         surfaces.caption = "The surface that was measured, and those that answer a load as it does.";
         surfaces.panels.insert(surfaces.panels.begin(), scan_plot(*run.setup.like));
@@ -279,12 +331,17 @@ std::string design_page(const DesignRun& run, double seconds) {
         page.prose(account + ".");
     page.code(run.origin.command);
     const rough::Model& model = run.setup.model;
-    page.prose(
-        "Seed " + std::to_string(run.origin.seed) + "; " + name_of(model.body.kernel) +
-        " body, E* = " + readable(model.body.effective_modulus) + " MPa" +
-        (model.body.kernel == rough::Kernel::free ? ", datum " + readable(model.body.datum) + " mm" : "") +
-        "; " + std::to_string(model.grid.nodes) + " nodes on " + readable(model.grid.length, 6) + " mm; " +
-        std::to_string(model.loading.steps) + " load steps; rugosa " + run.origin.version + ". The search:");
+    page.prose("Seed " + std::to_string(run.origin.seed) + "; " + name_of(model.body.kernel) +
+               " body, E* = " + readable(model.body.effective_modulus) + " MPa" +
+               (model.body.kernel == rough::Kernel::free && !model.grid.is_area()
+                    ? ", datum " + readable(model.body.datum) + " mm"
+                    : "") +
+               "; " + std::to_string(model.grid.nodes) +
+               (model.grid.is_area() ? " x " + std::to_string(model.grid.rows) : "") + " nodes on " +
+               readable(model.grid.length, 6) +
+               (model.grid.is_area() ? " x " + readable(model.grid.width, 6) : "") + " mm; " +
+               std::to_string(model.loading.steps) + " load steps; rugosa " + run.origin.version +
+               ". The search:");
     page.code(run.found.pipeline);
     page.prose(std::to_string(run.found.counters.evaluations) + " curves and " +
                std::to_string(run.found.counters.gradients) + " gradients in " + readable(run.seconds) +

@@ -33,6 +33,7 @@ class Schedule {
     ga::Stopwatch clock_;
     double limit_;
     int threads_;
+    bool area_;
     double both_ = 0;  ///< an answer's curves on both grids
     double page_ = 0;  ///< the report
     double trust_ = 0; ///< verifying, all of it

@@ -1,5 +1,6 @@
 #include "apps/commands/design/settings.hpp"
 
+#include "apps/prompt/area_settings.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/scan_settings.hpp"
@@ -104,7 +105,9 @@ std::vector<Setting> design_settings() {
         {"reach-similarity", "",
          "end as soon as an answer has this similarity at its worst, begin anew up to 8 times for it; exit "
          "3 if none has"},
-        {"alternatives", std::to_string(rough::SearchOptions().alternatives), "different answers to return"},
+        {"alternatives", "",
+         "different answers to return [" + std::to_string(rough::SearchOptions().alternatives) +
+             "; of an area, where each is judged at length: 1]"},
         {"out", "", "folder for the results [out/design, or out/design-2 and on]"},
         {"force", "", "write over an existing result", true},
         {"resume", "",
@@ -113,6 +116,7 @@ std::vector<Setting> design_settings() {
         {"pictures", "on", "off leaves out the report"},
         {"seed", "1", "seed of the random numbers"},
         {"threads", "0", "threads; 0 takes all"},
+        {"ridges", "", "ridges of each chromosome of drawn genomes [1; an area, their directions: 8]"},
         {"shortest-wave", "", "shortest wave that can be made, mm [8 node distances]"},
         {"largest-slope", "", "largest slope that can be made"},
         {"largest-height", "", "largest height range, mm"},
@@ -162,6 +166,14 @@ DesignRun design_from(const Settings& settings) {
         setup.phases = rough::PhaseReach{0, 2 * std::numbers::pi * run.from->largest_change};
     if (settings.has("max-pressure"))
         setup.max_pressure = settings.pressure("max-pressure");
+    if (settings.has("ridges"))
+        setup.ridges = static_cast<int>(settings.whole("ridges", 1, 64));
+    const bool area = asks_for_area(settings);
+    for (const char* name : {"like", "database", "from"})
+        if (area && settings.has(name))
+            throw rough::InputError(settings.place(name) +
+                                    ": given with an area, expected --target: scans and stored curves are of "
+                                    "profiles");
     if (settings.has("like")) {
         const rough::Source scan = scan_from(settings.text("like"), settings, 0);
         run.accounts.push_back(scan.account);
@@ -174,9 +186,11 @@ DesignRun design_from(const Settings& settings) {
     } else {
         expect_none(settings, joined({scan_settings(), {{"points", "", ""}, {"quantity", "", ""}}}),
                     "given with --target, expected with --like only");
-        setup.model =
-            run.from ? model_from(settings, rough::open_genome(run.from->file)) : model_from(settings);
+        setup.model = run.from ? model_from(settings, rough::open_genome(run.from->file))
+                               : surface_model_from(settings);
         setup.targets = goals_from(settings, setup.model);
+        if (area && setup.model.body.kernel == rough::Kernel::free)
+            run.accounts.emplace_back(no_datum_note);
     }
     for (const rough::Target& goal : setup.targets)
         if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
@@ -203,7 +217,10 @@ DesignRun design_from(const Settings& settings) {
         options.variant = "pipeline";
     options.seed = settings.seed("seed");
     options.threads = settings.threads("threads");
-    options.alternatives = static_cast<std::size_t>(settings.whole("alternatives", 1, 100));
+    if (settings.has("alternatives"))
+        options.alternatives = static_cast<std::size_t>(settings.whole("alternatives", 1, 100));
+    else if (area)
+        options.alternatives = 1;
     if (settings.has("seconds"))
         options.seconds = settings.positive("seconds");
     if (settings.has("reach-similarity"))

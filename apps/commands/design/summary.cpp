@@ -193,16 +193,20 @@ std::string making(const DesignRun& run) {
 
 std::string carries(const DesignRun& run) {
     const rough::Model& model = run.setup.model;
-    const std::string body =
-        std::string(name_of(model.body.kernel)) + " body, length " + brief(model.grid.length, 5) + " mm";
-    const bool has_datum = model.body.kernel == rough::Kernel::free;
+    const std::string body = std::string(name_of(model.body.kernel)) + " body, length " +
+                             brief(model.grid.length, 5) +
+                             (model.grid.is_area() ? " x " + brief(model.grid.width, 5) : "") + " mm";
+    const bool has_datum = model.body.kernel == rough::Kernel::free && !model.grid.is_area();
     std::string all;
     for (const rough::Target& target : run.setup.targets) {
         const Quantity quantity = target.quantity;
         const std::string name = in_words(quantity);
         std::string own;
         if (quantity == Quantity::interface_stiffness)
-            own = name + ": over any datum, and over lengths weakly, at light loads";
+            own = name + (model.grid.is_area() ? ": over lengths weakly, at light loads"
+                                               : ": over any datum, and over lengths weakly, at light loads");
+        else if (model.grid.is_area())
+            own = name + ": for this length alone, with no datum to choose";
         else if (quantity == Quantity::area_at_pressure)
             own = name + ": over any datum, for this length alone";
         else if (!has_datum)
@@ -247,7 +251,7 @@ std::string in_the_way(const DesignRun& run) {
     std::string all;
     if (run.bound < run.wanted)
         join(all, "no profile has a similarity above " + readable(run.bound, 4));
-    const double nodes = static_cast<double>(run.setup.model.grid.nodes);
+    const double nodes = static_cast<double>(run.setup.model.grid.shape().nodes());
     for (const rough::Target& target : run.setup.targets)
         if (is_area(target.quantity) && 0.5 / (target.y[0] * nodes) > 1 - run.wanted)
             join(all, "at its first point the area asked for is " + readable(target.y[0] * nodes) + " of " +

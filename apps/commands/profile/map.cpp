@@ -46,9 +46,8 @@ nlohmann::json numbers_of(const rough::Profile& map, const rough::ArealParameter
 
 } // namespace
 
-int profile_map(const Settings& settings, const std::vector<Setting>& known,
-                const rough::Extrusion& extrusion) {
-    const rough::Map read = surface_from(settings, known, rough::Detrend::line);
+int profile_map(const Settings& settings, const rough::Extrusion& extrusion) {
+    const rough::Map read = surface_from(settings, rough::Detrend::line);
     const rough::Profile& map = read.heights;
     const bool wraps = settings.is_on("periodic");
     const rough::ArealParameters areal = areal_parameters(map, wraps);

@@ -6,7 +6,6 @@
 namespace app {
 
 /// `rugosa profile --surface`: what a map is, as files and a page; `known` are the command's settings.
-int profile_map(const Settings& settings, const std::vector<Setting>& known,
-                const rough::Extrusion& extrusion);
+int profile_map(const Settings& settings, const rough::Extrusion& extrusion);
 
 } // namespace app

@@ -2,6 +2,7 @@
 
 #include "apps/cluster/evaluator.hpp"
 #include "apps/experiments/variants/run.hpp"
+#include "apps/prompt/area_settings.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/target_files.hpp"
 #include "apps/report/csv.hpp"
@@ -25,21 +26,28 @@ namespace {
 
 using nlohmann::json;
 
+/// Every target on every grid of model.nodes; those of the first grid are called by the target alone.
 std::vector<RaceTarget> targets_from(const Settings& settings) {
+    std::vector<std::string> grids = rough::listed(settings.text("model.nodes"));
+    if (grids.empty())
+        grids.emplace_back();
     std::vector<RaceTarget> targets;
-    for (const std::filesystem::path& path : target_files(settings, "targets.files")) {
-        RaceTarget target;
-        target.setup.model = model_from(settings, "model.");
-        target.setup.model.accuracy = accuracy_from(settings, "model.");
-        target.setup.targets = {rough::read_target(path)};
-        target.setup.targets[0].name = path.stem().string();
-        if (settings.has("targets.max-pressure"))
-            target.setup.max_pressure = settings.pressure("targets.max-pressure");
-        if (settings.has("targets.shortest-wave"))
-            target.setup.limits.shortest_wave = settings.positive("targets.shortest-wave");
-        target.setup = placing(settings, "targets.", [&] { return completed(target.setup); });
-        targets.push_back(std::move(target));
-    }
+    for (const std::string& nodes : grids)
+        for (const std::filesystem::path& path : target_files(settings, "targets.files")) {
+            RaceTarget target;
+            target.setup.model = surface_model_from(settings.with({{"model.nodes", nodes}}), "model.");
+            target.setup.model.accuracy = accuracy_from(settings, "model.");
+            if (settings.has("database.ridges"))
+                target.setup.ridges = static_cast<int>(settings.whole("database.ridges", 1, 64));
+            target.setup.targets = {rough::read_target(path)};
+            target.setup.targets[0].name = path.stem().string() + (nodes == grids[0] ? "" : "-" + nodes);
+            if (settings.has("targets.max-pressure"))
+                target.setup.max_pressure = settings.pressure("targets.max-pressure");
+            if (settings.has("targets.shortest-wave"))
+                target.setup.limits.shortest_wave = settings.positive("targets.shortest-wave");
+            target.setup = placing(settings, "targets.", [&] { return completed(target.setup); });
+            targets.push_back(std::move(target));
+        }
     std::vector<std::string> names;
     for (const RaceTarget& target : targets)
         names.push_back(target.setup.targets[0].name);
@@ -176,6 +184,7 @@ std::vector<Setting> variants_settings() {
         {"targets.files", "", "target curves (CSV), with commas between"},
         {"targets.max-pressure", "", "p_max of Eq. 11, MPa [amplitude is a gene]"},
         {"targets.shortest-wave", "", "shortest wave, mm [8 node distances]"},
+        {"database.ridges", "", "ridges of each chromosome [1; an area, their directions: 8]"},
         {"variants.*", "", "a way to search: a named variant or a pipeline as text"},
     };
     return joined({settings, model_settings("model."), {accuracy_setting("model.")}});
@@ -188,7 +197,9 @@ Race raced(const Settings& settings, const Conditions& conditions) {
     race.budget = settings.whole("experiment.budget", 1, 1000000000);
     const long seeds = settings.whole("experiment.seeds", 1, 1000);
     const auto evaluator = design_evaluator(race.origin.threads);
-    for (RaceTarget& target : race.targets)
+    for (RaceTarget& target : race.targets) {
+        const bool area = target.setup.model.grid.is_area();
+        const auto memory = area ? std::make_shared<rough::ResponseMemory>() : nullptr;
         for (const std::string& name : settings.names_under("variants.")) {
             const std::string way(rough::trim(settings.text("variants." + name)));
             const bool named = rough::design_variants().count(way) > 0;
@@ -203,11 +214,15 @@ Race raced(const Settings& settings, const Conditions& conditions) {
                 options.evaluator = evaluator.get();
                 options.evaluations = race.budget;
                 options.stop = &conditions.stop;
+                options.memory = memory; // an area's database is pressed once for all ways
+                if (area)
+                    options.alternatives = 1;
                 variant.runs.push_back(
                     read_at(settings, "variants." + name, [&] { return run_once(target, name, options); }));
             }
             target.variants.push_back(std::move(variant));
         }
+    }
     return race;
 }
 

@@ -92,6 +92,20 @@ TEST_CASE("a picture as a file brings its own colours") {
     CHECK(file.find(".plot .red{color:") != std::string::npos);
 }
 
+TEST_CASE("values on a rectangle are an image with a scale of its own colours") {
+    Plot plot;
+    plot.alt = "Heights";
+    plot.x = {"x (mm)", false, 0, 2};
+    plot.y = {"y (mm)", false, 0, 1};
+    plot.shades = {Eigen::MatrixXd::Random(300, 20), 2, 1, "Height (mm)"};
+    plot.shades->values(3, 3) = unset;
+    const std::string picture = svg({plot, Plot{}}, "map").front();
+    CHECK(picture.find("<image preserveAspectRatio=\"none\"") != std::string::npos);
+    CHECK(picture.find("href=\"data:image/png;base64,") != std::string::npos);
+    CHECK(picture.find("style=\"fill:rgb(") != std::string::npos);
+    CHECK(picture.find("Height (mm)") != std::string::npos);
+}
+
 TEST_CASE("without gnuplot a picture is refused in one line that says what to install") {
     const std::string path = std::getenv("PATH");
     setenv("PATH", "/nowhere", 1);
