@@ -131,7 +131,7 @@ class Tidy {
         // A colour of a scale, which is no ink.
         if (const std::string fill = given(element, "fill");
             name == "polygon" && fill.starts_with("rgb") && !ink_of(fill))
-            return "<polygon" + attribute("style", "fill:" + fill) +
+            return "<polygon" + attribute("style", "fill:" + fill) + " shape-rendering=\"crispEdges\"" +
                    attribute("points", shortened(given(element, "points"))) + "/>";
         if (name == "polygon")
             return "<polygon" + attribute("class", ink_class(given(element, "fill"))) +

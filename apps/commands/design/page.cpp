@@ -338,9 +338,9 @@ std::string design_page(const DesignRun& run, double seconds) {
                     : "") +
                "; " + std::to_string(model.grid.nodes) +
                (model.grid.is_area() ? " x " + std::to_string(model.grid.rows) : "") + " nodes on " +
-               readable(model.grid.length, 6) +
-               (model.grid.is_area() ? " x " + readable(model.grid.width, 6) : "") + " mm; " +
-               std::to_string(model.loading.steps) + " load steps; rugosa " + run.origin.version +
+               (model.grid.is_area() ? brief(model.grid.length, 6) + " x " + brief(model.grid.width, 6)
+                                     : readable(model.grid.length, 6)) +
+               " mm; " + std::to_string(model.loading.steps) + " load steps; rugosa " + run.origin.version +
                ". The search:");
     page.code(run.found.pipeline);
     page.prose(std::to_string(run.found.counters.evaluations) + " curves and " +
