@@ -90,7 +90,8 @@ int design(const Words& words) {
 
     const Interrupt interrupt;
     Progress progress;
-    const Schedule schedule(clock, run.options.seconds, run.setup, run.options.threads, pictures);
+    const std::optional<rough::Genome> start = run.from ? std::optional(run.from->genome) : std::nullopt;
+    const Schedule schedule(clock, run.options.seconds, run.setup, start, run.options.threads, pictures);
     if (schedule.least() > run.options.seconds)
         say("note: an answer on this grid and the finer one takes about " + readable(schedule.least(), 2) +
             " s, more than --seconds gives; expected more of it, or fewer --nodes");

@@ -37,7 +37,8 @@ std::vector<Wave> waves(const Genome& genome);
 double shortest_wave(const Genome& genome);
 
 /// n_f of Eq. 4: the largest n whose wave length is at least `shortest` (mm), with a guard of 1e-12 so that
-/// an exact power keeps its last chromosome; 0 if there is none.
+/// an exact power keeps its last chromosome; 0 if there is none. Throws InputError on `shortest` of 0 and
+/// gamma of 1, which have no last one.
 int last_chromosome(double lambda, double gamma, double shortest);
 
 /// The genome with only the chromosomes that are kept; series left without any go.

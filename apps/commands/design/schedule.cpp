@@ -36,12 +36,12 @@ double seconds_of(double most, Work work) {
 
 } // namespace
 
-Schedule::Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& setup, int threads,
-                   bool pictures)
+Schedule::Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& setup,
+                   const std::optional<rough::Genome>& start, int threads, bool pictures)
     : clock_(clock), limit_(limit), threads_(ga::thread_count(threads)), area_(setup.model.grid.is_area()) {
     if (std::isinf(limit))
         return;
-    const rough::Genome genome = shaped_start(setup, ga::Stream(0));
+    const rough::Genome genome = start ? *start : shaped_start(setup, ga::Stream(0));
     const double look = 0.05 * limit;
     const double coarse = seconds_of(look, [&] { similarity(setup, genome); });
     // Where there is no time to look: a direct solver's cost grows with the square.

@@ -11,8 +11,10 @@ namespace app {
 /// the report leave. What these take is measured on a first start of the design itself.
 class Schedule {
   public:
-    /// `limit` seconds by the clock, infinite for no limit (nothing is measured then).
-    Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& setup, int threads, bool pictures);
+    /// `limit` seconds by the clock, infinite for no limit (nothing is measured then); `start` is what the
+    /// design begins with, where that is given.
+    Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& setup,
+             const std::optional<rough::Genome>& start, int threads, bool pictures);
 
     double spent() const { return clock_.seconds(); }
     /// Seconds that a start, an answer picked on both grids and the report take without any search.

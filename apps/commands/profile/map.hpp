@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// `rugosa profile --surface`: what a map is, as files and a page; `known` are the command's settings.
+/// `rugosa profile --surface`: what a map is, as files and a page.
 int profile_map(const Settings& settings, const rough::Extrusion& extrusion);
 
 } // namespace app

@@ -57,6 +57,18 @@ TEST_CASE("a drifted surface is brought back by the chromosomes that may be chan
     CHECK(page.find("The change") != std::string::npos);
 }
 
+TEST_CASE("a morph has its time, too") {
+    const Folder folder;
+    prepare(folder);
+    const Ended ended =
+        rugosa("design --from drifted.json --control 1:2,1:4 --largest-change 0.1 --target T.csv "
+               "--seconds 20 --pictures off --out r",
+               folder.path());
+    INFO(ended.err << ended.out);
+    CHECK(ended.code == 0);
+    CHECK(result_in(folder / "r")["variants"]["morph"]["similarity"].get<double>() >= 0.99);
+}
+
 TEST_CASE("a morph asked for amiss is refused in one line that says how it is asked for") {
     const Folder folder;
     prepare(folder);

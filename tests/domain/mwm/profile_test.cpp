@@ -64,6 +64,7 @@ TEST_CASE("the last chromosome of an exact power is kept") {
     CHECK(last_chromosome(1.4 * 1.4, 1.4, 1) == 3);
     CHECK(last_chromosome(std::pow(1.5, 5), 1.5, 1) == 6);
     CHECK(last_chromosome(0.84942, 1.4, 0.84942 / 511) == 19);
+    CHECK_THROWS_AS(last_chromosome(1, 1.5, 0), InputError); // there is none
     CHECK(last_chromosome(1, 2, 2) == 0);
 }
 
