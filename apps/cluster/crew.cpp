@@ -52,6 +52,25 @@ constexpr double roll_seconds = 0.4;
 /// s of silence until a rank is given up.
 double patience = 10;
 
+/// Seconds between two signs of life.
+double interval() { return std::min(0.5, patience / 5); }
+
+/// Since when another was silent. Time in which oneself did not listen does not count: a whole run may be
+/// suspended and go on.
+class Silence {
+  public:
+    void broken() { heard_ = listened_ = ga::Stopwatch(); }
+    bool too_long() {
+        if (listened_.seconds() > patience / 2)
+            broken();
+        listened_ = ga::Stopwatch();
+        return heard_.seconds() > patience;
+    }
+
+  private:
+    ga::Stopwatch heard_, listened_;
+};
+
 /// Ever longer while nothing happens: a tenth of the time waited, up to a millisecond.
 class Pause {
   public:
@@ -72,7 +91,7 @@ struct Mate {
     bool introduced = false, present = true, left = false;
     std::shared_ptr<const Assignment> told = {}; ///< the last setting sent
     std::deque<std::uint64_t> has = {};          ///< chunks that it was given
-    ga::Stopwatch heard = {};
+    Silence silence = {};
 };
 
 /// What a rank has done.
@@ -92,6 +111,7 @@ class Foreman {
         : mates_(static_cast<std::size_t>(ranks - 1)), shares_(static_cast<std::size_t>(ranks)) {}
 
     void meet(const Words& words) {
+        beat_ = std::jthread([this](const std::stop_token& stop) { beat(stop); });
         wait_for(patience, [](const Mate& mate) { return mate.introduced; });
         for_each([&](int rank, Mate& mate) {
             if (!mate.introduced && (lost_ = true))
@@ -139,9 +159,12 @@ class Foreman {
     }
 
     int leave(int code) {
+        beat_ = {};
         for (std::size_t rank = 0; rank < shares_.size(); ++rank)
             tell("rank " + std::to_string(rank) + ": " + std::to_string(shares_[rank].tasks) + " tasks in " +
                  readable(shares_[rank].seconds) + " s");
+        tell("rank 0: " + std::to_string(ranks::traffic().messages) + " messages, " +
+             std::to_string(ranks::traffic().bytes) + " bytes");
         std::cout.flush();
         for_each([&](int rank, Mate&) { ranks::send(rank, end, ""); });
         wait_for(lost_ || stop_asked() ? roll_seconds : patience, [](const Mate& mate) { return mate.left; });
@@ -187,7 +210,7 @@ class Foreman {
                         ranks::send(rank, setting, framed({of_->kind, of_->setting}));
                     }
                     if (mate.has.empty())
-                        mate.heard = ga::Stopwatch();
+                        mate.silence.broken();
                     mate.has.push_back(one.id);
                     std::vector<std::string> parts{number_bytes(one.id), number_bytes(one.threads)};
                     parts.insert(parts.end(), one.tasks.begin(), one.tasks.end());
@@ -237,7 +260,7 @@ class Foreman {
         const std::vector<ranks::Message> messages = ranks::arrived();
         for (const ranks::Message& message : messages) {
             Mate& mate = mates_[static_cast<std::size_t>(message.rank) - 1];
-            mate.heard = ga::Stopwatch();
+            mate.silence.broken();
             mate.present = true;
             if (message.word == hello) {
                 const auto parts = unframed(message.bytes);
@@ -245,6 +268,9 @@ class Foreman {
                 mate.threads = number_of<int>(parts.at(1));
                 says_[message.rank] = parts.at(2);
                 mate.introduced = true;
+            } else if (message.word == end) {
+                lost_ = true;
+                ask_to_stop();
             } else if (message.word == bye) {
                 mate.left = true;
             } else if (message.word == answers) {
@@ -313,7 +339,7 @@ class Foreman {
     }
     void expect_signs_of_life() {
         for_each([&](int rank, Mate& mate) {
-            if (!mate.has.empty() && mate.heard.seconds() > patience)
+            if (!mate.has.empty() && mate.silence.too_long())
                 lose(rank, mate, "has not answered for " + readable(patience) + " s");
         });
     }
@@ -327,6 +353,16 @@ class Foreman {
                      "number of ranks\n"
                   << std::flush;
         ask_to_stop();
+    }
+
+    /// Tells the others that rank 0 is there, whatever else it is at.
+    void beat(const std::stop_token& stop) {
+        std::mutex own;
+        std::condition_variable_any wait;
+        for (std::unique_lock lock(own); !stop.stop_requested();) {
+            for_each([&](int rank, Mate&) { ranks::send(rank, alive, ""); });
+            wait.wait_for(lock, stop, std::chrono::duration<double>(interval()), [] { return false; });
+        }
     }
 
     struct Given {
@@ -345,6 +381,7 @@ class Foreman {
     std::size_t next_ = 0; ///< the next task's place
     bool over_ = false;    ///< there are no more
     bool lost_ = false;    ///< a rank was given up
+    std::jthread beat_;    ///< the last to be made, the first to go
 };
 
 std::unique_ptr<Foreman>& foreman() {
@@ -367,6 +404,7 @@ std::string own_place() {
     Hands hands;
     std::shared_ptr<const Assignment> of;
     ga::Stopwatch told;
+    Silence silence;
     const auto tell = [&](Word word, const std::string& bytes) {
         ranks::send(0, word, bytes);
         told = ga::Stopwatch();
@@ -395,13 +433,22 @@ std::string own_place() {
                 std::_Exit(0); // what is under way is not waited for
             }
         bool moved = !messages.empty();
+        if (moved)
+            silence.broken();
+        if (ranks::own() == 1 && silence.too_long()) {
+            std::cerr << error_mark() << "rank 0 has not answered for " << readable(patience)
+                      << " s, the run ends without it; what has checkpoints goes on with --resume\n"
+                      << std::flush;
+            ranks::send(0, end, ""); // should it wake up, it need not say so too
+            ranks::end_all(exit_interrupted);
+        }
         for (auto done = hands.done(); done; done = hands.done()) {
             std::vector<std::string> parts{number_bytes(done->id), number_bytes(done->seconds), done->error};
             parts.insert(parts.end(), done->answers.begin(), done->answers.end());
             tell(answers, framed(parts));
             moved = true;
         }
-        if (hands.has() > 0 && told.seconds() > std::min(0.5, patience / 5))
+        if (hands.has() > 0 && told.seconds() > interval())
             tell(alive, "");
         if (moved)
             pause.begin_anew();

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <list>
 #include <mpi.h>
+#include <mutex>
 #include <set>
 
 namespace app::ranks {
@@ -24,7 +25,19 @@ struct OnItsWay {
 };
 
 int ranks = 1, own_rank = 0;
+std::mutex guard; // of all below and of MPI, which takes one thread at a time
 std::list<OnItsWay> outgoing, incoming;
+Traffic counted;
+
+void count_in(std::size_t bytes) {
+    ++counted.messages;
+    counted.bytes += bytes;
+}
+
+bool tidy() {
+    outgoing.remove_if([](OnItsWay& one) { return one.done(); });
+    return outgoing.empty();
+}
 
 /// What programs that a rank starts find in their environment: they are no ranks.
 constexpr const char* child_of_rank = "RUGOSA_RANK";
@@ -41,7 +54,7 @@ void join() {
     if (!launched())
         return;
     int level = 0;
-    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &level);
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &level);
     MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN); // who is gone is found out by silence
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
     MPI_Comm_rank(MPI_COMM_WORLD, &own_rank);
@@ -52,6 +65,8 @@ int count() { return ranks; }
 int own() { return own_rank; }
 
 void send(int to, int word, std::string bytes) {
+    const std::lock_guard lock(guard);
+    count_in(bytes.size());
     OnItsWay& one = outgoing.emplace_back();
     one.message = {to, word, std::move(bytes)};
     MPI_Isend(one.message.bytes.data(), static_cast<int>(one.message.bytes.size()), MPI_BYTE, to, word,
@@ -59,6 +74,7 @@ void send(int to, int word, std::string bytes) {
 }
 
 std::vector<Message> arrived() {
+    const std::lock_guard lock(guard);
     for (;;) {
         int is_there = 0, size = 0;
         MPI_Message handle;
@@ -67,6 +83,7 @@ std::vector<Message> arrived() {
         if (!is_there)
             break;
         MPI_Get_count(&status, MPI_BYTE, &size);
+        count_in(static_cast<std::size_t>(size));
         OnItsWay& one = incoming.emplace_back();
         one.message = {status.MPI_SOURCE, status.MPI_TAG, std::string(static_cast<std::size_t>(size), '\0')};
         MPI_Imrecv(one.message.bytes.data(), size, MPI_BYTE, &handle, &one.request);
@@ -81,17 +98,22 @@ std::vector<Message> arrived() {
             behind.insert(one->message.rank);
             ++one;
         }
-    all_sent();
+    tidy();
     return whole;
 }
 
 bool all_sent() {
-    outgoing.remove_if([](OnItsWay& one) { return one.done(); });
-    return outgoing.empty();
+    const std::lock_guard lock(guard);
+    return tidy();
+}
+
+Traffic traffic() {
+    const std::lock_guard lock(guard);
+    return counted;
 }
 
 void leave() {
-    if (ranks > 1)
+    if (int begun = 0; MPI_Initialized(&begun) == MPI_SUCCESS && begun)
         MPI_Finalize();
 }
 
@@ -115,6 +137,7 @@ int own() { return 0; }
 void send(int, int, std::string) {}
 std::vector<Message> arrived() { return {}; }
 bool all_sent() { return true; }
+Traffic traffic() { return {}; }
 void leave() {}
 void end_all(int code) { std::_Exit(code); }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 /// The processes that a launcher of MPI (mpirun, srun) has started together: one where there was none, or
-/// where the program was built without. All that touches MPI is in ranks.cpp. For the main thread alone.
+/// where the program was built without. All that touches MPI is in ranks.cpp. Safe to call from any thread.
 namespace app::ranks {
 
 /// What one rank tells another.
@@ -23,6 +23,12 @@ void send(int to, int word, std::string bytes);
 /// Whole messages that have come, those of a rank in their order. Does not wait.
 std::vector<Message> arrived();
 bool all_sent(); ///< what was sent is on its way
+
+/// Of what this rank has sent and received.
+struct Traffic {
+    std::size_t messages = 0, bytes = 0;
+};
+Traffic traffic();
 
 void leave();                        ///< by all ranks together
 [[noreturn]] void end_all(int code); ///< by one, whatever the others do
