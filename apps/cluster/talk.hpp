@@ -1,0 +1,60 @@
+#pragma once
+
+#include "ga/stopwatch.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+/// How ranks talk with each other.
+namespace app::crew {
+
+/// What ranks tell each other.
+enum Word : int {
+    hello,   ///< who one is
+    setting, ///< kind and setting of the chunks that follow
+    chunk,   ///< id, threads, tasks
+    drop,    ///< no chunk given so far is wanted
+    answers, ///< id, seconds, what was thrown, answers
+    roll,    ///< are you there
+    alive,   ///< yes; sent now and then by one at work, too
+    end,     ///< there is nothing more to do
+    bye      ///< the last word
+};
+
+/// s of silence until a rank is given up: --patience.
+inline double patience = 10;
+
+/// Seconds between two signs of life.
+inline double interval() { return std::min(0.5, patience / 5); }
+
+/// Since when another was silent. Time in which oneself did not listen does not count: a whole run may be
+/// suspended and go on.
+class Silence {
+  public:
+    void broken() { heard_ = listened_ = ga::Stopwatch(); }
+    bool too_long() {
+        if (listened_.seconds() > patience / 2)
+            broken();
+        listened_ = ga::Stopwatch();
+        return heard_.seconds() > patience;
+    }
+
+  private:
+    ga::Stopwatch heard_, listened_;
+};
+
+/// Ever longer while nothing happens: a tenth of the time waited, up to a millisecond.
+class Pause {
+  public:
+    std::chrono::microseconds next() {
+        const double most = 1000, least = 20;
+        return std::chrono::microseconds(std::lround(std::clamp(1e5 * since_.seconds(), least, most)));
+    }
+    void begin_anew() { since_ = ga::Stopwatch(); }
+
+  private:
+    ga::Stopwatch since_;
+};
+
+} // namespace app::crew
