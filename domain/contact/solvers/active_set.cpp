@@ -24,8 +24,9 @@ constexpr int most_rounds = 200;
 /// Of a load, within which Newton's method on the approach is done in one more step.
 constexpr double near_load = 1e-3;
 constexpr long most_iterations = 2000;
-/// Up to this size a dense factor is cheaper than a coarser grid.
-constexpr Index coarsest = 1024;
+/// Up to this size a dense factor is cheaper than a coarser grid; on an area more of the nodes touch each
+/// other's neighbours, and grids shrink faster.
+constexpr Index coarsest_line = 1024, coarsest_area = 256;
 /// From one grid to the next coarser one; an area's nodes grow by its square.
 constexpr Index line_stride = 4, area_stride = 2;
 
@@ -33,6 +34,8 @@ constexpr Index line_stride = 4, area_stride = 2;
 double full_contact(const ContactProblem& problem) {
     return problem.kernel == Kernel::periodic ? problem.gap.mean() : std::numeric_limits<double>::infinity();
 }
+
+Index coarsest(const ContactProblem& problem) { return problem.is_area() ? coarsest_area : coarsest_line; }
 
 enum class Purpose { curve, guess };
 
@@ -51,9 +54,40 @@ class ActiveSet {
         return finished(approach, tolerance);
     }
 
-    /// The same to a load: Newton's method on the approach, loosely until it is near. `approach` is where to
-    /// begin and becomes the one found.
+    /// The same to a load. `approach` is where to begin and becomes the one found.
     StepSolution press_to(double load, double& approach, std::optional<Eigen::VectorXd> guess) {
+        return problem_.is_area() ? press_area_to(load, approach, guess)
+                                  : press_line_to(load, approach, guess);
+    }
+    const Eigen::VectorXd& pressure() const { return load_.pressure; }
+    long applies() const { return solver_.applies(); }
+
+  private:
+    /// On an area the sum of the pressures is kept while they settle, and the approach follows from them.
+    StepSolution press_area_to(double load, double& approach, const std::optional<Eigen::VectorXd>& guess) {
+        sum_ = load;
+        if (guess) {
+            load_.pressure = *guess * (load / guess->sum());
+            for (Index i = 0; i < problem_.nodes(); ++i)
+                load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
+            set_.collect();
+        } else {
+            load_.pressure += (load - load_.pressure.sum()) / tangent_.pressure.sum() * tangent_.pressure;
+        }
+        stale_ = true;
+        settle_area(approach, options_.tolerance);
+        if (purpose_ == Purpose::guess)
+            return step_solution(set_, load_, tangent_, false);
+        solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
+        double missing = 0; // that by which the approach is off, to first order
+        for (const int i : set_.nodes())
+            missing += tangent_.pressure[i] * (approach - problem_.gap[i] - load_.displacement[i]);
+        approach -= missing / tangent_.pressure.sum();
+        return step_solution(set_, load_, tangent_, options_.states);
+    }
+
+    /// On a line by Newton's method on the approach, loosely until it is near.
+    StepSolution press_line_to(double load, double& approach, std::optional<Eigen::VectorXd> guess) {
         approach = std::min(approach, (1 - 1e-9) * full_contact(problem_)); // a coarser grid's is another
         for (int round = 0; round < most_rounds; ++round) {
             if (!guess)
@@ -78,10 +112,7 @@ class ActiveSet {
         }
         fail("active set", problem_, approach, std::abs(load / load_.pressure.sum() - 1), options_.tolerance);
     }
-    const Eigen::VectorXd& pressure() const { return load_.pressure; }
-    long applies() const { return solver_.applies(); }
 
-  private:
     /// By Newton's step; where nothing touches yet, that of a single node. It passes the root from below, but
     /// never full contact, beyond which there is no solution.
     double advanced(double approach, double load) const {
@@ -93,7 +124,7 @@ class ActiveSet {
     }
 
     /// The tangent, and the load as good as the tolerance.
-    StepSolution finished(double approach, double tolerance) {
+    StepSolution finished(double& approach, double tolerance) {
         for (;;) {
             solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
             const double error = load_error(problem_, approach, set_, load_, tangent_);
@@ -133,11 +164,27 @@ class ActiveSet {
         improve(approach, loosening * left);
     }
 
-    void improve(double approach, double target) {
+    void improve(double& approach, double target) {
+        double level = 0;
         solver_.improve(
             set_, [&](Index i) { return approach - problem_.gap[i]; }, load_, Enough{target * approach},
-            most_iterations, problem_.is_area() ? &product_ : nullptr);
+            most_iterations, problem_.is_area() ? &product_ : nullptr, sum_ ? &level : nullptr);
+        approach -= level;
         stale_ = !problem_.is_area();
+    }
+
+    /// Under a load the approach is what the nodes in contact say in the mean.
+    void follow(double& approach) const {
+        if (!sum_ || load_.pressure.maxCoeff() <= 0)
+            return;
+        double sum = 0;
+        Index count = 0;
+        for (Index i = 0; i < problem_.nodes(); ++i)
+            if (load_.pressure[i] > 0) {
+                sum += problem_.gap[i] + load_.displacement[i];
+                ++count;
+            }
+        approach = sum / static_cast<double>(count);
     }
 
     double residual(const Loaded& x, double approach) const {
@@ -149,7 +196,7 @@ class ActiveSet {
         return worst / approach;
     }
 
-    void settle(double approach, double tolerance) {
+    void settle(double& approach, double tolerance) {
         if (problem_.is_area())
             settle_area(approach, tolerance);
         else
@@ -158,7 +205,7 @@ class ActiveSet {
 
     /// Nodes leave and join together here. An area has nodes without number at the brink: which of them touch
     /// is known as well as the residual, and no better.
-    void settle_area(double approach, double tolerance) {
+    void settle_area(double& approach, double tolerance) {
         double target = 1;
         for (int round = 0; round < most_rounds; ++round) {
             check_stop(options_);
@@ -168,6 +215,7 @@ class ActiveSet {
             worst = residual(load_, approach);
             if (worst <= tolerance) {
                 solver_.load(load_, product_, 0.1 * tolerance * approach); // unless it is as good already
+                follow(approach);
                 worst = residual(load_, approach);
             }
             if (worst <= tolerance)
@@ -177,7 +225,7 @@ class ActiveSet {
         }
     }
 
-    void settle_line(double approach, double tolerance) {
+    void settle_line(double& approach, double tolerance) {
         double target = 1;
         for (int round = 0; round < most_rounds; ++round) {
             check_stop(options_);
@@ -204,7 +252,7 @@ class ActiveSet {
 
     /// Drops the nodes under tension, adds those that penetrate by more than `least`, known to `accuracy`;
     /// false if there are none. `worst` becomes the largest residual that this leaves, over the approach.
-    bool change_set(double approach, double least, double accuracy, double& worst) {
+    bool change_set(double& approach, double least, double accuracy, double& worst) {
         std::vector<int> dropped;
         for (const int i : set_.nodes())
             if (!(load_.pressure[i] > 0))
@@ -213,9 +261,17 @@ class ActiveSet {
             set_.erase(i);
             load_.pressure[i] = 0;
         }
+        if (sum_ && !dropped.empty()) {
+            const double growth = *sum_ / load_.pressure.sum();
+            load_.pressure *= growth;
+            product_.pressure *= growth;
+            product_.displacement *= growth;
+            product_.blur *= growth;
+        }
         if (stale_ || !dropped.empty())
             solver_.load(load_, product_, accuracy);
         stale_ = false;
+        follow(approach);
         depth_ = approach - (problem_.gap + load_.displacement).array();
         const std::vector<int> added = dropped.empty() || problem_.is_area()
                                            ? advancing_nodes(depth_, set_.touching(), problem_.shape, least)
@@ -240,7 +296,8 @@ class ActiveSet {
     Eigen::ArrayXd depth_;
     std::optional<Eigen::VectorXd> last_guess_; ///< the coarser grid's pressures at the step before
     double approach_ = 0;
-    bool stale_ = true; ///< the displacement off the contact set
+    std::optional<double> sum_; ///< of the pressures, where a load is asked for
+    bool stale_ = true;         ///< the displacement off the contact set
 };
 
 Solution guess(const ContactProblem& problem, ContactOptions options);
@@ -259,7 +316,7 @@ Index stride_of(const ContactProblem& problem) { return problem.is_area() ? area
 /// Every load step; the coarser grid goes first, as long as it is worth while.
 void solve_levels(const ContactProblem& problem, const ContactOptions& options, Purpose purpose,
                   Solution& solution) {
-    const bool cascade = problem.nodes() > coarsest;
+    const bool cascade = problem.nodes() > coarsest(problem);
     const Index stride = stride_of(problem);
     ContactProblem coarse_problem = cascade ? coarsened(problem, stride) : problem;
     if (problem.is_area()) // from the first step on the tangent begins as well as a coarser grid
@@ -289,7 +346,7 @@ Solution guess(const ContactProblem& problem, ContactOptions options) {
     options.states = false;
     Solution solution;
     try {
-        if (problem.nodes() <= coarsest)
+        if (problem.nodes() <= coarsest(problem))
             solve_nested(problem, options, std::numeric_limits<double>::infinity(), solution);
         else
             solve_levels(problem, options, Purpose::guess, solution);
@@ -324,7 +381,7 @@ Eigen::VectorXd guess_to(double load, double& approach, const ContactProblem& pr
     // the same mean pressure
     const double coarse_load = load * coarse.elements / problem.elements * static_cast<double>(stride);
     StepSolution found;
-    if (coarse.nodes() <= coarsest) {
+    if (coarse.nodes() <= coarsest(coarse)) {
         NestedContact contact(coarse, options);
         found = press_small_to(coarse_load, approach, coarse, contact);
     } else {

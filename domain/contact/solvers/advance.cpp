@@ -16,32 +16,27 @@ struct Doubt {
     double deepest; ///< depth in the run
 };
 
-/// Judges the penetrating nodes of one line, `stride` apart; calls judge(node, doubt).
+/// Judges a run of penetrating nodes along a line of n nodes, `stride` apart, of which number `place` is the
+/// run's first, node `first`; calls judge(node, doubt). Returns how many nodes it has.
 template <class Penetrates, class Touches, class Judge>
-void judge_line(const Eigen::ArrayXd& depth, Index from, Index stride, Index n, Penetrates penetrates,
-                Touches touches, Judge judge) {
-    for (Index first = 0; first < n; ++first) {
-        const auto node = [&](Index i) { return from + i * stride; };
-        if (!penetrates(node(first)))
-            continue;
-        Index last = first;
-        double deepest = depth[node(first)];
-        while (last + 1 < n && penetrates(node(last + 1)))
-            deepest = std::max(deepest, depth[node(++last)]);
-        const bool left = first > 0 && touches(node(first - 1)),
-                   right = last + 1 < n && touches(node(last + 1));
-        const double length = static_cast<double>(last - first + 1), advance = (2 * length + 2) / 3;
-        for (Index i = first; i <= last; ++i) {
-            const double from_left = static_cast<double>(i - first),
-                         from_right = static_cast<double>(last - i);
-            const double share = left && right ? std::min(from_left, from_right) / length
-                                 : left        ? from_left / advance
-                                 : right       ? from_right / advance
-                                               : far;
-            judge(node(i), Doubt{share, deepest});
-        }
-        first = last;
+Index judge_run(const Eigen::ArrayXd& depth, Index first, Index stride, Index place, Index n,
+                Penetrates penetrates, Touches touches, Judge judge) {
+    Index count = 1;
+    double deepest = depth[first];
+    for (; place + count < n && penetrates(first + count * stride); ++count)
+        deepest = std::max(deepest, depth[first + count * stride]);
+    const bool left = place > 0 && touches(first - stride),
+               right = place + count < n && touches(first + count * stride);
+    const double length = static_cast<double>(count), advance = (2 * length + 2) / 3;
+    for (Index i = 0; i < count; ++i) {
+        const double from_left = static_cast<double>(i), from_right = static_cast<double>(count - 1 - i);
+        const double share = left && right ? std::min(from_left, from_right) / length
+                             : left        ? from_left / advance
+                             : right       ? from_right / advance
+                                           : far;
+        judge(first + i * stride, Doubt{share, deepest});
     }
+    return count;
 }
 
 } // namespace
@@ -57,21 +52,24 @@ std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<
         if (share < 1)
             found.emplace_back(share, static_cast<int>(i));
     };
-    if (shape.rows == 1) {
-        judge_line(depth, 0, 1, shape.columns, penetrates, touches, take);
-    } else {
-        std::vector<Doubt> along_y(static_cast<std::size_t>(depth.size()));
-        for (Index i = 0; i < shape.columns; ++i)
-            judge_line(depth, i, shape.columns, shape.rows, penetrates, touches,
-                       [&](Index k, const Doubt& doubt) { along_y[static_cast<std::size_t>(k)] = doubt; });
-        for (Index j = 0; j < shape.rows; ++j)
-            judge_line(
-                depth, j * shape.columns, 1, shape.columns, penetrates, touches,
-                [&](Index k, const Doubt& along_x) {
-                    const Doubt& other = along_y[static_cast<std::size_t>(k)];
-                    take(k, {std::min(along_x.edge, other.edge), std::max(along_x.deepest, other.deepest)});
-                });
-    }
+    const Index columns = shape.columns;
+    std::vector<Doubt> along_y(shape.rows > 1 ? static_cast<std::size_t>(depth.size()) : 0);
+    if (shape.rows > 1)
+        for (Index i = 0; i < depth.size(); ++i) // by the first node of each run, rows in their order
+            if (penetrates(i) && (i < columns || !penetrates(i - columns)))
+                judge_run(depth, i, columns, i / columns, shape.rows, penetrates, touches,
+                          [&](Index k, const Doubt& doubt) { along_y[static_cast<std::size_t>(k)] = doubt; });
+    for (Index j = 0; j < shape.rows; ++j)
+        for (Index i = 0; i < columns; ++i)
+            if (penetrates(j * columns + i))
+                i += judge_run(depth, j * columns + i, 1, i, columns, penetrates, touches,
+                               [&](Index k, const Doubt& along_x) {
+                                   if (shape.rows == 1)
+                                       return take(k, along_x);
+                                   const Doubt& other = along_y[static_cast<std::size_t>(k)];
+                                   take(k, {std::min(along_x.edge, other.edge),
+                                            std::max(along_x.deepest, other.deepest)});
+                               });
     std::sort(found.begin(), found.end());
     std::vector<int> nodes;
     for (const auto& entry : found)

@@ -132,13 +132,25 @@ void SetSolver::multiply(SingleFourierOperator& matrix, Index columns, const std
 }
 
 bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                        const Enough& enough, long most, KnownProduct* known) {
+                        const Enough& enough, long most, KnownProduct* known, double* level) {
     const auto& nodes = set.nodes();
     const Index m = static_cast<Index>(nodes.size());
     if (m == 0)
         return true;
     const Deflation deflation(nodes, sums_);
-    Eigen::VectorXd r(m), z(m), q(m), hq(m);
+    Eigen::VectorXd r(m), z(m), q(m), hq(m), even; // even: what the preconditioner makes of a constant
+    if (level) {
+        even.resize(m);
+        multiply(inverse_, inverse_columns_, nodes, Eigen::VectorXd::Ones(m), 1, even);
+    }
+    double offset = 0; // taken off r, as any constant may be
+    const auto centre = [&] {
+        if (!level)
+            return;
+        const double middle = (r.maxCoeff() + r.minCoeff()) / 2;
+        r.array() -= middle;
+        offset += middle;
+    };
     bool solved = false;
     double before = std::numeric_limits<double>::infinity();
     for (long iteration = 0;;) {
@@ -147,6 +159,8 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             r[k] = target(i) - x.displacement[i];
         }
         x.pressure(nodes) += deflation.project(r);
+        offset = 0;
+        centre();
         const double scale = r.cwiseAbs().maxCoeff();
         // Written so that a residual that is no number ends it, too.
         const bool progress = scale < 0.5 * before;
@@ -158,6 +172,8 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             if (solved)
                 break;
             multiply(inverse_, inverse_columns_, nodes, r, scale > 0 ? scale : 1, z);
+            if (level)
+                z -= z.sum() / even.sum() * even;
             const double energy = r.dot(z);
             solved = std::isfinite(energy) && enough.energy && enough.energy(energy);
             if (solved || iteration >= most || !progress || !(energy > 0) || largest <= single_depth * scale)
@@ -178,12 +194,15 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                                static_cast<double>(product.cwiseAbs().maxCoeff());
             }
             r -= step * hq;
+            centre();
             x.pressure(nodes) += step * q;
         }
         for (Index k = 0; k < m; ++k) {
             const Index i = nodes[static_cast<std::size_t>(k)];
-            x.displacement[i] = target(i) - r[k];
+            x.displacement[i] = target(i) - r[k] - offset;
         }
+        if (level)
+            *level = offset;
         if (known) {
             known->displacement(nodes) = x.displacement(nodes);
             known->pressure = x.pressure;

@@ -65,9 +65,11 @@ class SetSolver {
     void load(Loaded& x, KnownProduct& known, double accuracy);
     /// Improves x until it is good enough; x.displacement is then up to date on A only, or at every node
     /// where `known` holds its product and is to follow. Returns false where `most` iterations were not
-    /// enough or rounding stops it.
+    /// enough or rounding stops it. With a `level` the sum of x is kept and b is met but for a constant,
+    /// which `level` becomes: b - level = H x, by gradients that sum to nothing (Gould, Hribar & Nocedal
+    /// 2001).
     bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                 const Enough& enough, long most, KnownProduct* known = nullptr);
+                 const Enough& enough, long most, KnownProduct* known = nullptr, double* level = nullptr);
     /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
     /// entries.
     void tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);

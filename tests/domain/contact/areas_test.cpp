@@ -314,3 +314,25 @@ TEST_CASE("a map is refused for what it cannot be solved with", "[contact][areas
     apart.row_spacing = std::numeric_limits<double>::infinity();
     CHECK_THROWS_AS(solve_contact(apart, on(Kernel::free), {1e-4}), InputError);
 }
+
+TEST_CASE("an area bears each load asked for exactly, and its displacements give the loads back",
+          "[contact][areas]") {
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
+        const Profile map = maps::self_affine(48, 0.8, 5, 0.1);
+        const std::vector<double> pressures{1e-4, 2e-3, 0.01, 0.03};
+        const ContactCurve by_load =
+            solve_contact_at_pressures(map, on(kernel, 1), pressures, by(Solver::active_set));
+        std::vector<double> displacements;
+        for (std::size_t j = 0; j < pressures.size(); ++j) {
+            CHECK(by_load.steps[j].pressure == Approx(pressures[j]).epsilon(1e-12));
+            CHECK(by_load.steps[j].kkt_residual < 2e-6);
+            displacements.push_back(by_load.steps[j].displacement);
+        }
+        const ContactCurve exact = solve_contact(map, on(kernel, 1), displacements, by(Solver::nested));
+        for (std::size_t j = 0; j < pressures.size(); ++j) {
+            CHECK(exact.steps[j].pressure == Approx(pressures[j]).epsilon(3e-6));
+            CHECK(exact.steps[j].tangent_stiffness ==
+                  Approx(by_load.steps[j].tangent_stiffness).epsilon(1e-3)); // nodes at the brink
+        }
+    }
+}
