@@ -93,6 +93,19 @@ TEST_CASE("an area's judgement is that of separate solutions, and no better than
     }
 }
 
+TEST_CASE("without Eq. 11 an area is loaded as far as its target goes, by whatever solver", "[areas]") {
+    std::mt19937_64 random(78);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
+        DesignSetup setup = area_setup(kernel, 32, 30);
+        setup.model.contact.solver = Solver::active_set;
+        for (int scene = 0; scene < 4; ++scene) {
+            const DesignResponse response = respond(setup, two_series(random, setup), setup.model);
+            CHECK_NOTHROW(similarity(setup, response));
+            CHECK(response.curves[0].to < setup.targets[0].last() * (1 + 1e-5));
+        }
+    }
+}
+
 TEST_CASE("two waves across each other have the slope, height and curvature of both", "[areas]") {
     const double L = 0.84942;
     const Grid grid{33, L, false, 0, 33, L};
