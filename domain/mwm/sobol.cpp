@@ -10,12 +10,13 @@ namespace rough {
 
 namespace {
 
-/// Points of the Sobol sequence in [0,1)^dimension, its first point (the origin) skipped.
+/// Points of the Sobol sequence in [0,1)^dimension, its first point (the origin) skipped or not.
 class SobolPoints {
   public:
-    explicit SobolPoints(int dimension)
+    SobolPoints(int dimension, bool with_first)
         : dimension_(dimension), engine_(static_cast<std::size_t>(dimension)) {
-        next();
+        if (!with_first)
+            next();
     }
     std::vector<double> next() {
         std::vector<double> point;
@@ -32,7 +33,7 @@ class SobolPoints {
 } // namespace
 
 std::vector<std::pair<double, double>> sobol_pairs(const DatabaseLayout& layout) {
-    SobolPoints points(2);
+    SobolPoints points(2, layout.with_first);
     std::vector<std::pair<double, double>> pairs;
     for (int i = 0; i < layout.pairs; ++i) {
         const auto u = points.next();
@@ -42,8 +43,8 @@ std::vector<std::pair<double, double>> sobol_pairs(const DatabaseLayout& layout)
     return pairs;
 }
 
-std::vector<std::vector<double>> sobol_phases(int columns, int last) {
-    SobolPoints points(columns);
+std::vector<std::vector<double>> sobol_phases(int columns, int last, bool with_first) {
+    SobolPoints points(columns, with_first);
     std::vector<std::vector<double>> phases;
     for (int n = 1; n <= last; ++n) {
         auto row = points.next();
@@ -59,7 +60,7 @@ std::vector<Genome> sobol_database(const DatabaseLayout& layout) {
     int longest = 0;
     for (const auto& [H, gamma] : pairs)
         longest = std::max(longest, last_chromosome(layout.lambda, gamma, layout.shortest));
-    const auto phases = sobol_phases(layout.phase_columns * layout.ridges, longest);
+    const auto phases = sobol_phases(layout.phase_columns * layout.ridges, longest, layout.with_first);
 
     std::vector<Genome> genomes;
     for (const auto& [H, gamma] : pairs)

@@ -14,17 +14,18 @@ struct DatabaseLayout {
     double gamma_to = 2.0;   ///< greatest ratio of neighbouring wave numbers
     double A = 1;            ///< amplitude of every series; with lambda in mm, the unit that makes heights mm
     double lambda = 0.84942; ///< mm
+    bool with_first = false; ///< both sequences with their first point, the origin
     double shortest = 0;     ///< shortest wave length admitted, mm (the paper: the grid's spacing)
     int ridges = 1;          ///< of a chromosome, M; an area takes them as directions
 };
 
-/// The pairs (H, gamma): Boost's two-dimensional Sobol sequence, its first point skipped, mapped to the
-/// ranges.
+/// The pairs (H, gamma): Boost's two-dimensional Sobol sequence, its first point skipped unless the layout
+/// has it, mapped to the ranges.
 std::vector<std::pair<double, double>> sobol_pairs(const DatabaseLayout& layout);
 
-/// phases[n-1][column] = 2 pi u of the Sobol sequence of that many dimensions, its first point skipped; n
-/// = 1..last.
-std::vector<std::vector<double>> sobol_phases(int columns, int last);
+/// phases[n-1][column] = 2 pi u of the Sobol sequence of that many dimensions, its first point skipped
+/// unless asked for; n = 1..last.
+std::vector<std::vector<double>> sobol_phases(int columns, int last, bool with_first = false);
 
 /// Genomes of a single series, pair by pair, each with every phase column in turn: chromosomes n = 1..n_f
 /// (Eq. 4), the phases of chromosome n from the n-th point of the phase sequence, a column a ridge.

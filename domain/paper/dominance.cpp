@@ -13,13 +13,13 @@ namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-/// The secant stiffness of one length scale alone, or nothing where it is flat at the nodes.
-std::optional<Curve> stiffness_of(const Genome& genome, const LengthScale& scale, const Model& model) {
+/// The response of one length scale alone, or nothing where it is flat at the nodes.
+std::optional<Response> response_of(const Genome& genome, const LengthScale& scale, const Model& model) {
     const Genome alone = only(genome, scale);
     const Profile profile = sample(alone, model.grid);
     if (is_flat(profile, alone))
         return std::nullopt;
-    return secant_stiffness(respond(profile, model.body, model.loading, model.contact));
+    return respond(profile, model.body, model.loading, model.contact);
 }
 
 } // namespace
@@ -30,7 +30,7 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
     double best = -std::numeric_limits<double>::infinity();
     for (const auto& part : parts) {
         double correlation = undefined;
-        if (part && reading == DominanceReading::same_step)
+        if (part && reading != DominanceReading::same_pressure)
             correlation = pearson(whole.y, part->y);
         else if (part)
             correlation = pearson(whole.y, whole.x.unaryExpr([&](double x) { return part->held_at(x); }));
@@ -46,33 +46,42 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
     return result;
 }
 
-DominanceRule::DominanceRule(Model model, DominanceReading reading)
-    : model_(std::move(model)), reading_(reading) {
+LoneResponses::LoneResponses(Model model) : model_(std::move(model)) {
     for (Grid& grid = model_.grid; grid.is_area() && std::max(grid.nodes, grid.rows) > 64;) {
         grid.nodes = (grid.nodes + 1) / 2;
         grid.rows = (grid.rows + 1) / 2;
     }
 }
 
-Dominance DominanceRule::operator()(const Genome& genome) const {
+Curve compared_curve(const Response& response, DominanceReading reading) {
+    Curve curve = secant_stiffness(response);
+    if (reading == DominanceReading::raw)
+        curve.y = response.tangent_stiffness;
+    return curve;
+}
+
+std::shared_ptr<const LoneResponses::Known> LoneResponses::operator()(const Genome& genome) const {
     const std::string key = shape_key(genome);
     {
         const std::lock_guard lock(guard_);
         if (const auto found = known_.find(key); found != known_.end())
             return found->second;
     }
-    const Dominance result = judged(genome);
+    auto result = std::make_shared<Known>(Known{respond(genome, model_), {}});
+    for (const LengthScale& scale : length_scales(genome))
+        result->parts.push_back(response_of(genome, scale, model_));
     const std::lock_guard lock(guard_);
-    return known_.emplace(key, result).first->second;
+    return known_.emplace(key, std::move(result)).first->second;
 }
 
-Dominance DominanceRule::judged(const Genome& genome) const {
+Dominance DominanceRule::operator()(const Genome& genome) const {
     const auto scales = length_scales(genome);
+    const auto responses = (*responses_)(genome);
     std::vector<std::optional<Curve>> alone;
-    for (const LengthScale& scale : scales)
-        alone.push_back(stiffness_of(genome, scale, model_));
+    for (const auto& part : responses->parts)
+        alone.push_back(part ? std::optional(compared_curve(*part, reading_)) : std::nullopt);
     const DominantParts parts =
-        dominant_parts(secant_stiffness(respond(genome, model_)), alone, dominance_threshold, reading_);
+        dominant_parts(compared_curve(responses->whole, reading_), alone, threshold_, reading_);
     Dominance result;
     result.only_best = parts.only_best;
     for (const auto& series : genome.series) {

@@ -5,6 +5,7 @@
 #include "domain/response/curve.hpp"
 
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -15,6 +16,7 @@ enum class DominanceReading {
     same_pressure, ///< at the whole's absolute pressures, each part's curve held constant beyond its own
                    ///< range
     same_step,     ///< by load step, each part on its own range
+    raw,           ///< the tangents as the solver gives them, by load step
 };
 
 /// The correlation above which a part is dominant (the paper).
@@ -32,6 +34,9 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
                              double threshold = dominance_threshold,
                              DominanceReading reading = DominanceReading::same_pressure);
 
+/// The curve of a response that a reading compares.
+Curve compared_curve(const Response& response, DominanceReading reading);
+
 /// Which chromosomes govern a genome's stiffness curve.
 struct Dominance {
     /// correlation[s][c]: of the whole genome's K with that of chromosome c of series s alone; NaN where the
@@ -44,25 +49,47 @@ struct Dominance {
     bool at(std::size_t series, std::size_t chromosome) const { return dominant[series][chromosome] != 0; }
 };
 
-/// Algorithm 1 on genomes, with a memory, as several operators ask for the same genome. Safe to call from
-/// several threads.
-class DominanceRule {
+/// Responses of genomes and of each of their length scales alone, with a memory, as several operators and
+/// readings ask for the same genome. Safe to call from several threads.
+class LoneResponses {
   public:
     /// Under a model; accuracy is its own for the whole genome, parts are solved throughout. An area's grid is
     /// halved while it has more than 64 nodes a side: curves are correlated here, not scored.
-    explicit DominanceRule(Model model, DominanceReading reading = DominanceReading::same_pressure);
+    explicit LoneResponses(Model model);
 
-    /// One contact curve a chromosome, one for the whole. Chromosomes of equal wave number, of any series,
-    /// are one.
+    /// A whole genome's, and each length scale's alone (length_scales); empty where that is flat.
+    struct Known {
+        Response whole;                             ///< of the genome
+        std::vector<std::optional<Response>> parts; ///< one a length scale
+    };
+    /// One contact curve a length scale, one for the whole.
+    std::shared_ptr<const Known> operator()(const Genome& genome) const;
+
+  private:
+    Model model_;
+    mutable std::mutex guard_;
+    mutable std::map<std::string, std::shared_ptr<const Known>> known_;
+};
+
+/// Algorithm 1 on genomes. Safe to call from several threads.
+class DominanceRule {
+  public:
+    /// Under a model, with a memory of its own.
+    explicit DominanceRule(Model model, DominanceReading reading = DominanceReading::same_pressure,
+                           double threshold = dominance_threshold)
+        : DominanceRule(std::make_shared<LoneResponses>(std::move(model)), reading, threshold) {}
+    /// With a memory that other readings share.
+    DominanceRule(std::shared_ptr<const LoneResponses> responses, DominanceReading reading,
+                  double threshold)
+        : responses_(std::move(responses)), reading_(reading), threshold_(threshold) {}
+
+    /// Chromosomes of equal wave number, of any series, are one.
     Dominance operator()(const Genome& genome) const;
 
   private:
-    Dominance judged(const Genome& genome) const;
-
-    Model model_;
+    std::shared_ptr<const LoneResponses> responses_;
     DominanceReading reading_;
-    mutable std::mutex guard_;
-    mutable std::map<std::string, Dominance> known_;
+    double threshold_;
 };
 
 /// The genome's dominant chromosomes alone.
