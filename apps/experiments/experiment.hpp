@@ -49,6 +49,7 @@ Experiment accuracy_experiment();
 Experiment chart_experiment();
 Experiment stability_experiment();
 Experiment compare_experiment();
+Experiment readings_experiment();
 
 /// Every kind.
 const std::vector<Experiment>& experiments();

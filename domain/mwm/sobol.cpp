@@ -10,7 +10,8 @@ namespace rough {
 
 namespace {
 
-/// Points of the Sobol sequence in [0,1)^dimension, its first point (the origin) skipped or not.
+/// Points of the Sobol sequence in [0,1)^dimension, its first point (the middle, as Boost leaves out the
+/// origin) skipped or not.
 class SobolPoints {
   public:
     SobolPoints(int dimension, bool with_first)

@@ -14,7 +14,7 @@ struct DatabaseLayout {
     double gamma_to = 2.0;   ///< greatest ratio of neighbouring wave numbers
     double A = 1;            ///< amplitude of every series; with lambda in mm, the unit that makes heights mm
     double lambda = 0.84942; ///< mm
-    bool with_first = false; ///< both sequences with their first point, the origin
+    bool with_first = false; ///< both sequences with their first point, the middle
     double shortest = 0;     ///< shortest wave length admitted, mm (the paper: the grid's spacing)
     int ridges = 1;          ///< of a chromosome, M; an area takes them as directions
 };

@@ -74,6 +74,14 @@ std::shared_ptr<const LoneResponses::Known> LoneResponses::operator()(const Geno
     return known_.emplace(key, std::move(result)).first->second;
 }
 
+long LoneResponses::curves() const {
+    const std::lock_guard lock(guard_);
+    long count = 0;
+    for (const auto& [key, known] : known_)
+        count += 1 + static_cast<long>(known->parts.size());
+    return count;
+}
+
 Dominance DominanceRule::operator()(const Genome& genome) const {
     const auto scales = length_scales(genome);
     const auto responses = (*responses_)(genome);

@@ -64,6 +64,8 @@ class LoneResponses {
     };
     /// One contact curve a length scale, one for the whole.
     std::shared_ptr<const Known> operator()(const Genome& genome) const;
+    /// Contact curves of all genomes that were asked for so far.
+    long curves() const;
 
   private:
     Model model_;
@@ -79,8 +81,7 @@ class DominanceRule {
                            double threshold = dominance_threshold)
         : DominanceRule(std::make_shared<LoneResponses>(std::move(model)), reading, threshold) {}
     /// With a memory that other readings share.
-    DominanceRule(std::shared_ptr<const LoneResponses> responses, DominanceReading reading,
-                  double threshold)
+    DominanceRule(std::shared_ptr<const LoneResponses> responses, DominanceReading reading, double threshold)
         : responses_(std::move(responses)), reading_(reading), threshold_(threshold) {}
 
     /// Chromosomes of equal wave number, of any series, are one.

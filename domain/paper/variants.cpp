@@ -42,6 +42,13 @@ Pipeline cco(const Vocabulary& words, Form form) { // Algorithm 5
     return pair(U1, U2, words.unite()) | score() | best(3) | refine_by(form, 3, words.phases()) | best(1);
 }
 
+Pipeline cco_of_sums(const Vocabulary& words) {
+    const auto U1 = score("low") | above(0.95, at_least(3));
+    const auto U2 = score("high") | above(0.95, at_least(3));
+    return pair(U1, U2, words.unite()) | words.reduce_dominant() | score() | best(3) |
+           refine(gcmma(3), words.phases()) | best(1);
+}
+
 Registry<DesignProblem> paper_registry(const Vocabulary& words) {
     auto registry = engine_words();
     add_words(registry, words);

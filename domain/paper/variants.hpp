@@ -29,6 +29,9 @@ Pipeline gco(const Vocabulary& words, Form form = Form::paper);
 /// Chromosome cross-over: the same with each parent reduced to its dominant chromosomes.
 Pipeline cco(const Vocabulary& words, Form form = Form::paper);
 
+/// The same with Algorithm 1 on the children in place of the parents: another reading of Algorithm 5.
+Pipeline cco_of_sums(const Vocabulary& words);
+
 /// What text pipelines for the paper's problem are made of: the engine's words and roughness's.
 ga::Registry<DesignProblem> paper_registry(const Vocabulary& words);
 

@@ -32,10 +32,12 @@ struct Studies {
 };
 Studies studies_of(const PaperRun& run);
 
-std::vector<Claim> series_claims(const PaperRun& run,
-                                 const Studies& studies); ///< Figures 1 to 6 and sections 1, 2.3
-std::vector<Claim> search_claims(const PaperRun& run);    ///< Figures 7 and 8
-std::vector<Claim> answer_claims(const PaperRun& run);    ///< Figures 9 to 11
+std::vector<Claim> formula_claims(const Studies& studies); ///< Figures 1 and 2, Eq. 8
+std::vector<Claim> part_claims(const Studies& studies);    ///< Figure 3 and sections 1, 2.3
+std::vector<Claim> database_claims(const PaperRun& run);   ///< Figures 4 to 6 and section 4
+std::vector<Claim> series_claims(const PaperRun& run, const Studies& studies); ///< all these
+std::vector<Claim> search_claims(const PaperRun& run);                         ///< Figures 7 and 8
+std::vector<Claim> answer_claims(const PaperRun& run);                         ///< Figures 9 to 11
 
 /// All of them, in the paper's order.
 std::vector<Claim> paper_claims(const PaperRun& run, const Studies& studies);

@@ -4,20 +4,18 @@
 #include "apps/experiments/paper/page.hpp"
 #include "apps/experiments/paper/settings.hpp"
 #include "apps/experiments/paper/tables.hpp"
+#include "apps/experiments/paper/variant_runs.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/recorder.hpp"
 #include "apps/report/result.hpp"
 #include "domain/errors.hpp"
-#include "domain/paper/variants.hpp"
 #include "domain/problem/stored.hpp"
-#include "domain/target/similarity.hpp"
 #include "domain/text/json.hpp"
 #include "ga/checkpoint.hpp"
 #include "ga/observers/log.hpp"
 #include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
 
-#include <cmath>
 #include <optional>
 
 namespace app {
@@ -27,10 +25,7 @@ namespace {
 using rough::DesignProblem;
 using rough::DominanceRule;
 
-struct Variant {
-    std::string name;
-    rough::Pipeline pipeline;
-};
+using Variant = NamedPipeline;
 
 /// How far refinement moves a phase.
 rough::PhaseReach reach_from(const Settings& settings) {
@@ -40,10 +35,6 @@ rough::PhaseReach reach_from(const Settings& settings) {
 rough::DominanceReading other(rough::DominanceReading reading) {
     using enum rough::DominanceReading;
     return reading == same_pressure ? same_step : same_pressure;
-}
-
-std::vector<Variant> paper_three(const rough::Vocabulary& words) {
-    return {{"sog", sog(words)}, {"gco", gco(words)}, {"cco", cco(words)}};
 }
 
 /// The paper's three in both forms, from code, then what the experiment writes in [variants].
@@ -76,25 +67,14 @@ class Paper {
           other_reading_(paper_three(words_by(other(run.dominance)))) {}
 
     void answer_database() {
-        run_.database.resize(genomes_.size());
-        ga::parallel_for(genomes_.size(), run_.origin.threads, [&](std::size_t i) {
-            rough::Genome genome = genomes_[i];
-            rough::Response response = respond(genome, run_.model);
-            genome.scale = run_.max_pressure / response.pressure[response.steps() - 1]; // Eq. 11
-            run_.database[i] = {genome, scaled(std::move(response), genome.scale)};
-        });
+        run_.database = answered(genomes_, run_.model, run_.max_pressure, run_.origin.threads);
     }
 
     void design(TargetRun& target) {
         rough::DesignSetup setup = setup_for(target, target.p_bar);
         setup.outlook = fidelity_ == estimated ? rough::Outlook::foretold : rough::Outlook::proven;
         const DesignProblem problem(setup);
-        const auto low = points_of_half(setup, false), high = points_of_half(setup, true);
-        for (const Answered& one : run_.database) {
-            const Eigen::VectorXd misfits = misfit(target.target, secant_stiffness(one.response));
-            target.database.push_back({rough::similarity(misfits), rough::similarity(misfits(low)),
-                                       rough::similarity(misfits(high))});
-        }
+        target.database = scores_of(run_.database, setup);
         for (const Variant& variant : variants_) {
             if (conditions_.stop)
                 return;
@@ -161,7 +141,7 @@ class Paper {
     std::optional<VariantRun> run_variant(const Variant& variant, const DesignProblem& problem) const {
         std::vector<StageRecord> stages;
         const Run result = run_pipeline(variant, problem, {recorder(stages)});
-        return told(variant, problem, result, std::move(stages));
+        return told(variant.name, problem, result, std::move(stages));
     }
 
     /// The same with a checkpoint and a log of every stage in the run's folder.
@@ -181,7 +161,7 @@ class Paper {
         const Run result = run_pipeline(variant, problem, {recorder(stages), log.observer(problem)},
                                         &checkpoints, fidelity_ != off);
         log.close();
-        std::optional<VariantRun> run = told(variant, problem, result, std::move(stages));
+        std::optional<VariantRun> run = told(variant.name, problem, result, std::move(stages));
         tell_notes(result.notes);
         if (!log.trouble.empty())
             tell_notes({log.trouble});
@@ -190,47 +170,6 @@ class Paper {
                 "fidelity: genomes were given up by an estimate from a coarse grid, not by a "
                 "bound");
         return run;
-    }
-
-    std::optional<VariantRun> told(const Variant& variant, const DesignProblem& problem, const Run& result,
-                                   std::vector<StageRecord> stages) const {
-        if (result.population.empty())
-            return std::nullopt;
-        VariantRun run;
-        run.name = variant.name;
-        run.stages = std::move(stages);
-        run.seconds = result.seconds;
-        run.notes = result.notes;
-        run.answer.genome = in_final_form(problem.setup(), result.population.front().genome);
-        run.answer.response = respond(run.answer.genome, run_.model);
-        run.similarity = similarity(as_reported(problem.setup()), run.answer.genome);
-        run.curves = result.counters.evaluations;
-        run.gradients = result.counters.gradients;
-        return run;
-    }
-
-    static ThresholdRow threshold_row(const VariantRun& run, double p_bar) {
-        const auto size = [&](const std::string& path) {
-            const StageRecord* stage = stage_at(run.stages, run.name + "/" + path);
-            return stage ? stage->candidates.size() : 0;
-        };
-        ThresholdRow row;
-        row.p_bar = p_bar;
-        row.variant = run.name;
-        row.u1 = size("pair.1/left/above.1");
-        row.u2 = size("pair.1/right/above.1");
-        row.at_least_used = !run.notes.empty();
-        row.children = size("score.1");
-        row.best_child = -INFINITY;
-        double above = 0;
-        for (const Candidate& child : stage_at(run.stages, run.name + "/score.1")->candidates) {
-            above += child.similarity > 0.95;
-            row.best_child = std::max(row.best_child, child.similarity);
-        }
-        row.share_above = above / static_cast<double>(row.children);
-        row.parents = run.stages.back().candidates.front().parents;
-        row.similarity = run.similarity;
-        return row;
     }
 
     enum Fidelity : std::size_t { off, on, estimated };

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/accuracy/respond.hpp"
-#include "domain/mwm/sampling.hpp"
+#include "domain/paper/dominance.hpp"
 #include "domain/profile/fractal.hpp"
 
 #include <cstdint>
@@ -21,6 +21,9 @@ struct FractalStudy {
 };
 
 /// Twenty such profiles, on the model's grid and body.
-std::vector<FractalStudy> fractal_studies(const rough::Model& model, std::uint64_t seed, int threads);
+std::vector<FractalStudy>
+fractal_studies(const rough::Model& model, std::uint64_t seed, int threads,
+                rough::DominanceReading reading = rough::DominanceReading::same_pressure,
+                double threshold = rough::dominance_threshold);
 
 } // namespace app

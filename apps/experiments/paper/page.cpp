@@ -32,12 +32,19 @@ Html linked(const std::string& place) {
     return Html::raw("<a href=\"#figure-" + number + "\">") + place + Html::raw("</a>");
 }
 
-Table claims_table(const std::vector<Claim>& claims) {
+Table claims_table(const PaperRun& run, const std::vector<Claim>& claims) {
     Table table{"", {"Where", "The paper says", "Measured here", "Verdict"}, {}, {}, true};
-    for (const Claim& claim : claims)
+    if (!run.other_readings.empty())
+        table.header.emplace_back("Other readings");
+    for (const Claim& claim : claims) {
         table.rows.push_back({linked(claim.place), Html::raw(claim.says),
                               Html::raw(claim.measured + "<span class=\"rule\">" + claim.rule + "</span>"),
                               badge(claim.verdict)});
+        if (const auto other = run.other_readings.find(claim.says); other != run.other_readings.end())
+            table.rows.back().push_back(other->second);
+        else if (!run.other_readings.empty())
+            table.rows.back().push_back("hangs on none");
+    }
     return table;
 }
 
@@ -132,7 +139,7 @@ std::string paper_page(const PaperRun& run) {
     page.prose("Each verdict is computed from this run by the rule under its numbers. Undecidable is what "
                "holds on one target and "
                "not on the other, and what cannot be tested without the authors' data.");
-    page.table(claims_table(claims));
+    page.table(claims_table(run, claims));
     page.section("The search");
     page.figure(stages_figure(run));
     page.figure(thresholds_figure(run));

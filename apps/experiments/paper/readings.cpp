@@ -47,28 +47,43 @@ Removal removal(const rough::Response& whole, const Genome& left, const rough::M
 
 } // namespace
 
+std::vector<Reduction> reductions(const PaperRun& run, const rough::DominanceRule& rule) {
+    std::vector<Reduction> rows(run.database.size());
+    ga::parallel_for(rows.size(), run.origin.threads, [&](std::size_t i) {
+        const Answered& member = run.database[i];
+        rows[i] = reduction_of(member.genome, secant_stiffness(member.response), run, rule);
+    });
+    return rows;
+}
+
+void add_removals(const PaperRun& run, Readings& readings) {
+    readings.without_coarse.resize(run.database.size());
+    readings.without_fine.resize(run.database.size());
+    ga::parallel_for(run.database.size(), run.origin.threads, [&](std::size_t i) {
+        const Answered& member = run.database[i];
+        readings.without_fine[i] = removal(member.response, half_of(member.genome, true), run.model);
+        readings.without_coarse[i] = removal(member.response, half_of(member.genome, false), run.model);
+    });
+}
+
 Readings readings_of(const PaperRun& run) {
-    const rough::DominanceRule same_pressure(run.model, rough::DominanceReading::same_pressure);
-    const rough::DominanceRule same_step(run.model, rough::DominanceReading::same_step);
+    const auto responses = std::make_shared<rough::LoneResponses>(run.model);
+    const auto kept_by = [&](rough::DominanceReading reading) {
+        return reductions(run, rough::DominanceRule(responses, reading, rough::dominance_threshold));
+    };
     const std::size_t count = run.database.size();
     Readings readings;
+    readings.same_pressure = kept_by(rough::DominanceReading::same_pressure);
+    readings.same_step = kept_by(rough::DominanceReading::same_step);
+    add_removals(run, readings);
     rough::Model other = run.model;
     other.body.datum *= readings.datum_factor;
-    readings.same_pressure.resize(count);
-    readings.same_step.resize(count);
-    readings.without_coarse.resize(count);
-    readings.without_fine.resize(count);
     readings.datum_similarity.resize(count);
     std::vector<Curve> elsewhere(count);
     ga::parallel_for(count, run.origin.threads, [&](std::size_t i) {
         const Answered& member = run.database[i];
-        const Curve whole = secant_stiffness(member.response);
-        readings.same_pressure[i] = reduction_of(member.genome, whole, run, same_pressure);
-        readings.same_step[i] = reduction_of(member.genome, whole, run, same_step);
-        readings.without_fine[i] = removal(member.response, half_of(member.genome, true), run.model);
-        readings.without_coarse[i] = removal(member.response, half_of(member.genome, false), run.model);
         elsewhere[i] = at_pressure(respond(member.genome, other), run.max_pressure);
-        readings.datum_similarity[i] = similarity(whole, elsewhere[i]);
+        readings.datum_similarity[i] = similarity(secant_stiffness(member.response), elsewhere[i]);
     });
     for (const TargetRun& target : run.targets) {
         double best = -std::numeric_limits<double>::infinity();

@@ -30,4 +30,9 @@ struct Readings {
 
 Readings readings_of(const PaperRun& run);
 
+/// What a rule of Algorithm 1 keeps of each genome of the run's database.
+std::vector<Reduction> reductions(const PaperRun& run, const rough::DominanceRule& rule);
+/// How each genome's curves move without one half of its waves.
+void add_removals(const PaperRun& run, Readings& readings);
+
 } // namespace app

@@ -5,6 +5,8 @@
 #include "domain/paper/dominance.hpp"
 #include "domain/target/target.hpp"
 
+#include <map>
+
 /// What the paper's experiment found, as its figures and claims read it. The runner fills it; nothing here
 /// computes. Pressures in MPa, lengths in mm, stiffness in MPa/mm. An unknown number is NaN.
 namespace app {
@@ -48,8 +50,9 @@ struct PaperRun {
     double max_pressure = 0; ///< p_max
     rough::DominanceReading dominance = rough::DominanceReading::same_pressure; ///< reading of Algorithm 1
     rough::DatabaseLayout layout;
-    std::vector<Answered> database; ///< pair by pair, each with every phase column
-    std::vector<TargetRun> targets; ///< drawn, then held-out
+    std::vector<Answered> database;                    ///< pair by pair, each with every phase column
+    std::vector<TargetRun> targets;                    ///< drawn, then held-out
+    std::map<std::string, std::string> other_readings; ///< of claims by what the paper says, in words
 };
 
 } // namespace app

@@ -209,12 +209,25 @@ Claim threshold_units() {
 
 } // namespace
 
+std::vector<Claim> formula_claims(const Studies& studies) {
+    return {one_wave(studies), condition(studies), arccos(studies)};
+}
+
+std::vector<Claim> part_claims(const Studies& studies) {
+    return {part_suffices(studies), governed(studies, true), governed(studies, false),
+            alloy_stiffness(studies), alloy_area(studies)};
+}
+
+std::vector<Claim> database_claims(const PaperRun& run) {
+    return {part(run, true), part(run, false), even_pairs(run),
+            trend(run),      pressures(run),   threshold_units()};
+}
+
 std::vector<Claim> series_claims(const PaperRun& run, const Studies& studies) {
-    return {one_wave(studies),        condition(studies),      arccos(studies),
-            part_suffices(studies),   governed(studies, true), governed(studies, false),
-            alloy_stiffness(studies), alloy_area(studies),     part(run, true),
-            part(run, false),         even_pairs(run),         trend(run),
-            pressures(run),           threshold_units()};
+    std::vector<Claim> claims;
+    for (const auto& part : {formula_claims(studies), part_claims(studies), database_claims(run)})
+        claims.insert(claims.end(), part.begin(), part.end());
+    return claims;
 }
 
 } // namespace app

@@ -4,6 +4,9 @@
 #include "apps/prompt/scan_settings.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/curve.hpp"
+#include "domain/text/atomic_file.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <limits>
 
@@ -71,6 +74,16 @@ void take_target_files(const Settings& settings, PaperRun& run) {
         run.targets.push_back({"held-out", stiffness_from(settings.path("heldout.file")), 0, {}, {}, {}});
 }
 
+/// What an experiment of kind readings has found, claim by claim.
+std::map<std::string, std::string> readings_from(const std::filesystem::path& file) {
+    try {
+        return nlohmann::json::parse(rough::read_whole(file)).at("claims");
+    } catch (const nlohmann::json::exception& error) {
+        throw rough::InputError(file.string() + ": " + error.what() +
+                                ", expected readings.json of an experiment of kind readings");
+    }
+}
+
 } // namespace
 
 std::vector<Setting> paper_settings() {
@@ -84,6 +97,8 @@ std::vector<Setting> paper_settings() {
         {"paper.sweep-from", "0.31", "first p_bar over p_max of the threshold sweep"},
         {"paper.sweep-to", "0.69", "last one"},
         {"paper.sweep-points", "20", "how many; 0: no sweep"},
+        {"paper.readings", "",
+         "readings.json of an experiment of kind readings: what other readings make of each claim"},
         {"paper.dominance", "pressure",
          "Algorithm 1 compares curves at the same pressure, or at the same load step"},
         {"paper.phase-relative", "0.1", "how far refinement moves a phase, over its own value"},
@@ -118,6 +133,8 @@ PaperRun paper_from(const Settings& settings, const Origin& origin) {
     for (TargetRun& target : run.targets)
         target.p_bar = settings.number("paper.threshold", 0, 1) * run.max_pressure;
     run.layout = layout_from(settings, run.model);
+    if (settings.has("paper.readings"))
+        run.other_readings = readings_from(settings.path("paper.readings"));
     run.dominance =
         static_cast<rough::DominanceReading>(settings.one_of("paper.dominance", {"pressure", "step"}));
     return run;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 using namespace rough;
@@ -45,4 +46,20 @@ TEST_CASE("every genome of the database reaches down to the shortest wave and no
         CHECK(wave_length(series, series.chromosomes.back().n) >= 0.01);
         CHECK(wave_length(series, series.chromosomes.back().n + 1) < 0.01);
     }
+}
+
+TEST_CASE("with its first point the Sobol database begins in the middle of the ranges, and all others "
+          "come one later") {
+    const DatabaseLayout without{.pairs = 4, .shortest = 0.1};
+    DatabaseLayout with = without;
+    with.with_first = true;
+    with.pairs = 5;
+    const auto pairs = sobol_pairs(with);
+    CHECK(pairs[0].first == Approx((with.H_from + with.H_to) / 2));
+    CHECK(pairs[0].second == Approx((with.gamma_from + with.gamma_to) / 2));
+    CHECK(std::vector(pairs.begin() + 1, pairs.end()) == sobol_pairs(without));
+    const auto phases = sobol_phases(3, 5, true);
+    CHECK(phases[0][2] == Approx(std::numbers::pi));
+    CHECK(phases[1] == sobol_phases(3, 4)[0]);
+    CHECK(sobol_database(with)[0].series[0].chromosomes[0].phases[0] == Approx(std::numbers::pi));
 }

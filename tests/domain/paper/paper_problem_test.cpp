@@ -172,3 +172,25 @@ TEST_CASE("equal wave numbers of two series are judged as one length scale") {
     CHECK(dominance.correlation[0][0] == dominance.correlation[1][0]);
     CHECK(dominance.correlation[0][1] != dominance.correlation[1][1]);
 }
+
+TEST_CASE(
+    "readings of Algorithm 1 share responses, compare secants or the solver's tangents, and keep more of "
+    "a genome the lower the correlation asked for") {
+    const Model model = paper_model(128);
+    const auto responses = std::make_shared<LoneResponses>(model);
+    const Genome genome{
+        1, {{1, 1.2, 1.5, 0.84942, {{1, {2.0}}, {2, {1.0}}, {3, {0.4}}, {4, {4.4}}, {5, {3.0}}}}}};
+    const Response response = respond(genome, model);
+    CHECK(compared_curve(response, DominanceReading::same_step).y == secant_stiffness(response).y);
+    CHECK(compared_curve(response, DominanceReading::raw).y == response.tangent_stiffness);
+    const auto kept = [&](DominanceReading reading, double threshold) {
+        const Dominance all = DominanceRule(responses, reading, threshold)(genome);
+        CHECK(all.correlation == DominanceRule(model, reading, threshold)(genome).correlation);
+        return all.only_best ? 0 : waves(reduced(genome, all)).size();
+    };
+    using enum DominanceReading;
+    CHECK(kept(same_pressure, 0.5) >= kept(same_pressure, 0.9));
+    CHECK(kept(raw, -1) == 5);
+    CHECK(kept(same_step, 0.999999) < kept(same_step, 0.5));
+    CHECK(responses->curves() == 6); // the whole and five alone, once
+}

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "apps/experiments/experiment.hpp"
+
+#include <array>
+
+/// The paper's claims under every reading that its text allows.
+namespace app {
+
+/// A choice that the text leaves open. The first value is the one of experiments/paper.ini.
+struct ReadingAxis {
+    std::string name;
+    std::vector<std::string> values;
+};
+enum ReadingAxes : std::size_t { body, correlation, dominance, reduction, reach, first_point, threshold };
+constexpr std::size_t reading_axes_count = 7;
+const std::array<ReadingAxis, reading_axes_count>& reading_axes();
+
+/// A value on each axis, by its place; ours has all 0.
+using Reading = std::array<std::size_t, reading_axes_count>;
+/// How many of its values are not ours.
+std::size_t deviations(const Reading& reading);
+
+/// The claims on one target from one database.
+struct ReadingCell {
+    Reading reading;
+    std::size_t database = 0; ///< 0: Sobol phases; others: phases drawn anew
+    std::string target;
+    std::string holds; ///< a sign a claim: 1, 0, or ? where it cannot be said
+};
+
+struct ReadingCross {
+    Origin origin;
+    bool quick = false;
+    std::size_t databases = 0;                               ///< with other phases
+    std::vector<std::pair<std::string, std::string>> claims; ///< place, what the paper says (HTML)
+    std::vector<std::string> targets;
+    std::vector<ReadingCell> cells;
+    std::string runs;              ///< rows of runs.csv
+    long searches = 0, curves = 0; ///< runs of an algorithm, and the curves and gradients they asked for
+    double seconds = 0;
+
+    /// Of the cells that `counts` admits and where it can be said, the share in which a claim holds; NaN of
+    /// none.
+    double share(std::size_t claim, const std::function<bool(const ReadingCell&)>& counts) const;
+    /// Claims that hold under a reading, in the mean over the targets, from Sobol phases.
+    double holding(const Reading& reading) const;
+    /// The readings tried on Sobol phases, most claims first.
+    std::vector<Reading> ranked() const;
+};
+
+/// The columns of runs.csv.
+const std::string& run_columns();
+
+/// Tries them: all where `quick` is off, else one axis at a time. From databases with other phases one axis
+/// at a time. Keeps each body and database in `checkpoints`.
+ReadingCross tried_readings(const Settings& settings, const Conditions& conditions);
+
+/// The report as a web page.
+std::string readings_page(const ReadingCross& cross);
+/// What the readings make of a claim, in words.
+std::string claim_words(const ReadingCross& cross, std::size_t claim);
+/// What came out, in sentences (HTML); the page's first screen.
+std::vector<std::string> readings_words(const ReadingCross& cross);
+
+} // namespace app

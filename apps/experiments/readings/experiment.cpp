@@ -1,0 +1,90 @@
+#include "apps/experiments/readings/cross.hpp"
+#include "apps/prompt/model_settings.hpp"
+#include "apps/report/csv.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/result.hpp"
+#include "domain/text/atomic_file.hpp"
+
+namespace app {
+
+namespace {
+
+std::vector<Setting> readings_settings() {
+    return joined({{{"readings.quick", "off", "on tries one choice at a time and two databases: a minute"},
+                    {"readings.databases", "20",
+                     "databases with other phases, from each of which one choice at a "
+                     "time is tried"},
+                    {"readings.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"}},
+                   model_settings("model.")});
+}
+
+/// A row a cell, a column a claim (1 holds, 0 does not, empty cannot be said).
+std::string cells_csv(const ReadingCross& cross) {
+    std::string text;
+    for (const ReadingAxis& axis : reading_axes())
+        text += axis.name + ",";
+    text += "database,target";
+    for (std::size_t c = 0; c < cross.claims.size(); ++c)
+        text += ",claim_" + std::to_string(c + 1);
+    for (const ReadingCell& cell : cross.cells) {
+        text += "\n";
+        for (std::size_t axis = 0; axis < reading_axes_count; ++axis)
+            text += "\"" + reading_axes()[axis].values[cell.reading[axis]] + "\",";
+        text += std::to_string(cell.database) + "," + cell.target;
+        for (const char sign : cell.holds)
+            text += sign == '?' ? std::string(",") : std::string(",") + sign;
+    }
+    return text + "\n";
+}
+
+void write_readings(const ReadingCross& cross, const std::filesystem::path& folder) {
+    rough::write_atomically(folder / "cells.csv", cells_csv(cross));
+    rough::write_atomically(folder / "runs.csv", run_columns() + "\n" + cross.runs);
+    Csv claims("claim,place,says,choice,value,share_holds");
+    for (std::size_t c = 0; c < cross.claims.size(); ++c)
+        for (std::size_t axis = 0; axis < reading_axes_count; ++axis)
+            for (std::size_t value = 0; value < reading_axes()[axis].values.size(); ++value)
+                claims.row(c + 1, cross.claims[c].first, cross.claims[c].second, reading_axes()[axis].name,
+                           reading_axes()[axis].values[value], cross.share(c, [&](const ReadingCell& cell) {
+                               return cell.database == 0 && cell.reading[axis] == value;
+                           }));
+    rough::write_atomically(folder / "claims.csv", claims.text());
+    nlohmann::json result = origin_json(cross.origin);
+    result["words"] = readings_words(cross);
+    result["claims"] = claims.rows();
+    result["searches"] = cross.searches;
+    result["curves"] = cross.curves;
+    result["seconds"] = cross.seconds;
+    for (const Reading& reading : cross.ranked()) {
+        nlohmann::json one{{"claims_hold", cross.holding(reading)}};
+        for (std::size_t axis = 0; axis < reading_axes_count; ++axis)
+            one[reading_axes()[axis].name] = reading_axes()[axis].values[reading[axis]];
+        result["readings"].push_back(std::move(one));
+    }
+    write_json(folder / "result.json", result);
+    nlohmann::json told{{"command", cross.origin.command}, {"version", cross.origin.version}};
+    for (std::size_t c = 0; c < cross.claims.size(); ++c)
+        told["claims"][cross.claims[c].second] = claim_words(cross, c);
+    write_json(folder / "readings.json", told); // what the paper's page takes
+}
+
+Findings run_readings(const Settings& settings, const Conditions& conditions) {
+    const auto cross = std::make_shared<ReadingCross>(tried_readings(settings, conditions));
+    if (cross->cells.empty())
+        return {};
+    return {[cross, folder = conditions.folder] { write_readings(*cross, folder); },
+            [cross] { return readings_page(*cross); }, readings_words(*cross).front()};
+}
+
+} // namespace
+
+Experiment readings_experiment() {
+    return {.kind = "readings",
+            .summary = "the paper's claims under every reading that its text allows",
+            .settings = readings_settings(),
+            .files = {"cells.csv", "claims.csv", "runs.csv", "readings.json", "targets"},
+            .run = run_readings,
+            .resumes = true};
+}
+
+} // namespace app

@@ -1,0 +1,272 @@
+#include "apps/report/page.hpp"
+
+#include "apps/experiments/readings/cross.hpp"
+#include "apps/report/units.hpp"
+#include "domain/numerics/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+bool from_sobol(const ReadingCell& cell) { return cell.database == 0; }
+
+/// "strip, K by load step": what is not ours in a reading.
+std::string named(const Reading& reading) {
+    std::string words;
+    for (std::size_t axis = 0; axis < reading_axes_count; ++axis)
+        if (reading[axis] != 0)
+            words += (words.empty() ? "" : "; ") + reading_axes()[axis].name + ": " +
+                     reading_axes()[axis].values[reading[axis]];
+    return words.empty() ? "ours" : words;
+}
+
+/// A claim's number and words.
+std::string numbered(const ReadingCross& cross, std::size_t claim) {
+    return std::to_string(claim + 1) + " (" + cross.claims[claim].first + ": " + cross.claims[claim].second +
+           ")";
+}
+
+/// How a claim's share spreads over the values of a choice.
+struct Spread {
+    double width = 0; ///< greatest share less least
+    std::size_t axis = 0, least = 0, most = 0;
+    double least_share = 0, most_share = 0;
+};
+
+/// Of the choice that a claim hangs on most; of width 0 where it hangs on none.
+Spread widest(const ReadingCross& cross, std::size_t claim) {
+    Spread best;
+    for (std::size_t axis = 0; axis < reading_axes_count; ++axis) {
+        Spread spread{0, axis, 0, 0, 2, -1};
+        for (std::size_t value = 0; value < reading_axes()[axis].values.size(); ++value) {
+            const double share = cross.share(claim, [&](const ReadingCell& cell) {
+                return from_sobol(cell) && cell.reading[axis] == value;
+            });
+            if (share < spread.least_share)
+                spread.least = value, spread.least_share = share;
+            if (share > spread.most_share)
+                spread.most = value, spread.most_share = share;
+        }
+        spread.width = spread.most_share - spread.least_share;
+        if (spread.width > best.width)
+            best = spread;
+    }
+    return best;
+}
+
+std::string hangs_on(const ReadingCross& cross, std::size_t claim) {
+    const Spread spread = widest(cross, claim);
+    if (spread.width < 0.05)
+        return "";
+    const ReadingAxis& axis = reading_axes()[spread.axis];
+    return axis.name + ": " + axis.values[spread.most] + " " + percent(spread.most_share, 2) + ", " +
+           axis.values[spread.least] + " " + percent(spread.least_share, 2);
+}
+
+std::string listed(const ReadingCross& cross, const std::vector<std::size_t>& claims) {
+    std::string words;
+    for (const std::size_t claim : claims)
+        words += (words.empty() ? "" : "; ") + numbered(cross, claim);
+    return words.empty() ? "none" : words;
+}
+
+/// Claims by the values of all choices: the colour says in which share of the readings with that value it
+/// holds.
+Plot shares_plot(const ReadingCross& cross) {
+    Plot plot;
+    plot.alt =
+        "For each claim and each value of a choice, the share of readings and targets in which it holds";
+    plot.x = {"Claim (numbers as in the table)", false, 0, static_cast<double>(cross.claims.size()) + 1};
+    plot.height = 560;
+    plot.key += " maxcols 3";
+    const std::array<std::tuple<const char*, double, Colour>, 5> bins{{{"never", 0, Colour::red},
+                                                                       {"under 50 %", 0.5, Colour::orange},
+                                                                       {"50 to 90 %", 0.9, Colour::sky},
+                                                                       {"over 90 %", 1, Colour::blue},
+                                                                       {"always", 2, Colour::green}}};
+    std::array<std::vector<std::pair<double, double>>, 5> points;
+    double row = 0;
+    for (std::size_t axis = reading_axes_count; axis-- > 0;) {
+        for (std::size_t value = reading_axes()[axis].values.size(); value-- > 0;) {
+            plot.y.ticks.emplace_back(++row, reading_axes()[axis].values[value]);
+            for (std::size_t c = 0; c < cross.claims.size(); ++c) {
+                const double share = cross.share(c, [&](const ReadingCell& cell) {
+                    return from_sobol(cell) && cell.reading[axis] == value;
+                });
+                const std::size_t bin = share <= 0    ? 0
+                                        : share < 0.5 ? 1
+                                        : share < 0.9 ? 2
+                                        : share < 1   ? 3
+                                                      : 4;
+                if (!std::isnan(share))
+                    points[bin].emplace_back(static_cast<double>(c + 1), row);
+            }
+        }
+        plot.guides.push_back({row + 0.5, true});
+    }
+    plot.y.from = 0, plot.y.to = row + 1;
+    for (std::size_t bin = 0; bin < bins.size(); ++bin) {
+        const auto& [label, upper, colour] = bins[bin];
+        Series series{label, {}, {}, colour, Style::points, 2.5};
+        series.x.resize(static_cast<Eigen::Index>(points[bin].size()));
+        series.y.resize(series.x.size());
+        for (std::size_t i = 0; i < points[bin].size(); ++i)
+            series.x[static_cast<Eigen::Index>(i)] = points[bin][i].first,
+            series.y[static_cast<Eigen::Index>(i)] = points[bin][i].second;
+        if (series.x.size() > 0)
+            plot.series.push_back(std::move(series));
+    }
+    return plot;
+}
+
+std::string share_words(double share) { return std::isnan(share) ? "–" : percent(share, 3); }
+
+Table claims_table(const ReadingCross& cross) {
+    const Reading ours{}, best = cross.ranked().front();
+    Table table{"",
+                {"", "Where", "The paper says", "Ours", "Best reading", "Every reading", "Other phases, ours",
+                 "Hangs most on"},
+                {},
+                {true, false, false, true, true, true, true, false},
+                true};
+    for (std::size_t c = 0; c < cross.claims.size(); ++c) {
+        const auto under = [&](const Reading& reading, bool drawn) {
+            return share_words(cross.share(c, [&](const ReadingCell& cell) {
+                return (cell.database > 0) == drawn && cell.reading == reading;
+            }));
+        };
+        table.rows.push_back({std::to_string(c + 1), cross.claims[c].first, Html::raw(cross.claims[c].second),
+                              under(ours, false), under(best, false), share_words(cross.share(c, from_sobol)),
+                              under(ours, true), hangs_on(cross, c)});
+    }
+    return table;
+}
+
+} // namespace
+
+std::string claim_words(const ReadingCross& cross, std::size_t claim) {
+    const double share = cross.share(claim, from_sobol);
+    const std::string by = hangs_on(cross, claim);
+    return std::isnan(share)
+               ? "cannot be said under any"
+               : "holds in " + percent(share, 3) + " of " + std::to_string(cross.ranked().size()) +
+                     " readings and targets" + (by.empty() ? "" : "; most by " + by);
+}
+
+std::vector<std::string> readings_words(const ReadingCross& cross) {
+    const auto ranked = cross.ranked();
+    const double all = static_cast<double>(cross.claims.size());
+    std::vector<std::size_t> never, always, either;
+    for (std::size_t c = 0; c < cross.claims.size(); ++c) {
+        const double share = cross.share(c, from_sobol);
+        if (!std::isnan(share))
+            (share == 0 ? never : share == 1 ? always : either).push_back(c);
+    }
+    std::vector<std::string> words{
+        "Most claims hold at once under this reading: " + named(ranked.front()) + ". It keeps " +
+            readable(cross.holding(ranked.front())) + " of the " + brief(all) +
+            " claims that hang on a reading, in the mean over " + std::to_string(cross.targets.size()) +
+            " targets; ours keeps " + readable(cross.holding({})) + ", the worst of " +
+            std::to_string(ranked.size()) + " keeps " + readable(cross.holding(ranked.back())),
+        "No reading rescues: " + listed(cross, never),
+        "Whatever the reading, these hold: " + listed(cross, always)};
+    std::array<int, reading_axes_count> hang{};
+    for (const std::size_t claim : either)
+        if (const Spread spread = widest(cross, claim); spread.width >= 0.05)
+            ++hang[spread.axis];
+    std::string by;
+    for (std::size_t axis = 0; axis < reading_axes_count; ++axis)
+        if (hang[axis] > 0)
+            by += (by.empty() ? "" : ", ") + reading_axes()[axis].name + " (" + std::to_string(hang[axis]) +
+                  ")";
+    words.push_back("The other " + std::to_string(either.size()) +
+                    " hang on the reading or on the target; the choice that decides most of each: " +
+                    (by.empty() ? "none" : by));
+    // Equal in count, far apart in what they say: how clear the first place is.
+    std::size_t near = 0;
+    for (const Reading& reading : ranked)
+        near += cross.holding(reading) >= cross.holding(ranked.front()) - 0.25;
+    words.push_back(std::to_string(near) + (near == 1 ? " reading is" : " readings are") +
+                    " within a quarter of a claim of the best, so that the count singles out " +
+                    (near == 1 ? "this one" : "a group and not one reading"));
+    if (cross.databases > 0) {
+        std::vector<double> spread;
+        for (std::size_t c = 0; c < cross.claims.size(); ++c) {
+            const double share = cross.share(c, [](const ReadingCell& cell) {
+                return cell.database > 0 && deviations(cell.reading) == 0;
+            });
+            spread.push_back(std::min(share, 1 - share));
+        }
+        const auto firm = std::count_if(spread.begin(), spread.end(), [](double s) { return s <= 0.05; });
+        words.push_back(
+            "From " + std::to_string(cross.databases) + " databases with other phases, read as ours, " +
+            std::to_string(firm) +
+            " claims come out the same in at least 95 % of the runs; the verdict of the others hangs "
+            "on the draw or on the target");
+    }
+    words.emplace_back(
+        "Slips in the text explain the rest: Figure 2 (the last pair missing from g<sub>3</sub>, a negative "
+        "radicand read as 0), Eq. 8 (arccos loses a sign), p<sub>max</sub> above every genome's own (A in "
+        "another "
+        "unit than mm), the units of p̄, “Algorithm 2” for 1 in SOG and “GCO” for CCO in section 4.5");
+    return words;
+}
+
+std::string readings_page(const ReadingCross& cross) {
+    const auto words = readings_words(cross);
+    Page page("The paper under every reading", Html::raw(words.front() + "."));
+    page.tiles({{"readings", std::to_string(cross.ranked().size())},
+                {"claims that hang on one", std::to_string(cross.claims.size())},
+                {"hold at best", readable(cross.holding(cross.ranked().front()))},
+                {"hold read as ours", readable(cross.holding({}))},
+                {"databases with other phases", std::to_string(cross.databases)}});
+    for (std::size_t i = 1; i < words.size(); ++i)
+        page.prose(Html::raw(words[i] + "."));
+    page.figure({"claims-by-readings",
+                 "Which claim holds under which reading.",
+                 "A dot is a claim under one value of a choice, over all values of the other choices and all "
+                 "targets. The first value of each choice (the upper) is ours.",
+                 {shares_plot(cross)}});
+    page.section("The claims");
+    page.prose(
+        "Shares of targets under one reading, or of readings and targets. “Other phases” are runs from "
+        "databases with other phases. A claim that cannot be said counts nowhere.");
+    page.table(claims_table(cross));
+    page.section("The readings");
+    Table best{
+        "The ten that keep most claims", {"Reading (where not ours)", "Claims that hold"}, {}, {false, true}};
+    const auto ranked = cross.ranked();
+    for (std::size_t i = 0; i < std::min<std::size_t>(10, ranked.size()); ++i)
+        best.rows.push_back({named(ranked[i]), readable(cross.holding(ranked[i]))});
+    page.table(best);
+    Table choices{"In the mean", {"Choice", "Value", "Claims that hold"}, {}, {false, false, true}};
+    for (std::size_t axis = 0; axis < reading_axes_count; ++axis)
+        for (std::size_t value = 0; value < reading_axes()[axis].values.size(); ++value) {
+            std::vector<double> counts;
+            for (const ReadingCell& cell : cross.cells)
+                if (from_sobol(cell) && cell.reading[axis] == value)
+                    counts.push_back(
+                        static_cast<double>(std::count(cell.holds.begin(), cell.holds.end(), '1')));
+            choices.rows.push_back({value ? "" : reading_axes()[axis].name,
+                                    reading_axes()[axis].values[value], readable(rough::mean(counts))});
+        }
+    page.table(choices);
+    page.section("How it was tried");
+    page.prose(
+        "Targets are made on each body: smoothed quantiles (median, lower and upper quartile) of the Sobol "
+        "database's curves there, and the curve of a genome outside it. Units of pressure and amplitude "
+        "change no score and are not crossed. A contact curve is solved once a body and genome; readings "
+        "share it. “By load step” compares K of the whole and of the chromosome alone by the number of the "
+        "step, “raw tangents” the solver's dP/dΔ. CCO reduces the parents before the sum, or the children "
+        "after it.");
+    page.prose(std::to_string(cross.searches) + " searches asked for " + std::to_string(cross.curves) +
+               " curves and gradients in " + readable(cross.seconds) + " s.");
+    page.code(cross.origin.command);
+    page.links({"cells.csv", "claims.csv", "runs.csv", "result.json"});
+    return page.html();
+}
+
+} // namespace app

@@ -1,0 +1,98 @@
+#include "apps/experiments/readings/cross.hpp"
+#include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+#include <sstream>
+
+using namespace app;
+using app::testing::Ended;
+using app::testing::Folder;
+using app::testing::result_in;
+using app::testing::rugosa;
+using nlohmann::json;
+
+namespace {
+
+const std::string coarse =
+    "run '" RUGOSA_SOURCE "/experiments/readings.ini' --pictures off --set readings.quick=on "
+    "--set readings.databases=1 --nodes 32 --steps 6";
+
+ReadingCell cell(Reading reading, std::size_t database, const std::string& holds) {
+    return {reading, database, "t", holds};
+}
+
+std::vector<std::string> lines_of(const std::filesystem::path& file) {
+    std::istringstream in(rough::read_whole(file));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+} // namespace
+
+TEST_CASE(
+    "shares are of the cells in which a claim can be said, and the reading with most claims comes first") {
+    const Reading ours{}, strip{2}, far{1};
+    ReadingCross cross;
+    cross.claims = {{"a", "A"}, {"b", "B"}, {"c", "C"}};
+    cross.cells = {cell(ours, 0, "10?"), cell(strip, 0, "11?"), cell(far, 0, "01?"), cell(ours, 1, "111")};
+    const auto sobol = [](const ReadingCell& one) { return one.database == 0; };
+    CHECK(cross.share(0, sobol) == Approx(2.0 / 3));
+    CHECK(std::isnan(cross.share(2, sobol)));
+    CHECK(cross.share(2, [](const ReadingCell&) { return true; }) == 1);
+    CHECK(cross.holding(ours) == 1);
+    CHECK(cross.ranked() == std::vector<Reading>{strip, ours, far});
+    CHECK(deviations(ours) == 0);
+    CHECK(deviations({2, 0, 1}) == 2);
+}
+
+TEST_CASE(
+    "readings are tried one choice at a time, each on every body's own targets, and goes on where it was") {
+    const Folder folder;
+    const Ended ended = rugosa(coarse + " --out r", folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    const json result = result_in(folder / "r");
+    CHECK(result["readings"].size() == 15); // ours, and each value of each choice that is not
+    const auto cells = lines_of(folder / "r/cells.csv");
+    // Four targets; the database with other phases has no first point of Sobol's.
+    CHECK(cells.size() == 1 + 4 * (15 + 14));
+    // The claims' shares on the strip counted anew from the cells.
+    std::map<int, double> said, held;
+    for (const std::string& line : cells)
+        for (const std::string target : {"median", "lower quartile", "upper quartile", "held-out"})
+            if (const auto at = line.find(",0," + target + ",");
+                line.starts_with("\"strip\"") && at != std::string::npos) {
+                int claim = 1;
+                for (const char sign : line.substr(at + target.size() + 4)) {
+                    claim += sign == ',';
+                    said[claim] += sign != ',';
+                    held[claim] += sign == '1';
+                }
+            }
+    CHECK(said[2] == 4);
+    for (const json& row : result["claims"])
+        if (!row["share_holds"].is_null()) {
+            CHECK(row["share_holds"] >= 0);
+            CHECK(row["share_holds"] <= 1);
+            const int claim = row["claim"];
+            if (row["value"] == "strip")
+                CHECK(row["share_holds"] == Approx(held[claim] / said[claim]));
+        }
+    CHECK(std::filesystem::exists(folder / "r/targets/strip-median.csv"));
+    CHECK_FALSE(std::filesystem::exists(folder / "r/checkpoints"));
+
+    REQUIRE(rugosa(coarse + " --threads 1 --out one", folder.path()).code == 0);
+    for (const char* file : {"cells.csv", "runs.csv", "claims.csv"})
+        CHECK(rough::read_whole(folder / "r" / file) == rough::read_whole(folder / "one" / file));
+    app::testing::rugosa_stopped(0.05, "s/checkpoints", coarse + " --out s", folder.path());
+    const Ended again = rugosa(coarse + " --out s --resume", folder.path());
+    INFO(again.err);
+    CHECK(again.code == 0);
+    CHECK(rough::read_whole(folder / "s/cells.csv") == rough::read_whole(folder / "r/cells.csv"));
+    CHECK(rugosa(coarse + " --kernel strip --out t", folder.path()).code == 2);
+}
