@@ -50,6 +50,7 @@ Experiment chart_experiment();
 Experiment stability_experiment();
 Experiment compare_experiment();
 Experiment readings_experiment();
+Experiment growth_experiment();
 
 /// Every kind.
 const std::vector<Experiment>& experiments();
