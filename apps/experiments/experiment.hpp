@@ -51,6 +51,7 @@ Experiment stability_experiment();
 Experiment compare_experiment();
 Experiment readings_experiment();
 Experiment growth_experiment();
+Experiment features_experiment();
 
 /// Every kind.
 const std::vector<Experiment>& experiments();
