@@ -66,11 +66,11 @@ std::vector<Setting> area_settings() {
          "--spacing DX or DXxDY; or columns x, y, height"}};
 }
 
-rough::Map surface_from(const Settings& settings, rough::Detrend form) {
+rough::Map surface_from(const Settings& settings, rough::Detrend form, const std::string& flag) {
     for (const char* name : {"nodes", "length", "row", "fill", "outliers"})
         if (settings.given(name))
-            throw rough::InputError(settings.place(name) +
-                                    ": given with --surface, expected none: it is for profiles");
+            throw rough::InputError(settings.place(name) + ": given with --" + flag +
+                                    " of a map, expected none: it is for profiles");
     rough::MapLayout layout{settings.text("unit")};
     if (settings.has("spacing")) {
         layout.spacing = along(settings, "", true).positive("spacing");
@@ -80,7 +80,7 @@ rough::Map surface_from(const Settings& settings, rough::Detrend form) {
         rough::length_unit_named(layout.unit, settings.place("unit"));
     if (settings.given("detrend"))
         form = rough::detrend_named(settings.text("detrend"), settings.place("detrend"));
-    rough::Map map = placing(settings, "", [&] { return rough::read_map(settings.text("surface"), layout); });
+    rough::Map map = placing(settings, "", [&] { return rough::read_map(settings.text(flag), layout); });
     rough::Profile& surface = map.heights;
     surface.heights = placing(settings, "", [&] { return detrended(surface, form); });
     const auto [columns, rows] = surface.shape();
@@ -103,7 +103,8 @@ bool asks_for_area(const Settings& settings, const std::string& prefix) {
     const auto is_pair = [&](const char* name) {
         return settings.text(prefix + name).find('x') != std::string::npos;
     };
-    return (settings.knows("surface") && settings.has("surface")) || is_pair("nodes") || is_pair("length");
+    return (settings.knows("surface") && settings.has("surface")) || is_pair("nodes") || is_pair("length") ||
+           (settings.knows(prefix + "spacing") && is_pair("spacing"));
 }
 
 rough::Model surface_model_from(const Settings& settings, const std::string& prefix) {
@@ -125,12 +126,12 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
                : "";
 }
 
-AreaScene area_from(const Settings& settings) {
+AreaScene area_from(const Settings& settings, const std::string& map) {
     expect_of_areas(settings, "", {"profile", "friction", "datum", "strip-width"});
     const Settings x = along(settings, "", true), y = along(settings, "", false);
     AreaScene scene;
-    if (settings.has("surface")) {
-        rough::Map read = surface_from(settings, rough::Detrend::none);
+    if (settings.knows(map) && settings.has(map)) {
+        rough::Map read = surface_from(settings, rough::Detrend::none, map);
         scene.map = std::move(read.heights);
         scene.model = model_from(x.with({{"spacing", ""}}));
         rough::Grid& grid = scene.model.grid;

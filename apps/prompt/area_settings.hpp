@@ -15,7 +15,7 @@ std::vector<Setting> area_settings();
 inline constexpr const char* no_datum_note =
     "an area on a half-space needs no datum: displacements are measured to infinity";
 
-/// Whether the settings ask for an area: by --surface, or by --nodes or --length as a pair.
+/// Whether the settings ask for an area: by --surface, or by --nodes, --length or --spacing as a pair.
 bool asks_for_area(const Settings& settings, const std::string& prefix = "");
 
 /// The model that the settings describe, of an area where --nodes or --length is a pair. Throws
@@ -25,9 +25,10 @@ rough::Model surface_model_from(const Settings& settings, const std::string& pre
 /// By how much a genome's wave vectors were moved to fit a periodic area; "" where none was.
 std::string fit_note(const rough::Genome& genome, const rough::Grid& grid);
 
-/// The map of --surface, its form and waves taken off as --detrend (`form` where that is not given),
+/// The map of the flag of that name, its form and waves taken off as --detrend (`form` where that is not
+/// given),
 /// --lambda-s and --lambda-c say.
-rough::Map surface_from(const Settings& settings, rough::Detrend form);
+rough::Map surface_from(const Settings& settings, rough::Detrend form, const std::string& flag = "surface");
 
 /// An area as the settings give it, and what it is pressed on.
 struct AreaScene {
@@ -35,7 +36,8 @@ struct AreaScene {
     rough::Model model;             ///< complete, with the map's grid
     std::vector<std::string> notes; ///< what was done to it, a line each
 };
-/// The area of --surface or of --genome. Throws rough::InputError on what only a profile has.
-AreaScene area_from(const Settings& settings);
+/// The area of the map that the flag of that name gives, or of --genome. Throws rough::InputError on what
+/// only a profile has.
+AreaScene area_from(const Settings& settings, const std::string& map = "surface");
 
 } // namespace app

@@ -37,7 +37,8 @@ DesignSetup like(DesignSetup setup, Profile profile, const Model& own, const std
     for (const Quantity quantity : quantities)
         setup.targets.push_back(
             target_like(*setup.like, own, name, quantity, points, setup.max_pressure.value_or(0)));
-    setup.model.grid.nodes = nodes > 0 ? nodes : enough_nodes(setup);
+    if (!setup.like->is_area())
+        setup.model.grid.nodes = nodes > 0 ? nodes : enough_nodes(setup);
     return setup;
 }
 

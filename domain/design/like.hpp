@@ -7,7 +7,8 @@ namespace rough {
 /// What a design like a measured profile is asked for: the profile's own response under `own`, its model, in
 /// these quantities, at `points` even pressures up to the set-up's max_pressure, or as far as it is loaded.
 /// Fills in `like`, the targets, and the model on `nodes` nodes: 0 takes 512, or where area is asked for the
-/// profile's own number, or so many that its contact begins with some of them, 512 to 2048.
+/// profile's own number, or so many that its contact begins with some of them, 512 to 2048. A map keeps its
+/// own.
 DesignSetup like(DesignSetup setup, Profile profile, const Model& own, const std::string& name,
                  const std::vector<Quantity>& quantities = {Quantity::stiffness, Quantity::area_at_pressure},
                  Index points = 20, Index nodes = 0);

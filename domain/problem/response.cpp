@@ -73,7 +73,8 @@ DesignResponse scored(const DesignSetup& setup, std::vector<Response> pressed) {
         result.curves.push_back(
             stretched(curve_of(setup.targets[t].quantity, pressed[loadings.of_target[t]]), result.scale));
     for (Response& response : pressed)
-        result.responses.push_back(scaled(std::move(response), result.scale));
+        result.responses.push_back(setup.max_pressure ? scaled(std::move(response), result.scale)
+                                                      : std::move(response));
     return result;
 }
 

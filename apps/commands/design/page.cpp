@@ -100,8 +100,8 @@ Plot shades_plot(const rough::Grid& grid, const Eigen::VectorXd& values, const s
     return plot;
 }
 
-Plot heights_plot(const DesignRun& run, const rough::Genome& genome, const std::string& title) {
-    const Eigen::VectorXd z = sample(genome, run.setup.model.grid).heights;
+Plot heights_plot(const DesignRun& run, const rough::Profile& map, const std::string& title) {
+    const Eigen::VectorXd& z = map.heights;
     const Unit unit = length_unit(z.maxCoeff() - z.minCoeff());
     return shades_plot(run.setup.model.grid, unit.factor * (z.array() - z.maxCoeff()).matrix(), title,
                        "Height under the highest point (" + unit.name + ")",
@@ -247,14 +247,17 @@ void add_alternatives(Page& page, const DesignRun& run) {
         surfaces.caption = "Heights, and where the first answer touches at the end of the load.";
         for (std::size_t i = 0; i < run.found.alternatives.size() && i < line_colours.size(); ++i)
             surfaces.panels.push_back(
-                heights_plot(run, run.found.alternatives[i].genome, "Answer " + std::to_string(i + 1)));
+                heights_plot(run, sample(run.found.alternatives[i].genome, run.setup.model.grid),
+                             "Answer " + std::to_string(i + 1)));
         surfaces.panels.insert(surfaces.panels.begin() + 1, pressure_plot(run));
     } else {
         surfaces.panels.push_back(profile_plot(run));
     }
     if (run.setup.like) {
         surfaces.caption = "The surface that was measured, and those that answer a load as it does.";
-        surfaces.panels.insert(surfaces.panels.begin(), scan_plot(*run.setup.like));
+        surfaces.panels.insert(surfaces.panels.begin(), run.setup.like->is_area()
+                                                            ? heights_plot(run, *run.setup.like, "The map")
+                                                            : scan_plot(*run.setup.like));
     }
     page.figure(surfaces);
     Table table{"",

@@ -81,7 +81,8 @@ std::vector<Setting> design_settings() {
     const std::vector<Setting> settings{
         {"target", "", "target file (CSV); several with commas between"},
         {"weights", "", "how much each target counts, with commas between [1 each]"},
-        {"like", "", "measured profile whose own response is the target"},
+        {"like", "",
+         "measured profile whose own response is the target, or with --spacing DXxDY a map, a text matrix"},
         {"quantity", "both",
          "of the scan's response: both (stiffness and contact area), stiffness, area or "
          "interface_stiffness"},
@@ -169,20 +170,25 @@ DesignRun design_from(const Settings& settings) {
     if (settings.has("ridges"))
         setup.ridges = static_cast<int>(settings.whole("ridges", 1, 64));
     const bool area = asks_for_area(settings);
-    for (const char* name : {"like", "database", "from"})
+    for (const char* name : {"database", "from"})
         if (area && settings.has(name))
             throw rough::InputError(settings.place(name) +
-                                    ": given with an area, expected --target: scans and stored curves are of "
-                                    "profiles");
-    if (settings.has("like")) {
+                                    ": given with an area, expected none: it is for profiles alone");
+    const auto likeness = [&] {
+        return rough::likeness_named(
+            rough::names_of_likeness()[settings.one_of("quantity", rough::names_of_likeness())]);
+    };
+    const long points = settings.whole("points", 2, 100000);
+    if (settings.has("like") && area) {
+        const AreaScene scene = area_from(settings, "like");
+        run.accounts = scene.notes;
+        setup = like(setup, scene.map, scene.model, settings.text("like"), likeness(), points);
+    } else if (settings.has("like")) {
         const rough::Source scan = scan_from(settings.text("like"), settings, 0);
         run.accounts.push_back(scan.account);
         rough::Model own = model_from(settings, scan);
         own.grid.nodes = scan.measured.nodes();
-        setup = like(setup, scan.on(own.grid), own, scan.name,
-                     rough::likeness_named(
-                         rough::names_of_likeness()[settings.one_of("quantity", rough::names_of_likeness())]),
-                     settings.whole("points", 2, 100000), nodes_from(settings, 0));
+        setup = like(setup, scan.on(own.grid), own, scan.name, likeness(), points, nodes_from(settings, 0));
     } else {
         expect_none(settings, joined({scan_settings(), {{"points", "", ""}, {"quantity", "", ""}}}),
                     "given with --target, expected with --like only");

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using app::testing::Ended;
 using app::testing::Folder;
 using app::testing::result_in;
@@ -67,6 +69,27 @@ TEST_CASE("a design on an area has the same files, and its similarities follow f
     }
 }
 
+TEST_CASE("a design like a map answers for the map's own stiffness and contact area, on its nodes",
+          "[areas]") {
+    const Folder folder;
+    std::string matrix;
+    for (int j = 0; j < 18; ++j)
+        for (int i = 0; i < 20; ++i)
+            matrix += std::to_string(std::cos(0.3 * i + 0.1 * j) + 0.5 * std::cos(0.5 * j - 0.2 * i + 1)) +
+                      (i == 19 ? "\n" : " ");
+    folder.write("map.txt", matrix);
+    const Ended ended =
+        rugosa("design --like map.txt --unit um --spacing 40x45 --out r" + short_way, folder.path());
+    INFO(ended.err << ended.out);
+    REQUIRE(ended.code != 2);
+    const json result = result_in(folder / "r");
+    CHECK(result["nodes"] == json({20, 18}));
+    CHECK(result["length_mm"][0].get<double>() == Approx(0.76));
+    CHECK(result["length_mm"][1].get<double>() == Approx(0.765));
+    CHECK(result["targets"].size() == 2);
+    CHECK(rough::read_whole(folder / "r" / "report.html").find("The map") != std::string::npos);
+}
+
 TEST_CASE("a design on an area is the same on one thread and on two", "[areas]") {
     const Folder folder;
     for (const char* threads : {"1", "2"})
@@ -81,7 +104,7 @@ TEST_CASE("a design on an area is the same on one thread and on two", "[areas]")
 
 TEST_CASE("what a design on an area cannot be given is refused in one line", "[areas]") {
     const Folder folder;
-    folder.write("scan.txt", "0 1\n1 2\n2 1\n");
+    folder.write("scan.txt", "0 1 0.5\n0.25 3 1\n0 1.5 2.5\n0.5 0 1\n");
     folder.write(
         "of_profile.csv",
         "# kernel: free\n# datum_mm: 0.84942\npressure_MPa,stiffness_MPa_per_mm\n1e-6,0.4\n2e-6,0.5\n");
@@ -94,7 +117,9 @@ TEST_CASE("what a design on an area cannot be given is refused in one line", "[a
           std::pair(drawn + "--nodes 32x32 --database g.db", "--database"),
           std::pair(drawn + "--nodes 8x32", "--nodes: 8"), std::pair(drawn + "--nodes 32x", "32x"),
           std::pair(drawn + "--nodes 32x32 --ridges 0", "--ridges"),
-          std::pair(std::string("design --like scan.txt --nodes 32x32"), "--like"),
+          std::pair(std::string("design --like scan.txt --spacing 1x1 --nodes 32x32"), "--nodes"),
+          std::pair(std::string("design --like scan.txt --nodes 32x32"), "--spacing"),
+          std::pair(std::string("design --like scan.txt --spacing 1x1"), "16 at least"),
           std::pair(std::string("design --target of_profile.csv --nodes 32x32"), "datum_mm"),
           std::pair(std::string("design --target of_area.csv --nodes 32"), "width_mm"),
           std::pair(std::string("run '" RUGOSA_SOURCE "/experiments/paper.ini' --nodes 32x32"), "32x32")}) {
