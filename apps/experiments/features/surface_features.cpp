@@ -60,7 +60,7 @@ std::vector<SurfaceFeature> features_of(const rough::Genome& genome, const rough
         static_cast<double>(std::abs(second - top)) / static_cast<double>(z.size() - 1));
     for (const double depth : {0.05, 0.1, 0.25, 0.5})
         add("bearing " + brief(100 * depth) + " %",
-            "share of the surface within that part of the height range from the top",
+            "share of the surface above that depth of the height range",
             static_cast<double>((z.array() > highest - depth * range).count()) /
                 static_cast<double>(z.size()));
     add("mean depth", "of the mean line under the top, over the height range", about.Rp / range);

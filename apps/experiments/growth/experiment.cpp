@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace app {
 
@@ -113,20 +114,27 @@ class Trial {
         return one;
     }
 
-    /// Those above 0.95, or the three best, best first; at most so many that all pairs may be tried.
-    std::pair<std::vector<std::uint64_t>, std::size_t> good_in(double Scores::*part) const {
+    /// Those above 0.95 in a part, or the three best, best first.
+    std::vector<std::uint64_t> good_in(double Scores::*part) const {
         std::vector<std::uint64_t> order(stored_.size());
-        for (std::size_t i = 0; i < order.size(); ++i)
-            order[i] = i;
-        std::stable_sort(order.begin(), order.end(), [&](std::uint64_t a, std::uint64_t b) {
-            return stored_[a].scores.*part > stored_[b].scores.*part;
-        });
-        const auto above = static_cast<std::size_t>(std::count_if(
-            stored_.begin(), stored_.end(), [&](const Stored& one) { return one.scores.*part > good; }));
-        const std::size_t kept = std::max(above, at_least);
-        order.resize(
-            std::min(kept, static_cast<std::size_t>(std::sqrt(static_cast<double>(growth_.most_pairs)))));
-        return {order, kept};
+        std::iota(order.begin(), order.end(), std::uint64_t{0});
+        const auto score_of = [&](std::uint64_t i) { return stored_[i].scores.*part; };
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::uint64_t a, std::uint64_t b) { return score_of(a) > score_of(b); });
+        const auto above =
+            std::find_if(order.begin(), order.end(), [&](std::uint64_t i) { return !(score_of(i) > good); });
+        order.resize(std::max(at_least, static_cast<std::size_t>(above - order.begin())));
+        return order;
+    }
+
+    /// Cut to the best of each so that no more than `most_pairs` are left, the longer one first.
+    void cut(std::vector<std::uint64_t>& low, std::vector<std::uint64_t>& high) const {
+        const std::uint64_t most = growth_.most_pairs;
+        auto &longer = low.size() > high.size() ? low : high, &other = low.size() > high.size() ? high : low;
+        if (low.size() * high.size() <= most)
+            return;
+        other.resize(std::min(other.size(), static_cast<std::size_t>(std::sqrt(static_cast<double>(most)))));
+        longer.resize(most / other.size());
     }
 
     ga::Result<Genome> ran(const rough::Pipeline& pipeline, const rough::DesignProblem& problem,
@@ -174,7 +182,7 @@ class Trial {
     }
 
     Population three_best(Grown& result) const {
-        const auto order = good_in(&Scores::all).first;
+        const auto order = good_in(&Scores::all);
         Population population;
         for (std::size_t i = 0; i < std::min(refined, order.size()); ++i)
             population.push_back({genome(order[i]), order[i], {}, {}, nullptr});
@@ -185,9 +193,9 @@ class Trial {
     /// Pairs in blocks, each screened against the three best before it.
     Population best_children(bool reduce, const rough::Vocabulary& words, const rough::DesignProblem& problem,
                              Grown& result) const {
-        const auto [low, count_low] = good_in(&Scores::low);
-        const auto [high, count_high] = good_in(&Scores::high);
-        result.u1 = count_low, result.u2 = count_high;
+        auto low = good_in(&Scores::low), high = good_in(&Scores::high);
+        result.u1 = low.size(), result.u2 = high.size();
+        cut(low, high);
         const auto parents_of = [&](const std::vector<std::uint64_t>& numbers) {
             std::vector<Genome> parents(numbers.size());
             ga::parallel_for(numbers.size(), growth_.origin.threads, [&](std::size_t i) {

@@ -42,6 +42,8 @@ Plot costs_plot(const GrowthTarget& target) {
     plot.title = target.target.name;
     plot.x = {"Contact curves and gradients paid", true};
     plot.y = {"1 - similarity", true};
+    plot.key += " maxcols 4";
+    plot.height = 380;
     const auto shortfall = [](double similarity) { return std::max(1e-5, 1 - similarity); };
     for (const auto& [name, title, colour] : variants) {
         std::vector<std::pair<double, double>> points;
@@ -61,13 +63,9 @@ Plot costs_plot(const GrowthTarget& target) {
         most = std::max(most, course.best.empty() ? 0 : course.best.back().first);
     if (most > 30) {
         constexpr int points = 50;
-        Series series{"default search (median)",
-                      Eigen::VectorXd(points),
-                      Eigen::VectorXd(points),
-                      Colour::text,
-                      Style::line,
-                      2,
-                      Dash::dashed};
+        Series series{
+            "default",   Eigen::VectorXd(points), Eigen::VectorXd(points), Colour::text, Style::line, 2,
+            Dash::dashed};
         for (int k = 0; k < points; ++k) {
             series.x[k] = 30 * std::pow(most / 30, k / (points - 1.0));
             const double similarity = default_at(target, series.x[k]);
@@ -95,16 +93,19 @@ std::vector<std::string> growth_words(const Growth& growth) {
         }
         line += " from " + std::to_string(target.grown.front().size) + " to " +
                 std::to_string(target.grown.back().size) + " genomes";
-        // Where the children of a size beat refinement of every size that costs no more.
-        std::uint64_t pays = 0;
+        // Sizes whose children beat refinement of every size that costs no more.
+        std::vector<std::uint64_t> pays;
         for (const Grown& one : target.grown) {
             const Grown* alone = best_for(target, "sog", one.curves);
-            if (pays == 0 && one.variant != "sog" && (!alone || one.similarity > alone->similarity))
-                pays = one.size;
+            if (one.variant != "sog" && (!alone || one.similarity > alone->similarity) &&
+                std::find(pays.begin(), pays.end(), one.size) == pays.end())
+                pays.push_back(one.size);
         }
-        line += pays ? ". Cross-over is first worth its curves beside refinement alone from " +
-                           std::to_string(pays) + " genomes"
-                     : ". Cross-over is at no size worth its curves beside refinement alone";
+        std::string sizes;
+        for (const std::uint64_t size : pays)
+            sizes += (sizes.empty() ? "" : ", ") + std::to_string(size);
+        line += ". Cross-over is " + (sizes.empty() ? "at no size" : "with " + sizes + " genomes") +
+                " worth its curves beside refinement alone";
         const Grown* nearest = nullptr;
         for (const Grown& one : target.grown)
             if (!nearest || one.similarity > nearest->similarity)
@@ -129,7 +130,7 @@ std::string growth_page(const Growth& growth) {
         page.prose(words[i] + ".");
     Figure figure{"costs",
                   "Similarity against what was paid.",
-                  "Each point is a database ten times the one before it; the lower the nearer. Paid are the "
+                  "Each point is a size of the database; the lower the nearer. Paid are the "
                   "database's own curves, Algorithm 1's, the children's (one each, given up or not) and the "
                   "refinement's gradients. The default search needs no database.",
                   {}};
