@@ -118,8 +118,8 @@ Design designed(const std::optional<Eigen::VectorXd>& pressure,
     if (like) {
         if (!setup.targets.empty())
             throw py::type_error("design: like given with a target, expected one of them");
-        const rough::Profile profile = profile_from(*like, spacing, "design: like");
-        const rough::Index nodes = keywords.take<rough::Index>("nodes", 0);
+        const rough::Profile profile = surface_from(*like, spacing, "design: like");
+        const rough::Index nodes = profile.is_area() ? 0 : keywords.take<rough::Index>("nodes", 0);
         setup = rough::like(setup, profile, model_from(keywords, profile), "like",
                             rough::likeness_named(keywords.take<std::string>("quantity", "both")), 20, nodes);
     } else {

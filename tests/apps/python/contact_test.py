@@ -140,7 +140,7 @@ class Contact(WithFolder):
         with self.assertRaisesRegex(TypeError, "two spacings"):
             rugosa.contact(heights[0], (0.01, 0.01))
         with self.assertRaisesRegex(rugosa.InputError, "expected one"):
-            rugosa.design(like=heights, spacing=0.01)
+            rugosa.Profile(heights, 0.01)
 
     def test_filters_of_the_program_are_read_options(self):
         heights = rough_heights() + 1e-3 * (numpy.arange(256) == 99)
