@@ -29,8 +29,8 @@ struct StoredCurves {
 
 /// A batch's genomes and of their responses range, pressures, contact fractions and tangents.
 struct StoredBatch {
-    std::vector<Genome> genomes;
-    std::vector<Response> responses;
+    std::vector<Genome> genomes;     ///< scale 1
+    std::vector<Response> responses; ///< one a genome
 };
 
 /// A genome database: an SQLite file with the genomes of a law and their responses, in batches. A batch is
