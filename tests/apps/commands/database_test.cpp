@@ -159,3 +159,29 @@ TEST_CASE("wrong use of the database is refused in one line, and no file is left
     }
     CHECK(folder.names() == std::vector<std::string>{"text.db"});
 }
+
+TEST_CASE(
+    "databases of two machines are merged into a new file, and none that is read or there is written over") {
+    const Folder folder;
+    const std::string flags = " --nodes 64 --seed 3 --threads 1 --genomes ";
+    REQUIRE(rugosa("database build a.db" + flags + "30", folder.path()).code == 0);
+    REQUIRE(rugosa("database build b.db" + flags + "30 --first 20", folder.path()).code == 0);
+    REQUIRE(rugosa("database build whole.db" + flags + "50", folder.path()).code == 0);
+    const Ended merged = rugosa("database merge a.db b.db --out c.db", folder.path());
+    INFO(merged.err);
+    REQUIRE(merged.code == 0);
+    CHECK_THAT(merged.out, Catch::Contains("c.db: 50 genomes of 2 files"));
+    CHECK(pressures(folder / "c.db") == pressures(folder / "whole.db"));
+    for (const auto& [words, why] : {std::pair("a.db b.db --out c.db", "exists"),
+                                     {"a.db b.db --out a.db --force", "is read here"},
+                                     {"a.db --out d.db", "two genome databases"},
+                                     {"a.db none.db --out d.db", "none.db"}}) {
+        const Ended refused = rugosa(std::string("database merge ") + words, folder.path());
+        INFO(refused.err);
+        CHECK(refused.code == 2);
+        CHECK(refused.error_lines() == 1);
+        CHECK_THAT(refused.err, Catch::Contains(why));
+    }
+    CHECK_FALSE(std::filesystem::exists(folder / "d.db"));
+    CHECK(rugosa("database merge a.db b.db --out c.db --force", folder.path()).code == 0);
+}

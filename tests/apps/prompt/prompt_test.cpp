@@ -150,7 +150,7 @@ const std::vector<Wrong> wrong_uses{
     {"design --target t.csv --weights 1,2", {"--weights", "expected 1"}},
     {"design --target t.csv --out .", {"--out", "holds result.json", "--force"}},
     {"design --target t.csv --database g.json", {"g.json", "no genome database"}},
-    {"database", {"build, info or query"}},
+    {"database", {"build, info, merge or query"}},
     {"database bild", {"'bild'", "did you mean 'build'"}},
     {"database build", {"no file"}},
     {"database build g.json", {"g.json", "no genome database"}},
