@@ -15,6 +15,8 @@ namespace {
 constexpr int first_try = 20, second_try = 12; ///< curves with derivatives, at most
 /// Share of the misfit allowed that is aimed at, as a step ends near its bounds and not on them.
 constexpr double aimed = 0.98;
+/// Misfits are told in units of what is wanted, which is no less than this.
+constexpr double least_wanted = 1e-6;
 /// What a misfit beyond the one allowed costs, beside a change of every phase by its whole range: so much
 /// that no change saves it.
 constexpr double cost_of_misfit = 100;
@@ -105,7 +107,7 @@ class LeastChange {
     /// Sequential quadratic programming from the best point so far.
     void nearest(int evaluations) {
         const Eigen::VectorXd from = best_.x;
-        const double wanted = aimed * allowed_;
+        const double wanted = std::max(aimed * allowed_, least_wanted);
         const Index n = from.size(), rows = look(from).residuals.size();
         // One more variable t, in units of what is wanted: |r_k| <= (1 + t) wanted.
         Eigen::VectorXd lower = Eigen::VectorXd::Constant(n + 1, -1), upper = Eigen::VectorXd::Ones(n + 1),

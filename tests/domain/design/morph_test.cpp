@@ -99,6 +99,13 @@ TEST_CASE("what is out of reach of the chromosomes is named, and no phase goes b
     CHECK(any);
 }
 
+TEST_CASE("asked for the target itself a surface comes as near as its chromosomes let it") {
+    const DesignSetup setup = like_another(surface());
+    const Morphed back = morph(setup, moved(surface(), 3, 0.1), {{1, 3}}, 0.1, 1);
+    CHECK(back.after > 0.9999);
+    CHECK(back.changes[0].after == Approx(4.0).margin(1e-4));
+}
+
 TEST_CASE("a surface that answers as asked is left as it is") {
     const Morphed same = morph(like_another(surface()), surface(), {{1, 1}}, 0.1);
     CHECK(squares(same) == 0);
