@@ -81,11 +81,11 @@ Plot shares_plot(const ReadingCross& cross) {
         "For each claim and each value of a choice, the share of readings and targets in which it holds";
     plot.x = {"Claim (numbers as in the table)", false, 0, static_cast<double>(cross.claims.size()) + 1};
     plot.height = 560;
-    plot.key += " maxcols 3";
+    plot.key += " maxcols 2";
     const std::array<std::tuple<const char*, double, Colour>, 5> bins{{{"never", 0, Colour::red},
-                                                                       {"under 50 %", 0.5, Colour::orange},
-                                                                       {"50 to 90 %", 0.9, Colour::sky},
-                                                                       {"over 90 %", 1, Colour::blue},
+                                                                       {"< 50 %", 0.5, Colour::orange},
+                                                                       {"< 90 %", 0.9, Colour::sky},
+                                                                       {"< 100 %", 1, Colour::blue},
                                                                        {"always", 2, Colour::green}}};
     std::array<std::vector<std::pair<double, double>>, 5> points;
     double row = 0;

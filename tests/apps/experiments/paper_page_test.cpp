@@ -5,6 +5,7 @@
 
 #include <set>
 
+using app::testing::Ended;
 using app::testing::Folder;
 using app::testing::found;
 using app::testing::Outline;
@@ -29,6 +30,8 @@ std::string page_of(const Folder& folder, const std::string& more) {
 TEST_CASE("the report shows Figures 1 to 11, a verdict for every claim, and how to repeat the run") {
     const Folder folder;
     const std::string html = page_of(folder, "--set paper.sweep-points=2");
+    CHECK(html.find("Other readings") != std::string::npos);
+    CHECK(html.find("of 1440 readings") != std::string::npos);
     for (int figure = 1; figure <= 11; ++figure)
         CHECK(found(html, "<figure (id=\"figure-" + std::to_string(figure) + "\")").size() == 1);
     CHECK(outline(html) == Outline{"# The answers",
@@ -106,4 +109,17 @@ TEST_CASE("an experiment's own variants stand in the report by their own names, 
     CHECK(html.find("MYOWN") == std::string::npos);
     CHECK(html.find(">myOwn</td>") != std::string::npos);
     CHECK(html.find(">SOG, minimax</td>") != std::string::npos);
+}
+
+TEST_CASE("a file that tells nothing of other readings is refused by its name") {
+    const Folder folder;
+    for (const char* text : {"{", "{\"claims\":3}", "[]"}) {
+        folder.write("bad.json", text);
+        const Ended ended =
+            rugosa("run '" RUGOSA_SOURCE "/experiments/paper.ini' --set paper.readings=bad.json --out r",
+                   folder.path());
+        CHECK(ended.code == 2);
+        CHECK(ended.error_lines() == 1);
+        CHECK(ended.err.find("bad.json") != std::string::npos);
+    }
 }
