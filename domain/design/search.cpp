@@ -381,6 +381,15 @@ SearchResult searched_area(const DesignSetup& given, const SearchOptions& option
     return result;
 }
 
+/// With a remark on what similarity_worst rests on, where it is read between load steps.
+SearchResult with_reading_error(SearchResult result) {
+    if (const double off = result.best.judgement.reading_error; off > 0)
+        result.notes.push_back(line_of("of the finer grid's load steps some are read between solved ones; "
+                                       "similarity_worst is lower by what that is off by on the own grid, ",
+                                       off));
+    return result;
+}
+
 } // namespace
 
 SearchResult search(const DesignSetup& given, const SearchOptions& options,
@@ -390,7 +399,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     const bool timed = std::isfinite(options.seconds);
     const bool area = given.model.grid.is_area();
     if (area && name == "default")
-        return searched_area(given, options, name, observers);
+        return with_reading_error(searched_area(given, options, name, observers));
     const bool makes_starts = (name == "default" || name == "multistart") && !area;
     const bool goes_on = name == "like";
     const bool again = options.begins_anew && (makes_starts || goes_on) && timed;
@@ -437,7 +446,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
             break;
         }
     }
-    return result;
+    return with_reading_error(std::move(result));
 }
 
 } // namespace rough
