@@ -20,6 +20,7 @@
 #include "domain/design/morph.hpp"
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
+#include "domain/design/statistical.hpp"
 #include "domain/design/trust.hpp"
 #include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"

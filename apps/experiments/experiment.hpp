@@ -52,6 +52,7 @@ Experiment compare_experiment();
 Experiment readings_experiment();
 Experiment growth_experiment();
 Experiment features_experiment();
+Experiment statistical_experiment();
 
 /// Every kind.
 const std::vector<Experiment>& experiments();

@@ -1,0 +1,38 @@
+#include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
+
+#include <catch2/catch.hpp>
+
+using app::testing::Folder;
+using app::testing::rugosa;
+
+TEST_CASE("a design without heights writes parameters, curves and surfaces that the program reads") {
+    const Folder folder;
+    const std::string run = "run '" RUGOSA_SOURCE "/experiments/statistical.ini' --pictures off --set "
+                            "statistical.nodes=64 --set statistical.realisations=1 --set "
+                            "'statistical.pipeline=sample 60 | score | best 1' ";
+    const auto ended = rugosa(run + "--out r", folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    const auto result = app::testing::result_in(folder / "r");
+    CHECK(result["similarity"].get<double>() > 0.5);
+    CHECK(result["evaluations"] == 60);
+    CHECK(result["parameters"]["longest_mm"] > result["parameters"]["shortest_mm"]);
+    CHECK(result["similarity_realised"].size() == 1);
+    CHECK(result["curves"].size() == 15);
+    const auto read = rugosa(
+        "profile --surface r/surface-1.x3p --periodic --pictures off --detrend none --out p", folder.path());
+    INFO(read.err);
+    REQUIRE(read.code == 0);
+    for (const auto& [words, expected] : {std::pair("--set statistical.theory=hertz", "hertz"),
+                                          std::pair("--set 'statistical.pipeline=samples 3'", "samples"),
+                                          std::pair("--set statistical.surface=profile --set "
+                                                    "statistical.theory=bush-gibson-thomas",
+                                                    "persson")}) {
+        const auto refused = rugosa(run + words + " --out x", folder.path());
+        INFO(refused.err);
+        CHECK(refused.code == 2);
+        CHECK(refused.error_lines() == 1);
+        CHECK_THAT(refused.err, Catch::Contains(expected));
+    }
+}
