@@ -118,7 +118,7 @@ TEST_CASE("what a design on an area cannot be given is refused in one line", "[a
           std::pair(drawn + "--nodes 8x32", "--nodes: 8"), std::pair(drawn + "--nodes 32x", "32x"),
           std::pair(drawn + "--nodes 32x32 --ridges 0", "--ridges"),
           std::pair(std::string("design --like scan.txt --spacing 1x1 --nodes 32x32"), "--nodes"),
-          std::pair(std::string("design --like scan.txt --nodes 32x32"), "--spacing"),
+          std::pair(std::string("design --like scan.txt --nodes 32x32"), "--nodes"),
           std::pair(std::string("design --like scan.txt --spacing 1x1"), "16 at least"),
           std::pair(std::string("design --target of_profile.csv --nodes 32x32"), "datum_mm"),
           std::pair(std::string("design --target of_area.csv --nodes 32"), "width_mm"),
