@@ -207,9 +207,10 @@ std::string lines_of(const std::string& text, const std::string& beginning) {
     return found;
 }
 
-const std::vector<std::string> commands{
-    "contact", "profile",   "target",    "design",         "run",      "database info", "database query",
-    "chart",   "stability", "operators", "database build", "optimise", "compare"};
+const std::vector<std::string> commands{"contact",   "profile",       "target",         "design",
+                                        "run",       "database info", "database query", "chart",
+                                        "stability", "operators",     "database build", "database merge",
+                                        "optimise",  "compare"};
 
 } // namespace
 
