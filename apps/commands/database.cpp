@@ -14,8 +14,9 @@ int database(const Words& words) {
         {"merge", "several files of one set-up and law as one", database_merge},
         {"query", "the stored genomes nearest to a target", database_query}};
     if (words.empty())
-        throw rough::InputError("database: nothing given, expected build, info, merge or query ('rugosa database "
-                                "--help' tells more)");
+        throw rough::InputError(
+            "database: nothing given, expected build, info, merge or query ('rugosa database "
+            "--help' tells more)");
     if (words[0] == "--help" || words[0] == "-h") {
         std::cout << "Usage: rugosa database (build | info | merge | query) FILE [flags]\n\n"
                      "A genome database keeps computed responses, so that a new target is answered in a "

@@ -53,8 +53,8 @@ struct Dominance {
 /// readings ask for the same genome. Safe to call from several threads.
 class LoneResponses {
   public:
-    /// Under a model; accuracy is its own for the whole genome, parts are solved throughout. An area's grid is
-    /// halved while it has more than 64 nodes a side: curves are correlated here, not scored.
+    /// Under a model; accuracy is its own for the whole genome, parts are solved throughout. An area's grid
+    /// is halved while it has more than 64 nodes a side: curves are correlated here, not scored.
     explicit LoneResponses(Model model);
 
     /// A whole genome's, and each length scale's alone (length_scales); empty where that is flat.

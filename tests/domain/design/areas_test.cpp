@@ -48,8 +48,7 @@ TEST_CASE("a target aimed at anew is off by what the judged curves are off in th
         misfits = {Eigen::VectorXd::Zero(20)};
     judged.misfits[0][0][3] = 0.01;
     judged.misfits[1][0][3] = 0.05;
-    judged.misfits[3][0][3] =
-        -0.02; // 0.015 in the middle
+    judged.misfits[3][0][3] = -0.02; // 0.015 in the middle
     const DesignSetup aimed = allowing_for(setup, judged);
     CHECK(aimed.targets[0].y[3] == Approx(setup.targets[0].y[3] * (1 + (0.01 - 0.015) / 0.5)));
     CHECK(aimed.targets[0].y[4] == setup.targets[0].y[4]);
