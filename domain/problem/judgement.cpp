@@ -21,17 +21,14 @@ Response every(Index part, Response response) {
     return response;
 }
 
-/// Which of `count` finer load steps are solved on a fine area.
-bool is_solved(Index step, Index count) {
-    return 5 * step < count || step < judged_refinement || (step + 1) % judged_refinement == 0;
-}
+/// Of a secant in finer load steps, relative: what reading between steps may change.
+constexpr double reading_accuracy = 5e-4;
 
-/// The other steps: P by the cubic through pressures and tangents of the solved ones beside them, the rest by
-/// straight lines.
-Response read_between(Response response) {
-    const Index count = response.steps();
-    for (Index j = 0; j < count; ++j) {
-        if (is_solved(j, count))
+/// Steps that are not solved: P by the cubic through pressures and tangents of the solved ones beside them,
+/// the rest by straight lines.
+Response read_between(Response response, const std::vector<char>& solved) {
+    for (Index j = 0; j < response.steps(); ++j) {
+        if (solved[static_cast<std::size_t>(j)])
             continue;
         const Index a = j - (j + 1) % judged_refinement, b = a + judged_refinement;
         const auto& D = response.displacement;
@@ -46,6 +43,24 @@ Response read_between(Response response) {
             (1 - t) * response.tangent_stiffness[a] + t * response.tangent_stiffness[b];
     }
     return response;
+}
+
+/// Which finer load steps are to be solved, as a solution of all of them on a coarser grid tells: every
+/// fourth, and those between two of these where reading would not do.
+std::vector<char> steps_to_solve(const Response& all) {
+    const Index count = all.steps();
+    std::vector<char> solved(static_cast<std::size_t>(count), 1);
+    for (Index j = judged_refinement; j < count; ++j)
+        solved[static_cast<std::size_t>(j)] = (j + 1) % judged_refinement == 0;
+    const Response read = read_between(all, solved);
+    for (Index a = judged_refinement - 1; a + judged_refinement < count; a += judged_refinement) {
+        const double off =
+            (read.pressure - all.pressure).segment(a + 1, judged_refinement).cwiseAbs().maxCoeff();
+        const double step = (all.pressure[a + judged_refinement] - all.pressure[a]) / judged_refinement;
+        if (2 * off > reading_accuracy * step)
+            std::fill_n(solved.begin() + a + 1, judged_refinement, char{1});
+    }
+    return solved;
 }
 
 double least_similarity(const std::vector<Eigen::VectorXd>& misfits) {
@@ -72,7 +87,8 @@ DesignSetup in_finer_steps(DesignSetup setup, int times) {
 
 double Judgement::worst() const { return std::min({similarity, refined, stepped, both}); }
 
-std::vector<Response> Judge::on_fine_area(const Genome& genome) const {
+std::vector<Response> Judge::on_fine_area(const Genome& genome,
+                                          const std::vector<std::vector<char>>& to_solve) const {
     const Model model = refined(finer_.model, judged_refinement);
     const Profile map = sample(at_scale_one(genome, finer_), model.grid);
     std::vector<Response> responses;
@@ -82,7 +98,7 @@ std::vector<Response> Judge::on_fine_area(const Genome& genome) const {
         std::vector<std::size_t> solved;
         for (std::size_t j = 0; j < steps.size(); ++j) {
             steps[j].displacement = displacements[j];
-            if (is_solved(static_cast<Index>(j), static_cast<Index>(steps.size())))
+            if (to_solve[responses.size()][j])
                 solved.push_back(j);
         }
         // In runs of their own, however many threads there are: where one begins does not show in the digits.
@@ -98,7 +114,8 @@ std::vector<Response> Judge::on_fine_area(const Genome& genome) const {
         });
         responses.push_back(
             read_between(response_of(steps, model.contact.solver, displacement_range(map, model.body.kernel),
-                                     full_contact_stiffness(map, model.body))));
+                                     full_contact_stiffness(map, model.body)),
+                         to_solve[responses.size()]));
     }
     return responses;
 }
@@ -116,19 +133,22 @@ Judgement Judge::of(const Genome& genome) const {
         return own;
     };
     std::vector<Response> fine = pressed(finer_, genome, refined(finer_.model, 1));
+    std::vector<std::vector<char>> to_solve;
     if (area) {
         std::vector<Response> read;
-        for (const Response& response : fine)
-            read.push_back(read_between(response));
+        for (const Response& response : fine) {
+            to_solve.push_back(steps_to_solve(response));
+            read.push_back(read_between(response, to_solve.back()));
+        }
         const auto off = misfits_of(finer_, scored(finer_, std::move(read))),
                    exact = misfits_of(finer_, scored(finer_, fine));
         for (std::size_t t = 0; t < off.size(); ++t)
             result.reading_error = std::max(result.reading_error, (off[t] - exact[t]).cwiseAbs().maxCoeff());
     }
     judge(std::move(fine), 0, 2);
-    result.on_finer =
-        judge(area ? on_fine_area(genome) : pressed(finer_, genome, refined(finer_.model, judged_refinement)),
-              1, 3);
+    result.on_finer = judge(area ? on_fine_area(genome, to_solve)
+                                 : pressed(finer_, genome, refined(finer_.model, judged_refinement)),
+                            1, 3);
     result.similarity = least_similarity(result.misfits[0]);
     result.refined = least_similarity(result.misfits[1]);
     result.stepped = least_similarity(result.misfits[2]);

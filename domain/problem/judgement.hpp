@@ -38,15 +38,16 @@ class Judge {
         : setup_(setup), finer_(in_finer_steps(setup)), threads_(threads) {}
 
     /// Of two curves in finer steps every fourth load step is one of the set-up's own: two solutions give all
-    /// four. On a fine area the finer steps of the first fifth of the way are solved, from there on every
-    /// fourth; those between are read off cubics through pressures and tangents. What this reading is off by
-    /// on the set-up's own grid, where every step is solved, is taken off `both`. Throws what respond()
-    /// throws.
+    /// four. On a fine area every fourth of the finer steps is solved, and those between where on the
+    /// set-up's own grid, which solves all, a cubic through the pressures and tangents beside them is off by
+    /// more than 5e-4 of a secant; the others are read off such cubics. What this changes on the own grid is
+    /// taken off `both`. Throws what respond() throws.
     Judgement of(const Genome& genome) const;
     const DesignSetup& finer() const { return finer_; } ///< the set-up in four times the load steps
 
   private:
-    std::vector<Response> on_fine_area(const Genome& genome) const;
+    std::vector<Response> on_fine_area(const Genome& genome,
+                                       const std::vector<std::vector<char>>& to_solve) const;
 
     DesignSetup setup_, finer_;
     int threads_;
