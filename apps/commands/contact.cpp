@@ -31,7 +31,8 @@ std::vector<Setting> contact_settings() {
         {"profile", "", "measured profile in place of a genome: text, SDF, SUR, GSF or X3P"},
         {"out", "", "curve file to write (CSV)"},
         {"report", "",
-         "page to write beside it (HTML): the curve, pressure and gap along the profile [none]"},
+         "page to write beside it (HTML): the curve, pressure and gap along the profile or on the area "
+         "[none]"},
         {"force", "", "write over existing files", true},
         {"threads", "0", "accepted as in design and run, but a curve needs one thread only"},
         {"seed", "1", "accepted as in design and run, but nothing here is random"},
@@ -115,6 +116,7 @@ void expect_common(const Settings& settings) {
 /// What was pressed, and how it answered.
 struct Pressed {
     rough::Source source;
+    rough::Profile map; ///< of an area
     rough::Model model;
     rough::AccountedResponse result;
     std::vector<std::string> notes; ///< what was read, and what strains the model
@@ -158,7 +160,7 @@ Pressed pressed_area(const Settings& settings, const std::filesystem::path& spot
     rough::write_atomically(spots, table);
     tell(spots.string() + ": " + std::to_string(std::count(table.begin(), table.end(), '\n') - 1) +
          " contact spots under the last load");
-    return {{}, scene.model, std::move(result), scene.notes};
+    return {{}, std::move(scene.map), scene.model, std::move(result), scene.notes};
 }
 
 Pressed pressed(const Settings& settings) {
@@ -183,7 +185,7 @@ Pressed pressed(const Settings& settings) {
             if (!note.empty())
                 notes.push_back(note);
     }
-    return {std::move(source), std::move(model), std::move(result), std::move(notes)};
+    return {std::move(source), {}, std::move(model), std::move(result), std::move(notes)};
 }
 
 /// What is written beside the curve, as the page links to it.
@@ -245,12 +247,10 @@ int contact(const Words& words) {
     if (area && !has_account)
         throw rough::InputError("--out: " + settings.text("out") +
                                 " is no file, expected one that an area's spots can stand beside");
-    if (area && settings.has("report"))
-        throw rough::InputError("--report: given with an area, expected a profile");
     std::filesystem::path page;
     if (settings.has("report"))
         page = expect_writable(settings.text("report"), settings);
-    const auto [source, model, result, notes] =
+    const auto [source, map, model, result, notes] =
         area ? pressed_area(settings, expect_writable(beside(settings.text("out"), "spots"), settings))
              : pressed(settings);
     for (const std::string& note : notes)
@@ -267,9 +267,11 @@ int contact(const Words& words) {
              "Dundurs' beta = 0; a rigid profile at nu = 0.5 only)");
     }
     if (settings.has("report")) {
-        ContactShown shown{settings.text(source.genome ? "genome" : "profile"),
+        ContactShown shown{settings.text(settings.has("genome")    ? "genome"
+                                         : settings.has("surface") ? "surface"
+                                                                   : "profile"),
                            notes,
-                           source.on(model.grid),
+                           area ? map : source.on(model.grid),
                            completed(model),
                            response,
                            {}};

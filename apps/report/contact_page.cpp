@@ -1,10 +1,12 @@
 #include "apps/report/contact_page.hpp"
 
+#include "apps/report/map_plot.hpp"
 #include "apps/report/page.hpp"
 #include "apps/report/profile_page.hpp"
 #include "apps/report/units.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/contact/pressure_and_gap.hpp"
+#include "domain/contact/spots.hpp"
 
 namespace app {
 
@@ -34,19 +36,91 @@ Plot against_pressure(const rough::Response& response, const Eigen::VectorXd& y,
     return plot;
 }
 
+/// The page's head: what was pressed, and the curve.
+Page begun(const ContactShown& shown, const std::string& nodes) {
+    const rough::Response& response = shown.response;
+    const rough::Body& body = shown.model.body;
+    const Unit mean = pressure_unit(response.pressure.maxCoeff());
+    const Index last = response.steps() - 1;
+    Page page("Contact: " + shown.name, nodes + " nodes pressed on a " + name_of(body.kernel) +
+                                            " elastic body, E* = " + readable(body.effective_modulus) +
+                                            " MPa, in " + std::to_string(response.steps()) + " load steps.");
+    page.tiles({{"Last mean pressure, " + mean.name, readable(mean.factor * response.pressure[last])},
+                {"Contact at the last load", percent(response.contact_fraction[last])},
+                {"Stiffness at the last load, MPa/mm", readable(response.tangent_stiffness[last])},
+                {"Largest KKT residual", readable(response.kkt_residual.maxCoeff(), 2)}});
+    for (const std::string& note : shown.notes)
+        page.prose(note);
+    page.section("The curve");
+    page.figure(
+        {"curve",
+         "Stiffness and contact against mean pressure.",
+         "Tangent stiffness dp/dΔ at each load step's contact set, and the share of nodes that touch.",
+         {against_pressure(response, response.tangent_stiffness, "Stiffness K (MPa/mm)",
+                           "Tangent stiffness against mean pressure"),
+          against_pressure(response, response.contact_fraction, "Contact fraction A",
+                           "Contact fraction against mean pressure")}});
+    return page;
+}
+
+/// The load steps that the page shows, solved anew with their pressures.
+rough::ContactCurve solved_anew(const ContactShown& shown, const std::vector<Index>& steps) {
+    std::vector<double> displacements;
+    for (const Index j : steps)
+        displacements.push_back(shown.response.displacement[j]);
+    rough::ContactOptions options = shown.model.contact;
+    options.states = true;
+    options.tolerance = std::min(options.tolerance, rough::ContactOptions{}.tolerance);
+    return solve_contact(shown.profile, shown.model.body, displacements, options);
+}
+
+std::string ended(Page page, const ContactShown& shown) {
+    page.section("Files");
+    page.links(shown.files);
+    return page.html();
+}
+
+std::string page_of_area(const ContactShown& shown) {
+    const rough::Grid& grid = shown.model.grid;
+    const auto steps = shown_steps(shown.response.steps());
+    const rough::ContactCurve curve = solved_anew(shown, steps);
+    Page page = begun(shown, std::to_string(grid.nodes) + " x " + std::to_string(grid.rows));
+    Table table{"",
+                {"Mean pressure", "p/E*", "Contact", "Spots", "Largest spot, mm²", "Highest pressure"},
+                {},
+                std::vector<bool>(6, true)};
+    Figure figure{"area",
+                  "Heights and pressure.",
+                  "At the mean pressures over the pictures.",
+                  {heights_plot(grid, shown.profile.heights, "The surface")}};
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const rough::LoadStep& step = curve.steps[i];
+        const rough::ContactState& state = curve.states[i];
+        const auto spots = rough::contact_spots(state.nodes, grid.shape(), grid.wraps);
+        const Unit mean = pressure_unit(step.pressure), top = pressure_unit(state.pressure.maxCoeff());
+        const std::string label = readable(mean.factor * step.pressure) + " " + mean.name;
+        table.rows.push_back(
+            {label, readable(step.pressure / shown.model.body.effective_modulus),
+             percent(step.contact_fraction), std::to_string(spots.size()),
+             readable(static_cast<double>(spots.front()) * grid.spacing() * grid.row_spacing()),
+             readable(top.factor * state.pressure.maxCoeff()) + " " + top.name});
+        figure.panels.push_back(pressure_plot(grid, state, label));
+    }
+    page.section("On the surface");
+    page.table(table);
+    page.figure(figure);
+    return ended(std::move(page), shown);
+}
+
 } // namespace
 
 std::string contact_page(const ContactShown& shown) {
     const rough::Response& response = shown.response;
     const rough::Model& model = shown.model;
+    if (shown.profile.is_area())
+        return page_of_area(shown);
     const auto steps = shown_steps(response.steps());
-    std::vector<double> displacements;
-    for (const Index j : steps)
-        displacements.push_back(response.displacement[j]);
-    rough::ContactOptions options = model.contact;
-    options.states = true;
-    options.tolerance = std::min(options.tolerance, rough::ContactOptions{}.tolerance);
-    const rough::ContactCurve curve = solve_contact(shown.profile, model.body, displacements, options);
+    const rough::ContactCurve curve = solved_anew(shown, steps);
 
     const rough::Profile& profile = shown.profile;
     const double length = profile.spacing * static_cast<double>(profile.nodes() - 1);
@@ -86,26 +160,7 @@ std::string contact_page(const ContactShown& shown) {
                                                readable(open.factor * at.gap.mean()) + " " + open.name});
     }
 
-    const Index last = response.steps() - 1;
-    Page page("Contact: " + shown.name, std::to_string(profile.nodes()) + " nodes pressed on a " +
-                                            name_of(model.body.kernel) +
-                                            " elastic body, E* = " + readable(model.body.effective_modulus) +
-                                            " MPa, in " + std::to_string(response.steps()) + " load steps.");
-    page.tiles({{"Last mean pressure, " + mean.name, readable(mean.factor * response.pressure[last])},
-                {"Contact at the last load", percent(response.contact_fraction[last])},
-                {"Stiffness at the last load, MPa/mm", readable(response.tangent_stiffness[last])},
-                {"Largest KKT residual", readable(response.kkt_residual.maxCoeff(), 2)}});
-    for (const std::string& note : shown.notes)
-        page.prose(note);
-    page.section("The curve");
-    page.figure(
-        {"curve",
-         "Stiffness and contact against mean pressure.",
-         "Tangent stiffness dp/dΔ at each load step's contact set, and the share of nodes that touch.",
-         {against_pressure(response, response.tangent_stiffness, "Stiffness K (MPa/mm)",
-                           "Tangent stiffness against mean pressure"),
-          against_pressure(response, response.contact_fraction, "Contact fraction A",
-                           "Contact fraction against mean pressure")}});
+    Page page = begun(shown, std::to_string(profile.nodes()));
     page.section("Along the profile");
     page.table(table);
     page.figure({"along",
@@ -116,9 +171,7 @@ std::string contact_page(const ContactShown& shown) {
                  "The profile.",
                  "Heights from their mean, and how much of the length is higher than a height.",
                  {profile_plot(profile), bearing_plot(profile.heights)}});
-    page.section("Files");
-    page.links(shown.files);
-    return page.html();
+    return ended(std::move(page), shown);
 }
 
 } // namespace app

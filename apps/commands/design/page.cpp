@@ -1,5 +1,6 @@
 #include "apps/commands/design/page.hpp"
 
+#include "apps/report/map_plot.hpp"
 #include "apps/report/page.hpp"
 #include "apps/report/units.hpp"
 #include "domain/contact/names.hpp"
@@ -85,42 +86,14 @@ Plot misfit_plot(const DesignRun& run, const Curves& curves, std::size_t g) {
     return plot;
 }
 
-/// Heights of an area, or what stands at its nodes.
-Plot shades_plot(const rough::Grid& grid, const Eigen::VectorXd& values, const std::string& title,
-                 const std::string& label, const std::string& alt) {
-    Plot plot;
-    plot.alt = alt;
-    plot.title = title;
-    plot.x = {"x (mm)", false, 0, grid.length};
-    plot.y = {"y (mm)", false, 0, grid.width};
-    plot.height = 400;
-    plot.shades = {values.reshaped(grid.nodes, grid.rows),
-                   grid.spacing() * static_cast<double>(grid.nodes - 1),
-                   grid.row_spacing() * static_cast<double>(grid.rows - 1), label};
-    return plot;
-}
-
-Plot heights_plot(const DesignRun& run, const rough::Profile& map, const std::string& title) {
-    const Eigen::VectorXd& z = map.heights;
-    const Unit unit = length_unit(z.maxCoeff() - z.minCoeff());
-    return shades_plot(run.setup.model.grid, unit.factor * (z.array() - z.maxCoeff()).matrix(), title,
-                       "Height under the highest point (" + unit.name + ")",
-                       "Heights of the surface as colours");
-}
-
 /// At the end of the load.
-Plot pressure_plot(const DesignRun& run) {
+Plot last_pressure(const DesignRun& run) {
     const rough::Model& model = run.setup.model;
     rough::ContactOptions options = model.contact;
     options.states = true;
     const auto last = solve_contact(sample(run.found.best.genome, model.grid), model.body,
                                     {run.response.displacement.tail(1)[0]}, options);
-    Eigen::VectorXd pressure = Eigen::VectorXd::Constant(model.grid.shape().nodes(), unset);
-    pressure(last.states[0].nodes) = last.states[0].pressure;
-    const Unit unit = pressure_unit(last.states[0].pressure.maxCoeff());
-    return shades_plot(model.grid, unit.factor * pressure, "Where it touches",
-                       "Pressure at the last load (" + unit.name + ")",
-                       "Contact pressure at the last load step as colours, nothing where there is none");
+    return pressure_plot(model.grid, last.states[0], "Where it touches at the last load");
 }
 
 Plot scan_plot(const rough::Profile& scan) {
@@ -246,18 +219,19 @@ void add_alternatives(Page& page, const DesignRun& run) {
     if (run.setup.model.grid.is_area()) {
         surfaces.caption = "Heights, and where the first answer touches at the end of the load.";
         for (std::size_t i = 0; i < run.found.alternatives.size() && i < line_colours.size(); ++i)
-            surfaces.panels.push_back(
-                heights_plot(run, sample(run.found.alternatives[i].genome, run.setup.model.grid),
-                             "Answer " + std::to_string(i + 1)));
-        surfaces.panels.insert(surfaces.panels.begin() + 1, pressure_plot(run));
+            surfaces.panels.push_back(heights_plot(
+                run.setup.model.grid, sample(run.found.alternatives[i].genome, run.setup.model.grid).heights,
+                "Answer " + std::to_string(i + 1)));
+        surfaces.panels.insert(surfaces.panels.begin() + 1, last_pressure(run));
     } else {
         surfaces.panels.push_back(profile_plot(run));
     }
     if (run.setup.like) {
         surfaces.caption = "The surface that was measured, and those that answer a load as it does.";
-        surfaces.panels.insert(surfaces.panels.begin(), run.setup.like->is_area()
-                                                            ? heights_plot(run, *run.setup.like, "The map")
-                                                            : scan_plot(*run.setup.like));
+        surfaces.panels.insert(surfaces.panels.begin(),
+                               run.setup.like->is_area()
+                                   ? heights_plot(run.setup.model.grid, run.setup.like->heights, "The map")
+                                   : scan_plot(*run.setup.like));
     }
     page.figure(surfaces);
     Table table{"",

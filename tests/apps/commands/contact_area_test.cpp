@@ -1,3 +1,4 @@
+#include "domain/text/atomic_file.hpp"
 #include "tests/apps/program.hpp"
 
 #include <catch2/catch.hpp>
@@ -64,6 +65,25 @@ TEST_CASE("a map in micrometres is pressed on its own nodes, and scales as its u
         CHECK(one[j][5] > one[j][3]); // K_i
     }
     CHECK(one.back()[0] == Approx(0.003));
+}
+
+TEST_CASE("an area's page shows where it touches, with as many spots as the table beside the curve") {
+    const Folder folder;
+    folder.write("m.txt", "0 1 0 0\n0 0 0 0.9\n0 0 0 0\n0.8 0 0 0\n"); // peaks that are no neighbours
+    const Ended ended =
+        rugosa("contact --surface m.txt --spacing 1 --steps 2 --reach 0.5 --out c.csv --report c.html",
+               folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    CHECK(rows_of(folder / "c-spots.csv").size() == 3);
+    const std::string page = rough::read_whole(folder / "c.html");
+    const auto last = page.rfind("<tr");
+    CHECK(page.find("On the surface") != std::string::npos);
+    CHECK(page.find(">3</td>", last) != std::string::npos);
+    std::size_t pictures = 0;
+    for (auto at = page.find("<image"); at != std::string::npos; at = page.find("<image", at + 1))
+        ++pictures;
+    CHECK(pictures == 3); // heights, and the pressure of two steps
 }
 
 TEST_CASE("what an area cannot be pressed with is refused in one line") {

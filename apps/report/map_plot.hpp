@@ -1,0 +1,17 @@
+#pragma once
+
+#include "apps/report/plot.hpp"
+#include "domain/contact/solve.hpp"
+#include "domain/numerics/grid.hpp"
+
+namespace app {
+
+/// What stands at an area's nodes, as colours; NaN stays empty.
+Plot shades_plot(const rough::Grid& grid, const Eigen::VectorXd& values, const std::string& title,
+                 const std::string& label, const std::string& alt);
+/// Heights (mm) under the highest.
+Plot heights_plot(const rough::Grid& grid, const Eigen::VectorXd& heights, const std::string& title);
+/// The pressure at one load step; nothing where there is none.
+Plot pressure_plot(const rough::Grid& grid, const rough::ContactState& state, const std::string& title);
+
+} // namespace app
