@@ -6,6 +6,7 @@
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
+#include "domain/design/starts.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/numerics/rank_tests.hpp"
 #include "domain/numerics/statistics.hpp"
@@ -68,14 +69,15 @@ class Trial {
   private:
     using Population = ga::Population<Genome>;
 
-    /// Starts first .. first + block - 1, each drawn by its number alone.
-    Population starts(const DesignProblem& problem, std::uint64_t first, std::size_t count) const {
+    /// Starts first .. first + count - 1, each drawn by its number alone: made for the target, or blindly.
+    Population starts(const DesignProblem& problem, std::uint64_t first, std::size_t count, bool made) const {
         Population population(count);
-        for (std::size_t i = 0; i < count; ++i) {
+        ga::parallel_for(count, run_.origin.threads, [&](std::size_t i) {
             ga::Stream random(ga::fold(ga::fold(run_.origin.seed, "features"), first + i));
-            population[i].genome = problem.sample(random);
+            population[i].genome =
+                made ? rough::shaped_start(problem.setup(), random) : problem.sample(random);
             population[i].identity = first + i;
-        }
+        });
         return population;
     }
 
@@ -106,7 +108,7 @@ class Trial {
         return samples;
     }
 
-    /// Answers that differ from each other, and as many starts that miss.
+    /// Answers that differ from each other, and as many blind draws that miss.
     void collect(const DesignProblem& problem, FeatureTarget& target) const {
         using ga::best, ga::lm, ga::refine, ga::score;
         const auto pipeline = score() | refine(lm(8)) | best(block / 2) | refine(lm(45, 8));
@@ -117,10 +119,11 @@ class Trial {
             conditions_.progress.show(target.target.name + ": " + std::to_string(answers.size()) +
                                       " answers of " + std::to_string(wanted_) + " from " +
                                       std::to_string(target.starts) + " starts");
-            for (auto& one : ran(score() | best(block), problem, starts(problem, first, block)).population)
+            for (auto& one :
+                 ran(score() | best(block), problem, starts(problem, first, block, false)).population)
                 if (one.value() < run_.good && misses.size() < wanted_)
                     misses.push_back(std::move(one));
-            for (auto& one : ran(pipeline, problem, starts(problem, first, block)).population) {
+            for (auto& one : ran(pipeline, problem, starts(problem, first, block, true)).population) {
                 if (!(one.value() >= run_.good) || answers.size() >= wanted_)
                     continue;
                 rough::Profile profile = sample(one.genome, run_.model.grid);
@@ -202,8 +205,9 @@ class Trial {
                                           std::pair("all phases", phases("phases", std::nullopt)),
                                           std::pair("phases of the other waves", phases("others", false))}) {
             conditions_.progress.show(target.target.name + ": held out, " + name);
-            const auto found = ran(score() | refine(lm(50, 8), genes), problem,
-                                   starts(problem, static_cast<std::uint64_t>(most_starts_) + 1, tried_));
+            const auto found =
+                ran(score() | refine(lm(50, 8), genes), problem,
+                    starts(problem, static_cast<std::uint64_t>(most_starts_) + 1, tried_, false));
             HeldOut held{name, {}};
             for (const auto& one : found.population)
                 held.similarity.push_back(one.value());

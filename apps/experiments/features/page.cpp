@@ -198,11 +198,13 @@ std::string features_page(const FeatureRun& run) {
     page.prose(
         "Shared: the answers' quartiles lie closer than two thirds of the misses'. Shifted: not so, but the "
         "two "
-        "groups differ (rank sums, Holm's correction, 1 %). Open: neither. Both groups are of two series "
-        "with genes drawn from the same ranges; a surface and its mirror image count as one. That a feature "
-        "is "
-        "shared says that answers of this kind have it, not that it causes the curve; the held-out check "
-        "does.");
+        "groups differ (rank sums, Holm's correction, 1 %). Open: neither. Both groups are of two series; "
+        "answers "
+        "are refined from surfaces made for the target, misses are drawn blindly. A surface and its mirror "
+        "image "
+        "count as one. That a feature is shared says that answers of this kind have it, not that it causes "
+        "the "
+        "curve; the held-out check, from blind draws, does.");
     for (std::size_t t = 0; t < run.targets.size(); ++t)
         if (!run.targets[t].verdicts.empty())
             add_target(page, run, t);
