@@ -22,7 +22,7 @@ Response every(Index part, Response response) {
 }
 
 /// Of a secant in finer load steps, relative: what reading between steps may change.
-constexpr double reading_accuracy = 5e-4;
+constexpr double reading_accuracy = 2e-3;
 
 /// Steps that are not solved: P by the cubic through pressures and tangents of the solved ones beside them,
 /// the rest by straight lines.

@@ -40,7 +40,7 @@ class Judge {
     /// Of two curves in finer steps every fourth load step is one of the set-up's own: two solutions give all
     /// four. On a fine area every fourth of the finer steps is solved, and those between where on the
     /// set-up's own grid, which solves all, a cubic through the pressures and tangents beside them is off by
-    /// more than 5e-4 of a secant; the others are read off such cubics. What this changes on the own grid is
+    /// more than 2e-3 of a secant; the others are read off such cubics. What this changes on the own grid is
     /// taken off `both`. Throws what respond() throws.
     Judgement of(const Genome& genome) const;
     const DesignSetup& finer() const { return finer_; } ///< the set-up in four times the load steps
