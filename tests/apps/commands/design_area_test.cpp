@@ -64,7 +64,7 @@ TEST_CASE("a design on an area has the same files, and its similarities follow f
         const std::string page = rough::read_whole(folder / "r" / "report.html");
         CHECK(page.find("20 x 18 nodes on 0.84942 x 0.8 mm") != std::string::npos);
         CHECK(page.find("<image") != std::string::npos);
-        CHECK(page.find("Pressure at the last load") != std::string::npos);
+        CHECK(page.find("Where it touches at the last load") != std::string::npos);
         CHECK(page.find("No picture") == std::string::npos);
     }
 }
