@@ -283,6 +283,8 @@ int contact(const Words& words) {
             files.push_back(account);
         if (settings.has("friction"))
             files.push_back(slip_file);
+        if (area)
+            files.push_back(beside(settings.text("out"), "spots"));
         for (const auto& file : files)
             shown.files.push_back(from_page(file, page));
         rough::write_atomically(page, contact_page(shown));

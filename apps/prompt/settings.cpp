@@ -192,7 +192,7 @@ std::vector<std::filesystem::path> Settings::files() const {
     std::vector<std::filesystem::path> all;
     std::error_code error;
     for (const auto& [name, value] : given_)
-        if (name != "out")
+        if (name != "out" && name != "report")
             for (const auto& path : paths(name))
                 if (std::filesystem::is_regular_file(path, error))
                     all.push_back(path);

@@ -46,7 +46,7 @@ class Settings {
     std::vector<std::filesystem::path> paths(const std::string& name) const;
     std::size_t one_of(const std::string& name, const std::vector<std::string>& words) const;
 
-    /// Every file that is there and that a value names, but --out: those that are read.
+    /// Every file that is there and that a value names, but those of --out and --report: those that are read.
     std::vector<std::filesystem::path> files() const;
 
     /// "--nodes", "paper.ini:12: model.nodes" or, where no line of the file gives it, "paper.ini:

@@ -179,7 +179,7 @@ void write_shades(std::ostream& out, const Plot& plot) {
     };
     out << "set size ratio -1\nunset grid\n"
         << shades_palette << "set cblabel " << gnuplot_text(shades.label)
-        << " noenhanced offset 1.5,0\nplot $m matrix using ($1*" << step(shades.to_x, columns) << "):($2*"
+        << " noenhanced offset 0.5,0\nplot $m matrix using ($1*" << step(shades.to_x, columns) << "):($2*"
         << step(shades.to_y, rows) << "):3 with image notitle\nset size noratio\nset grid\n";
 }
 

@@ -101,9 +101,9 @@ ModelRun timed(ModelRun run, Work work) {
     return run;
 }
 
-class Course {
+class ModelCourse {
   public:
-    Course(Index finest, const std::function<bool()>& stop) : finest_(finest), stop_(stop) {}
+    ModelCourse(Index finest, const std::function<bool()>& stop) : finest_(finest), stop_(stop) {}
 
     ModelChart run() {
         add("self-affine-line", "a self-affine profile, H = 0.8, waves from L/32 to L/256", line_on,
@@ -176,7 +176,7 @@ class Course {
 } // namespace
 
 ModelChart charted_models(Index finest, const std::function<bool()>& stop) {
-    return Course(finest, stop).run();
+    return ModelCourse(finest, stop).run();
 }
 
 double root_mean_square(const VectorXd& errors) {

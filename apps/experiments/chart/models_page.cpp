@@ -75,14 +75,14 @@ std::string described(const ModelRun& run) {
     return run.nodes > 0 ? run.model + ", " + std::to_string(run.nodes) + " nodes" : run.model;
 }
 
-struct Look {
+struct FamilyLook {
     ModelRun::Family family;
     const char* label;
     Colour colour;
 };
-constexpr std::array<Look, 3> looks{{{ModelRun::Family::theory, "theories", Colour::orange},
-                                     {ModelRun::Family::line, "one line", Colour::green},
-                                     {ModelRun::Family::grid, "solved", Colour::blue}}};
+constexpr std::array<FamilyLook, 3> family_looks{{{ModelRun::Family::theory, "theories", Colour::orange},
+                                                  {ModelRun::Family::line, "one line", Colour::green},
+                                                  {ModelRun::Family::grid, "solved", Colour::blue}}};
 
 /// Time against an error over all loads.
 Plot time_plot(const ModelChart& chart, std::size_t scene, bool of_area) {
@@ -92,7 +92,7 @@ Plot time_plot(const ModelChart& chart, std::size_t scene, bool of_area) {
                " against time per curve on the scene " + plot.title + ": theories, one line, solved grids";
     plot.x = {"Seconds per curve", true};
     plot.y = {std::string("Error of the ") + (of_area ? "contact fraction" : "stiffness"), true};
-    for (const Look& look : looks) {
+    for (const FamilyLook& look : family_looks) {
         std::vector<double> x, y;
         for (const ModelRun& run : chart.runs)
             if (run.scene == scene && run.family == look.family) {

@@ -5,8 +5,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <cstdlib>
 #include <optional>
+#include <thread>
 
 using namespace app;
 using tests::Folder;
@@ -86,7 +88,10 @@ TEST_CASE(
     CHECK(html.find("No picture: ") != std::string::npos);
     CHECK(html.find("Caption") != std::string::npos);
     const std::string child = rough::read_whole(folder / "child");
-    CHECK_FALSE(std::filesystem::exists("/proc/" + child.substr(0, child.find('\n')) + "/exe"));
+    const std::string process = "/proc/" + child.substr(0, child.find('\n')) + "/exe";
+    for (int i = 0; i < 1000 && std::filesystem::exists(process); ++i) // killed, it may not have gone yet
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    CHECK_FALSE(std::filesystem::exists(process));
 }
 
 TEST_CASE("a picture that gnuplot refuses costs no other one") {
