@@ -219,6 +219,10 @@ TEST_CASE("a page beside the curve shows pressure and gap at some loads, and lin
          {"href=\"a%20curve.csv\"", "href=\"a%20curve.json\"", "href=\"a%20curve-slip.csv\"",
           "no --modulus given", "Widest spot", "100 kPa", "200 kPa", "class=\"unseen\""})
         CHECK_THAT(page, Catch::Contains(part));
+    CHECK(rugosa("contact --genome 'one wave.json' --out b.csv --report page.html --force", folder.path())
+              .code == 0);
+    std::filesystem::remove(folder / "b.csv");
+    std::filesystem::remove(folder / "b.json");
     check_refused(rugosa("contact --genome 'one wave.json' --out b.csv --report page.html", folder.path()),
                   "page.html");
     check_refused(rugosa("contact --genome 'one wave.json' --out b.csv --report no/page.html", folder.path()),
