@@ -32,18 +32,26 @@ auto interruptible(rough::Model& model, Solve solve) {
     throw py::error_already_set();
 }
 
+/// Which derivatives are asked for.
+struct Gradient {
+    bool of_pressure = false, of_area = false;
+};
+
 /// Presses heights; `in_genes` pulls rows of derivatives in heights back where they are a genome's.
 template <class Accounted, class Pull>
-Curve pressed(const rough::Profile& surface, rough::Model model, bool gradient, Accounted accounted,
+Curve pressed(const rough::Profile& surface, rough::Model model, Gradient gradient, Accounted accounted,
               Pull pull) {
     return interruptible(model, [&] {
         Curve curve;
-        if (gradient) {
-            auto both = respond_with_gradient(surface, model.body, model.loading, model.contact);
+        if (gradient.of_pressure || gradient.of_area) {
+            auto both =
+                respond_with_gradient(surface, model.body, model.loading, model.contact, gradient.of_area);
             curve.response = std::move(both.response);
-            auto rows = pull(std::move(both.gradient));
+            curve.smooth_fraction = both.area.fraction;
+            auto rows = pull(both.gradient, both.area);
             curve.pressure_gradient = std::move(rows.pressure);
             curve.displacement_gradient = rows.last_displacement.transpose();
+            curve.fraction_gradient = std::move(rows.contact_fraction);
         } else if (model.accuracy > 0) {
             auto within = accounted(model);
             curve.response = std::move(within.response);
@@ -55,25 +63,28 @@ Curve pressed(const rough::Profile& surface, rough::Model model, bool gradient, 
     });
 }
 
-Curve of_surface(const rough::Profile& surface, Keywords& keywords, bool gradient) {
+Curve of_surface(const rough::Profile& surface, Keywords& keywords, Gradient gradient) {
     const rough::Model model = model_from(keywords, surface);
     keywords.expect_none_left();
     return pressed(
         surface, model, gradient,
         [&](const rough::Model& m) { return respond_within(surface, m, m.accuracy); },
-        [](auto rows) { return rows; });
+        [](const rough::ResponseGradient& rows, const rough::AreaGradient& area) {
+            return rough::ResponseJacobian{rows.pressure, rows.last_displacement, area.by_heights};
+        });
 }
 
-Curve of_genome(const rough::Genome& genome, Keywords& keywords, bool gradient) {
+Curve of_genome(const rough::Genome& genome, Keywords& keywords, Gradient gradient) {
     const rough::Model model = model_from(keywords);
     keywords.expect_none_left();
     return pressed(
         sample(genome, model.grid), model, gradient,
         [&](const rough::Model& m) { return respond_accounted(genome, m); },
-        [&](const auto& rows) {
-            return rough::in_genes(rows, [&](const Eigen::MatrixXd& each) {
-                return rough::pulled_back(each, genome, model.grid);
-            });
+        [&](const rough::ResponseGradient& rows, const rough::AreaGradient& area) {
+            return rough::in_genes(
+                rows,
+                [&](const Eigen::MatrixXd& each) { return rough::pulled_back(each, genome, model.grid); },
+                area);
         });
 }
 
@@ -119,6 +130,15 @@ void add_contact(py::module_& module) {
             "displacement_gradient",
             [](const Curve& c) -> const VectorXd& { return c.displacement_gradient; }, inside,
             "With gradient=True: the same of the last displacement.")
+        .def_property_readonly(
+            "smooth_contact_fraction", [](const Curve& c) -> const VectorXd& { return c.smooth_fraction; },
+            inside,
+            "With area_gradient=True: the contact fraction without its steps, as targets of area are "
+            "refined.")
+        .def_property_readonly(
+            "contact_fraction_gradient",
+            [](const Curve& c) -> const Eigen::MatrixXd& { return c.fraction_gradient; }, inside,
+            "With area_gradient=True: its derivative, as pressure_gradient (1/mm, or in genes).")
         .def(
             "secant_stiffness",
             [](const Curve& c) {
@@ -136,7 +156,9 @@ void add_contact(py::module_& module) {
         });
     module.def(
         "contact",
-        [](const py::object& surface, const Spacing& spacing, bool gradient, const py::kwargs& model) {
+        [](const py::object& surface, const Spacing& spacing, bool of_pressure, bool of_area,
+           const py::kwargs& model) {
+            const Gradient gradient{of_pressure, of_area};
             Keywords keywords(model, "contact");
             if (!py::isinstance<rough::Genome>(surface))
                 return of_surface(surface_from(surface, spacing, "contact"), keywords, gradient);
@@ -145,6 +167,7 @@ void add_contact(py::module_& module) {
             return of_genome(surface.cast<const rough::Genome&>(), keywords, gradient);
         },
         py::arg("heights"), py::arg("spacing") = py::none(), py::kw_only(), py::arg("gradient") = false,
+        py::arg("area_gradient") = false,
         "Presses a rough surface on an elastic body, load step by load step.\n\n"
         "heights: N heights (mm) of a line, or N_y x N_x of an area, with their spacing (mm; a pair along x\n"
         "and y), a Profile, a Surface, or a Genome.\n"

@@ -9,7 +9,9 @@ struct Curve {
     rough::Response response;
     Eigen::MatrixXd pressure_gradient;     ///< steps x heights or genes; empty unless asked for
     Eigen::VectorXd displacement_gradient; ///< of the last step's displacement
-    std::string account;                   ///< within an accuracy, in words
+    Eigen::VectorXd smooth_fraction;       ///< contact fraction that has a gradient, and that; empty likewise
+    Eigen::MatrixXd fraction_gradient;
+    std::string account; ///< within an accuracy, in words
 };
 
 } // namespace rugosa::python

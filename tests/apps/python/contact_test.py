@@ -65,6 +65,21 @@ class Contact(WithFolder):
             numpy.testing.assert_allclose(whole.pressure_gradient[:, node], (ends[1] - ends[0]) / (2 * step),
                                           atol=1e-4 * abs(whole.pressure_gradient).max())
 
+    def test_gradient_of_the_contact_fraction_agrees_with_differences(self):
+        heights = rough_heights(64)
+        whole = rugosa.contact(heights, 0.01, steps=4, area_gradient=True)
+        smooth = whole.smooth_contact_fraction  # counted widths are too large by up to 1.5 nodes a spot
+        self.assertTrue((smooth > 0).all() and (numpy.diff(smooth) > 0).all())
+        self.assertLess(abs(smooth - whole.contact_fraction).max(), 0.15)
+        for node in 5, 30, 50:
+            ends = []
+            for sign in -1, 1:
+                moved = heights.copy()
+                moved[node] += sign * 1e-9
+                ends.append(rugosa.contact(moved, 0.01, steps=4, area_gradient=True).smooth_contact_fraction)
+            numpy.testing.assert_allclose(whole.contact_fraction_gradient[:, node], (ends[1] - ends[0]) / 2e-9,
+                                          atol=1e-3 * abs(whole.contact_fraction_gradient).max())
+
     def test_gradient_of_a_genome_is_in_its_genes(self):
         wave = {"A": 0.01, "H": 0.8, "gamma": 1.5, "lambda": 1.0,
                 "chromosomes": [{"n": 1, "phases": [0.3]}, {"n": 3, "phases": [1.1]}]}
