@@ -105,14 +105,14 @@ std::vector<Answer> alternatives(const DesignProblem& problem, const Judge& judg
 /// that was given.
 std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Population<Genome>& population,
                                   const Archive& archive, const SearchOptions& options) {
+    if (problem.setup().model.grid.is_area()) // judging takes longer than searching
+        return {archive.best.front().genome};
     std::vector<Genome> candidates;
     std::set<std::string> keys;
     const auto consider = [&](const Genome& genome) {
         if (keys.insert(problem.key(genome)).second)
             candidates.push_back(genome);
     };
-    if (problem.setup().model.grid.is_area())
-        return {archive.best.front().genome};
     const std::size_t most = options.compared;
     for (std::size_t i = 0; i < std::min(population.size(), most); ++i)
         consider(population[i].genome);
@@ -335,7 +335,8 @@ void take_what_is_left(SearchOptions& next, const SearchOptions& whole, const Se
 SearchResult searched_area(const DesignSetup& given, const SearchOptions& options, const std::string& name,
                            const std::vector<ga::Observer<Genome>>& observers) {
     const ga::Stopwatch clock;
-    const DesignSetup setup = DesignProblem(given).setup(), reported = as_reported(setup);
+    const DesignSetup setup = completed(given), reported = as_reported(setup);
+    validate(setup);
     ga::RunOptions run;
     run.variant = name;
     run.seed = options.seed;

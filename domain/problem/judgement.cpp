@@ -63,13 +63,6 @@ std::vector<char> steps_to_solve(const Response& all) {
     return solved;
 }
 
-double least_similarity(const std::vector<Eigen::VectorXd>& misfits) {
-    double least = similarity(misfits.front());
-    for (const Eigen::VectorXd& each : misfits)
-        least = std::min(least, similarity(each));
-    return least;
-}
-
 } // namespace
 
 DesignSetup in_finer_steps(DesignSetup setup, int times) {
@@ -87,12 +80,17 @@ DesignSetup in_finer_steps(DesignSetup setup, int times) {
 
 double Judgement::worst() const { return std::min({similarity, refined, stepped, both}); }
 
+const DesignSetup& Judge::finer() const {
+    std::call_once(asked_, [&] { finer_ = in_finer_steps(setup_); });
+    return finer_;
+}
+
 std::vector<Response> Judge::on_fine_area(const Genome& genome,
                                           const std::vector<std::vector<char>>& to_solve) const {
-    const Model model = refined(finer_.model, judged_refinement);
-    const Profile map = sample(at_scale_one(genome, finer_), model.grid);
+    const Model model = refined(finer().model, judged_refinement);
+    const Profile map = sample(at_scale_one(genome, finer()), model.grid);
     std::vector<Response> responses;
-    for (const Loading& loading : loadings_of(finer_, finer_.model.loading).each) {
+    for (const Loading& loading : loadings_of(finer(), finer().model.loading).each) {
         const std::vector<double> displacements = step_displacements(map, model.body, loading, model.contact);
         std::vector<LoadStep> steps(displacements.size());
         std::vector<std::size_t> solved;
@@ -128,11 +126,11 @@ Judgement Judge::of(const Genome& genome) const {
         std::vector<Response> own;
         for (const Response& response : fine)
             own.push_back(every(judged_refinement, response));
-        result.misfits[all_steps] = misfits_of(finer_, scored(finer_, std::move(fine)));
+        result.misfits[all_steps] = misfits_of(finer(), scored(finer(), std::move(fine)));
         result.misfits[own_steps] = misfits_of(setup_, scored(setup_, own));
         return own;
     };
-    std::vector<Response> fine = pressed(finer_, genome, refined(finer_.model, 1));
+    std::vector<Response> fine = pressed(finer(), genome, refined(finer().model, 1));
     std::vector<std::vector<char>> to_solve;
     if (area) {
         std::vector<Response> read;
@@ -140,14 +138,14 @@ Judgement Judge::of(const Genome& genome) const {
             to_solve.push_back(steps_to_solve(response));
             read.push_back(read_between(response, to_solve.back()));
         }
-        const auto off = misfits_of(finer_, scored(finer_, std::move(read))),
-                   exact = misfits_of(finer_, scored(finer_, fine));
+        const auto off = misfits_of(finer(), scored(finer(), std::move(read))),
+                   exact = misfits_of(finer(), scored(finer(), fine));
         for (std::size_t t = 0; t < off.size(); ++t)
             result.reading_error = std::max(result.reading_error, (off[t] - exact[t]).cwiseAbs().maxCoeff());
     }
     judge(std::move(fine), 0, 2);
     result.on_finer = judge(area ? on_fine_area(genome, to_solve)
-                                 : pressed(finer_, genome, refined(finer_.model, judged_refinement)),
+                                 : pressed(finer(), genome, refined(finer().model, judged_refinement)),
                             1, 3);
     result.similarity = least_similarity(result.misfits[0]);
     result.refined = least_similarity(result.misfits[1]);

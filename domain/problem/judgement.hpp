@@ -3,6 +3,7 @@
 #include "domain/problem/response.hpp"
 
 #include <array>
+#include <mutex>
 
 namespace rough {
 
@@ -32,10 +33,8 @@ struct Judgement {
 /// Judges the genomes of one set-up.
 class Judge {
   public:
-    /// Solves a measured profile's finer response, where the targets are one's. A fine area's load steps are
-    /// solved by up to so many threads.
-    explicit Judge(const DesignSetup& setup, int threads = 1)
-        : setup_(setup), finer_(in_finer_steps(setup)), threads_(threads) {}
+    /// A fine area's load steps are solved by up to so many threads.
+    explicit Judge(DesignSetup setup, int threads = 1) : setup_(std::move(setup)), threads_(threads) {}
 
     /// Of two curves in finer steps every fourth load step is one of the set-up's own: two solutions give all
     /// four. On a fine area every fourth of the finer steps is solved, and those between where on the
@@ -43,14 +42,18 @@ class Judge {
     /// more than 2e-3 of a secant; the others are read off such cubics. What this changes on the own grid is
     /// taken off `both`. Throws what respond() throws.
     Judgement of(const Genome& genome) const;
-    const DesignSetup& finer() const { return finer_; } ///< the set-up in four times the load steps
+    /// The set-up in four times the load steps. Where the targets are a measured surface's, its finer
+    /// response is solved when it is first asked for: most problems never judge.
+    const DesignSetup& finer() const;
 
   private:
     std::vector<Response> on_fine_area(const Genome& genome,
                                        const std::vector<std::vector<char>>& to_solve) const;
 
-    DesignSetup setup_, finer_;
+    DesignSetup setup_;
     int threads_;
+    mutable std::once_flag asked_;
+    mutable DesignSetup finer_;
 };
 
 } // namespace rough

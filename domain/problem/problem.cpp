@@ -37,12 +37,7 @@ std::string target_objective(std::size_t target) { return "goal" + std::to_strin
 
 } // namespace
 
-double DesignOutcome::similarity() const {
-    double least = rough::similarity(misfits.front());
-    for (const Eigen::VectorXd& misfit : misfits)
-        least = std::min(least, rough::similarity(misfit));
-    return least;
-}
+double DesignOutcome::similarity() const { return least_similarity(misfits); }
 
 DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory)
     : setup_(std::make_shared<DesignSetup>(completed(std::move(setup)))), memory_(std::move(memory)),

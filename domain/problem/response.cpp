@@ -111,9 +111,15 @@ std::vector<double> similarities(const DesignSetup& setup, const DesignResponse&
     return each;
 }
 
+double least_similarity(const std::vector<Eigen::VectorXd>& misfits) {
+    double least = similarity(misfits.front());
+    for (const Eigen::VectorXd& each : misfits)
+        least = std::min(least, similarity(each));
+    return least;
+}
+
 double similarity(const DesignSetup& setup, const DesignResponse& response) {
-    const std::vector<double> each = similarities(setup, response);
-    return *std::min_element(each.begin(), each.end());
+    return least_similarity(misfits_of(setup, response));
 }
 
 double similarity(const DesignSetup& setup, const Genome& genome, Index refine) {

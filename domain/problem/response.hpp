@@ -45,7 +45,9 @@ DesignResponse respond(const DesignSetup& setup, const Profile& profile, const M
 std::vector<Eigen::VectorXd> misfits_of(const DesignSetup& setup, const DesignResponse& response);
 /// Each target's similarity.
 std::vector<double> similarities(const DesignSetup& setup, const DesignResponse& response);
-/// The smallest similarity of all targets.
+/// The smallest similarity of all targets, by their misfits.
+double least_similarity(const std::vector<Eigen::VectorXd>& misfits);
+/// The same of a response.
 double similarity(const DesignSetup& setup, const DesignResponse& response);
 /// The same of a genome on a grid `refine` times finer, within the set-up's accuracy; Eq. 11 anew where it
 /// applies.
