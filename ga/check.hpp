@@ -34,17 +34,15 @@ struct Known {
                              "' needs one objective's fitness, the population is ranked by '" + *scored +
                              "'; expected score before it");
     }
-    /// Throws UsageError, naming the stage, outside a generation.
-    [[gnu::cold]] void need_generation(const std::string& stage) const {
+    /// Throws UsageError, naming the stage and what it does there, outside a generation.
+    [[gnu::cold]] void need_generation(const std::string& stage,
+                                       const std::string& does = "reads the start of a generation") const {
         if (!in_generation)
-            throw UsageError("stage '" + stage +
-                             "' reads the start of a generation; expected it inside repeat or until");
+            throw UsageError("stage '" + stage + "' " + does + "; expected it inside repeat or until");
     }
-    /// Throws UsageError, naming the stage that learns, outside a generation.
-    void need_repetition(const std::string& stage) const {
-        if (!in_generation)
-            throw UsageError("stage '" + stage +
-                             "' learns from one generation to the next; expected it inside repeat or until");
+    /// The same of a stage that learns.
+    [[gnu::cold]] void need_repetition(const std::string& stage) const {
+        need_generation(stage, "learns from one generation to the next");
     }
     /// Throws UsageError, naming the stage, outside a generation, or where its start was scored otherwise
     /// than the population, so that the two cannot be compared.

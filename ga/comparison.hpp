@@ -129,13 +129,20 @@ Population<G> start_of_generation(const Population<G>& population, std::size_t r
     return reads == 0 ? Population<G>() : reads == everyone ? population : best_of(population, reads);
 }
 
+/// Ascending.
+template <class G>
+std::vector<Identity> identities_of(const Population<G>& population) {
+    std::vector<Identity> all;
+    for (const auto& individual : population)
+        all.push_back(individual.identity);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
 /// The population and behind it those of `start` that are not there any more.
 template <class G>
 Population<G> joined_with(const Population<G>& start, Population<G> population) {
-    std::vector<Identity> present;
-    for (const auto& individual : population)
-        present.push_back(individual.identity);
-    std::sort(present.begin(), present.end());
+    const std::vector<Identity> present = identities_of(population);
     for (const auto& old : start)
         if (!std::binary_search(present.begin(), present.end(), old.identity))
             population.push_back(old);

@@ -6,6 +6,10 @@
 
 namespace ga {
 
+/// The individuals of a problem.
+template <Problem P>
+using PopulationOf = Population<typename P::Genome>;
+
 /// Whether a request to stop is heeded at once or after the questions in hand.
 enum class Patience { none, finish };
 

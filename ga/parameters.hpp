@@ -33,24 +33,19 @@ struct Parameter {
     bool is_keyed = false;                                   ///< written KEY=VALUE in a stage's own text
     bool is_quiet = false;                                   ///< left out of it where it has its default
 
+    /// The same, with one part changed.
+    template <class Part>
+    Parameter with(Part Parameter::*part, Part value) const {
+        Parameter copy = *this;
+        copy.*part = value;
+        return copy;
+    }
     /// The same, written KEY=VALUE.
-    Parameter keyed() const {
-        Parameter copy = *this;
-        copy.is_keyed = true;
-        return copy;
-    }
+    Parameter keyed() const { return with(&Parameter::is_keyed, true); }
     /// The same, left out of a stage's text where it has its default.
-    Parameter quiet() const {
-        Parameter copy = *this;
-        copy.is_quiet = true;
-        return copy;
-    }
+    Parameter quiet() const { return with(&Parameter::is_quiet, true); }
     /// The same, at most so much.
-    Parameter up_to(double greatest) const {
-        Parameter copy = *this;
-        copy.upper = greatest;
-        return copy;
-    }
+    Parameter up_to(double greatest) const { return with(&Parameter::upper, greatest); }
 
     bool is_text() const { return kind == Kind::word || kind == Kind::words; } ///< not a number
     /// Whether a number is one that may be given.

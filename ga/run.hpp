@@ -35,8 +35,7 @@ struct Result {
 
 /// Throws UsageError when the pipeline cannot work on this problem and population.
 template <Problem P>
-[[gnu::cold]] void check(const Stage<P>& pipeline, const P& problem,
-                         const Population<typename P::Genome>& population) {
+[[gnu::cold]] void check(const Stage<P>& pipeline, const P& problem, const PopulationOf<P>& population) {
     Known known;
     for (const auto& objective : problem.objectives())
         known.objectives.push_back(objective.name);
@@ -54,7 +53,7 @@ template <Problem P>
 /// What makes a run the one it is: pipeline, seed, objectives and start.
 template <Problem P>
 [[gnu::cold]] std::uint64_t identity_of_run(const Stage<P>& pipeline, const P& problem, std::uint64_t seed,
-                                            const Population<typename P::Genome>& population) {
+                                            const PopulationOf<P>& population) {
     std::uint64_t key = fold(fold(0, seed), pipeline.text());
     for (const auto& objective : problem.objectives())
         key = fold(fold(key, objective.name), objective.minimise ? 1 : 0);

@@ -21,8 +21,7 @@ struct Score : Operator {
     void check(Known& known) const { known.scored = known.objective(text_of(*this), objective); }
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
-                                              Context<P>& context) const {
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         context.leave_out(0);
         if constexpr (Appraises<P> && !Constrained<P>) {
             const std::size_t which = context.objective_index(objective);
@@ -37,11 +36,7 @@ struct Score : Operator {
 };
 
 /// The stage `score objective`; without a name the problem's first.
-inline Score score(std::string objective = {}) {
-    Score stage;
-    stage.objective = std::move(objective);
-    return stage;
-}
+inline Score score(std::string objective = {}) { return {{}, std::move(objective)}; }
 /// The stage `score objective`.
 template <class Outcome>
 Score score(const Objective<Outcome>& objective) {

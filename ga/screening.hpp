@@ -92,10 +92,7 @@ class Screening {
     /// Those of the start that are not in the population any more. One that is there in another shape is left
     /// to `score`, as it keeps its old self out.
     void let_start_compete(const Population<Genome>& population) {
-        std::vector<Identity> present;
-        for (const auto& individual : population)
-            present.push_back(individual.identity);
-        std::sort(present.begin(), present.end());
+        const std::vector<Identity> present = identities_of(population);
         for (const auto& old : context_.generation_start()) {
             if (std::binary_search(present.begin(), present.end(), old.identity))
                 of_start_.push_back(old.identity);

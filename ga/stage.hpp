@@ -39,6 +39,17 @@ struct Step {
 // clang-format on
 struct Operator {};
 
+/// An operator as it is. Throws UsageError on values that it does not allow.
+template <class Op>
+requires std::derived_from<Op, Operator>
+[[gnu::cold]] Op checked(Op op) {
+    if constexpr (requires { op.validate(); })
+        op.validate();
+    else
+        check_values(op, Op::words().name);
+    return op;
+}
+
 /// An operator that holds pipelines gives, in place of the call, `template <Problem P> Step<P> step() const`.
 template <class Op, class P>
 concept Block = requires(const Op& op) {

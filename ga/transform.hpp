@@ -21,8 +21,8 @@ struct Transform : Operator {
 
     template <Problem P>
     requires std::is_invocable_r_v<typename P::Genome, const Function&, const typename P::Genome&>
-        Population<typename P::Genome>
-    operator()(Population<typename P::Genome> population, Context<P>& context) const {
+        PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context) const {
         parallel_for(population.size(), context.threads(), [&](std::size_t i) {
             auto& individual = population[i];
             if (individual.fitness.has_failed())

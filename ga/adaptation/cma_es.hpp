@@ -62,19 +62,20 @@ struct CmaEs : Operator {
     }
 
     template <Problem P>
-    requires HasGenes<P> Population<typename P::Genome>
-    operator()(Population<typename P::Genome> population, Context<P>& context, State& state) const {
+    requires HasGenes<P> PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
         if (population.empty())
             return population;
         const auto order = ranking(population);
         const auto& best = population[order.front()];
         Stream random = context.stream(everyone);
-        if (state.moving.empty())
+        const bool begins = state.moving.empty();
+        if (begins)
             begin(genes_of(context.problem(), best.genome), variables_of(context.problem(), best.genome),
                   state);
-        else if (!state.ended)
-            learn(population, order, context.problem(), state);
         const CmaConstants constants(state.first.size(), state.run.lambda);
+        if (!begins && !state.ended)
+            learn(population, order, context.problem(), constants, state);
         if (!state.ended && state.record.spent > 0 &&
             (over(state.cloud, constants, state.record, sigma * state.run.shrink) ||
              (state.run.most > 0 && state.record.spent >= state.run.most)))
@@ -106,8 +107,8 @@ struct CmaEs : Operator {
     }
 
     template <Problem P>
-    static void learn(const Population<typename P::Genome>& population, const std::vector<std::size_t>& order,
-                      const P& problem, State& state) {
+    static void learn(const PopulationOf<P>& population, const std::vector<std::size_t>& order,
+                      const P& problem, const CmaConstants& constants, State& state) {
         const auto n = static_cast<double>(state.first.size());
         Eigen::MatrixXd steps(state.first.size(), static_cast<Eigen::Index>(state.children.size()));
         std::vector<double> values;
@@ -130,8 +131,7 @@ struct CmaEs : Operator {
         }
         if (values.empty())
             return;
-        state.cloud.learn(CmaConstants(state.first.size(), state.run.lambda),
-                          steps.leftCols(static_cast<Eigen::Index>(values.size())));
+        state.cloud.learn(constants, steps.leftCols(static_cast<Eigen::Index>(values.size())));
         state.record.note(values, state.run.lambda);
     }
 
@@ -230,12 +230,7 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
 
 /// The stage `cma-es sigma=sigma population=children restarts=restarts`.
 inline CmaEs cma_es(double sigma = 0.3, std::string restarts = "bipop", std::size_t children = 0) {
-    CmaEs stage;
-    stage.sigma = sigma;
-    stage.population = children;
-    stage.restarts = std::move(restarts);
-    stage.validate();
-    return stage;
+    return checked(CmaEs{{}, sigma, children, std::move(restarts)});
 }
 
 } // namespace ga

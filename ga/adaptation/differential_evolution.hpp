@@ -39,8 +39,7 @@ struct Difference {
 
 /// The genes of everybody.
 template <Problem P>
-std::vector<std::vector<double>> all_genes(const P& problem,
-                                           const Population<typename P::Genome>& population) {
+std::vector<std::vector<double>> all_genes(const P& problem, const PopulationOf<P>& population) {
     std::vector<std::vector<double>> all;
     for (const auto& individual : population)
         all.push_back(genes_of(problem, individual.genome));
@@ -77,8 +76,8 @@ struct DifferentialEvolution : Operator {
     }
 
     template <Problem P>
-    requires HasGenes<P> Population<typename P::Genome>
-    operator()(Population<typename P::Genome> population, Context<P>& context) const {
+    requires HasGenes<P> PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context) const {
         const std::size_t n = population.size();
         if (n < 4)
             throw NothingLeft(context.path() + ": " + std::to_string(n) +
@@ -110,10 +109,7 @@ struct DifferentialEvolution : Operator {
 /// The stage `de base F=f CR=cr`.
 inline DifferentialEvolution differential_evolution(std::string base = "rand", double f = 0.5,
                                                     double cr = 0.9) {
-    DifferentialEvolution stage;
-    stage.base = std::move(base), stage.F = f, stage.CR = cr;
-    stage.validate();
-    return stage;
+    return checked(DifferentialEvolution{{}, std::move(base), f, cr});
 }
 
 /// One-to-one replacement: each child gives way to its first parent in the generation's start where that one
@@ -129,8 +125,7 @@ struct Duel : Operator {
     void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
-                                              Context<P>& context) const {
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const auto& start = context.generation_start();
         for (auto& child : population)
             for (const auto& parent : start)

@@ -107,8 +107,8 @@ struct LShade : Operator {
     }
 
     template <Problem P>
-    requires HasGenes<P> Population<typename P::Genome>
-    operator()(Population<typename P::Genome> population, Context<P>& context, State& state) const {
+    requires HasGenes<P> PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
         if (population.size() < 4)
             throw NothingLeft(context.path() + ": " + std::to_string(population.size()) +
                               " individuals; expected 4 at least");
@@ -243,11 +243,6 @@ inline void from_json(const nlohmann::json& j, LShade::State& s) {
 ///@}
 
 /// The stage `l-shade evaluations=evaluations`.
-inline LShade l_shade(long evaluations = 0) {
-    LShade stage;
-    stage.evaluations = evaluations;
-    check_values(stage, LShade::words().name);
-    return stage;
-}
+inline LShade l_shade(long evaluations = 0) { return checked(LShade{{}, evaluations}); }
 
 } // namespace ga

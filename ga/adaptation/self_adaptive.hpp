@@ -45,8 +45,8 @@ struct SelfAdaptive : Operator {
     }
 
     template <Problem P>
-    requires HasGenes<P> Population<typename P::Genome>
-    operator()(Population<typename P::Genome> population, Context<P>& context, State& state) const {
+    requires HasGenes<P> PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
         State next;
         const auto keep = [&](const auto& individual) {
             if (const auto known = state.sizes.find(individual.identity); known != state.sizes.end())
@@ -115,10 +115,7 @@ inline void from_json(const nlohmann::json& j, SelfAdaptive::State& state) { j.g
 
 /// The stage `self-adaptive sigma steps=steps`.
 inline SelfAdaptive self_adaptive(double sigma = 0.1, std::string steps = "each") {
-    SelfAdaptive stage;
-    stage.sigma = sigma, stage.steps = std::move(steps);
-    stage.validate();
-    return stage;
+    return checked(SelfAdaptive{{}, sigma, std::move(steps)});
 }
 
 } // namespace ga

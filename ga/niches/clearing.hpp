@@ -24,9 +24,9 @@ struct Clearing : Operator {
     void check(Known& known) const { known.need_score(text_of(*this)); }
 
     template <Problem P>
-    requires HasDistance<P> Population<typename P::Genome>
-    operator()(Population<typename P::Genome> population, Context<P>& context) const {
-        Population<typename P::Genome> left;
+    requires HasDistance<P> PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context) const {
+        PopulationOf<P> left;
         for (const std::size_t i : ranking(population)) {
             const auto near = std::count_if(left.begin(), left.end(), [&](const auto& better) {
                 return distance(context.problem(), better.genome, population[i].genome) < radius;
@@ -41,10 +41,7 @@ struct Clearing : Operator {
 
 /// The stage `clear radius capacity=capacity`.
 inline Clearing clear(double radius, std::size_t capacity = 1) {
-    Clearing stage;
-    stage.radius = radius, stage.capacity = capacity;
-    check_values(stage, Clearing::words().name);
-    return stage;
+    return checked(Clearing{{}, radius, capacity});
 }
 
 } // namespace ga

@@ -3,6 +3,8 @@
 #include "ga/niches/distance.hpp"
 #include "ga/stage.hpp"
 
+#include <map>
+
 namespace ga {
 
 /// Deterministic crowding (Mahfoud 1995, Niching methods for genetic algorithms, ch. 6): two children of the
@@ -22,8 +24,8 @@ struct Crowding : Operator {
     void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
-    requires HasDistance<P> Population<typename P::Genome>
-    operator()(Population<typename P::Genome> children, Context<P>& context) const {
+    requires HasDistance<P> PopulationOf<P>
+    operator()(PopulationOf<P> children, Context<P>& context) const {
         using G = typename P::Genome;
         auto population = context.generation_start();
         std::map<Identity, std::size_t> places; // of the start; a place keeps its name when it is taken

@@ -34,8 +34,8 @@ struct Emit : Operator {
     }
 
     template <Problem P>
-    requires Describing<P> && HasGenes<P> Population<typename P::Genome>
-    operator()(Population<typename P::Genome> population, Context<P>& context) const {
+    requires Describing<P> && HasGenes<P> PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context) const {
         using G = typename P::Genome;
         const P& problem = context.problem();
         const auto by = descriptors_of(problem, descriptors, text_of(*this));
@@ -91,7 +91,7 @@ struct Emit : Operator {
   private:
     /// In which direction each gets better; empty where that is not to be had.
     template <Problem P>
-    static std::vector<std::vector<double>> slopes_of(const Population<typename P::Genome>& population,
+    static std::vector<std::vector<double>> slopes_of(const PopulationOf<P>& population,
                                                       Context<P>& context) {
         std::vector<std::vector<double>> all(population.size());
         if constexpr (Sensitive<P> || Differentiable<P>) {
@@ -141,10 +141,7 @@ struct Emit : Operator {
 
 /// The stage `emit n descriptors sigma=sigma`.
 inline Emit emit(std::size_t n, std::vector<std::string> descriptors, double sigma = 0.1) {
-    Emit stage;
-    stage.n = n, stage.descriptors = std::move(descriptors), stage.sigma = sigma;
-    check_values(stage, Emit::words().name);
-    return stage;
+    return checked(Emit{{}, n, std::move(descriptors), sigma});
 }
 
 } // namespace ga

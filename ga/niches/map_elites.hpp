@@ -32,10 +32,10 @@ struct MapElites : Operator {
     }
 
     template <Problem P>
-    requires Describing<P> Population<typename P::Genome>
-    operator()(Population<typename P::Genome> population, Context<P>& context) const {
+    requires Describing<P> PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context) const {
         const auto by = descriptors_of(context.problem(), descriptors, text_of(*this));
-        Population<typename P::Genome> all = joined_with(context.generation_start(), std::move(population));
+        PopulationOf<P> all = joined_with(context.generation_start(), std::move(population));
         std::vector<std::vector<std::size_t>> cell(all.size());
         parallel_for(all.size(), context.threads(), [&](std::size_t i) {
             for (const auto* descriptor : by) {
@@ -55,7 +55,7 @@ struct MapElites : Operator {
             if (!fresh && better(all[i].fitness, all[held->second].fitness))
                 held->second = i;
         }
-        Population<typename P::Genome> archive;
+        PopulationOf<P> archive;
         for (const auto& [place, i] : elites)
             archive.push_back(std::move(all[i]));
         if (archive.empty())
@@ -67,10 +67,7 @@ struct MapElites : Operator {
 
 /// The stage `map-elites descriptors cells=cells`.
 inline MapElites map_elites(std::vector<std::string> descriptors, std::size_t cells = 10) {
-    MapElites stage;
-    stage.descriptors = std::move(descriptors), stage.cells = cells;
-    check_values(stage, MapElites::words().name);
-    return stage;
+    return checked(MapElites{{}, std::move(descriptors), cells});
 }
 
 } // namespace ga

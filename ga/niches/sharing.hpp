@@ -17,7 +17,7 @@ struct Sharing : ByFitness {
 
     /// One an individual.
     template <HasDistance P>
-    std::vector<double> of(const Population<typename P::Genome>& population, const P& problem) const {
+    std::vector<double> of(const PopulationOf<P>& population, const P& problem) const {
         std::vector<double> shared = ByFitness::of(population); // 0 for who does not count
         double lowest = 0, highest = -HUGE_VAL;
         for (std::size_t i = 0; i < population.size(); ++i)
@@ -54,7 +54,7 @@ struct Sharing : ByFitness {
 
 /// @param radius  of a niche, in the problem's distance
 inline Proportional<Sharing> share(double radius, double alpha = 1) {
-    return Proportional<Sharing>(Sharing{{}, radius, alpha});
+    return checked(Proportional<Sharing>{{}, Sharing{{}, radius, alpha}});
 }
 
 } // namespace ga

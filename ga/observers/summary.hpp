@@ -29,7 +29,7 @@ struct Summary {
 
 /// Of a population under the objective it was last scored by.
 template <Problem P>
-Summary summary(const P& problem, const Population<typename P::Genome>& population) {
+Summary summary(const P& problem, const PopulationOf<P>& population) {
     Summary summary;
     summary.individuals = population.size();
     std::vector<double> values;

@@ -13,10 +13,6 @@ namespace ga {
 ///         plus()) | front()
 struct Pareto : Operator {
     std::vector<std::string> objectives; ///< names, two at least, each once
-
-    Pareto() = default;
-    /// Throws UsageError on less than two, or one twice.
-    explicit Pareto(std::vector<std::string> names) : objectives(std::move(names)) { validate(); }
     /// Throws UsageError on less than two, or one twice.
     [[gnu::cold]] void validate() const {
         if (objectives.size() < 2)
@@ -41,8 +37,7 @@ struct Pareto : Operator {
     }
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
-                                              Context<P>& context) const {
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         std::vector<const Objective<typename P::Outcome>*> read;
         bool with_first = false; // the best under it is remembered
         for (const auto& objective : objectives) {
@@ -76,7 +71,9 @@ struct Pareto : Operator {
 };
 
 /// The stage `pareto objective objective ...`.
-inline Pareto pareto(std::vector<std::string> objectives) { return Pareto(std::move(objectives)); }
+inline Pareto pareto(std::vector<std::string> objectives) {
+    return checked(Pareto{{}, std::move(objectives)});
+}
 
 /// Keeps the individuals that no other betters: those that none dominates.
 struct Front : Operator {
@@ -90,8 +87,7 @@ struct Front : Operator {
     }
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
-                                              Context<P>& context) const {
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         auto front = ga::front_of(population);
         if (front.empty())
             throw NothingLeft(context.path() + ": none of " + std::to_string(population.size()) +

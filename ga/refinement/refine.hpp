@@ -163,8 +163,8 @@ struct Refine : Operator {
     }
 
     template <class P>
-    requires Refinable<P, M> Population<typename P::Genome>
-    operator()(Population<typename P::Genome> population, Context<P>& context) const {
+    requires Refinable<P, M> PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context) const {
         using G = typename P::Genome;
         std::vector<Individual<G>*> jobs;
         for (auto& individual : population)

@@ -9,10 +9,6 @@ namespace ga {
 /// Under several objectives all of them are ranked together first.
 struct Elite : Operator {
     std::size_t k = 1; ///< how many come back, >= 1
-
-    Elite() = default;
-    /// Throws UsageError on 0.
-    explicit Elite(std::size_t count) : k(count) { check_values(*this, words().name); }
     ///@{
     /// What every operator has (Operator).
     static Words words() {
@@ -23,8 +19,7 @@ struct Elite : Operator {
     void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
-                                              Context<P>& context) const {
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const auto& start = context.generation_start();
         std::vector<double> worth = merits(population, start);
         const auto first_of_start = static_cast<std::ptrdiff_t>(population.size());
@@ -46,6 +41,6 @@ struct Elite : Operator {
 };
 
 /// The stage `elite k`.
-inline Elite elite(std::size_t k) { return Elite(k); }
+inline Elite elite(std::size_t k) { return checked(Elite{{}, k}); }
 
 } // namespace ga

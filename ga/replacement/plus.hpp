@@ -8,10 +8,6 @@ namespace ga {
 /// together. Under several objectives both are ranked together: NSGA-II's replacement (Deb et al. 2002).
 struct Plus : Operator {
     std::size_t mu = 0; ///< 0 for as many as there were at the start
-
-    Plus() = default;
-    /// `plus size`; 0 for as many as there were at the start.
-    explicit Plus(std::size_t size) : mu(size) {}
     ///@{
     /// What every operator has (Operator).
     static Words words() {
@@ -25,8 +21,7 @@ struct Plus : Operator {
     void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
-                                              Context<P>& context) const {
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const auto& start = context.generation_start();
         return best_of(joined_with(start, std::move(population)), mu > 0 ? mu : start.size());
     }
@@ -34,7 +29,7 @@ struct Plus : Operator {
 };
 
 /// The stage `plus mu`.
-inline Plus plus(std::size_t mu = 0) { return Plus(mu); }
+inline Plus plus(std::size_t mu = 0) { return {{}, mu}; }
 
 /// Adds the generation's start to the population without choosing, for a ranking of all together.
 struct JoinParents : Operator {
@@ -53,8 +48,7 @@ struct JoinParents : Operator {
     }
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
-                                              Context<P>& context) const {
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const auto& start = context.generation_start();
         context.need_room(population.size() + start.size(), population);
         return joined_with(start, std::move(population));
@@ -79,8 +73,7 @@ struct Steady : Operator {
     void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> children,
-                                              Context<P>& context) const {
+    PopulationOf<P> operator()(PopulationOf<P> children, Context<P>& context) const {
         auto population = context.generation_start();
         const std::vector<std::size_t> order = ranking(population);
         const std::size_t count = std::min(children.size(), population.size());

@@ -58,10 +58,6 @@ template <bool upwards>
 struct Threshold : Operator {
     double threshold = 0; ///< of fitness, not included
     AtLeast least;        ///< who stay in any case
-
-    Threshold() = default;
-    /// `above value`, or `below value`.
-    Threshold(double value, AtLeast at) : threshold(value), least(at) { check_values(*this, words().name); }
     ///@{
     /// What every operator has (Operator).
     static Words words() {
@@ -83,16 +79,19 @@ struct Threshold : Operator {
     }
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
-                                              Context<P>& context) const {
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         return passing(population, threshold, least, upwards, context);
     }
     ///@}
 };
 
 /// The stage `above threshold at_least=...`.
-inline Threshold<true> above(double threshold, AtLeast least = {}) { return {threshold, least}; }
+inline Threshold<true> above(double threshold, AtLeast least = {}) {
+    return checked(Threshold<true>{{}, threshold, least});
+}
 /// The stage `below threshold at_least=...`.
-inline Threshold<false> below(double threshold, AtLeast least = {}) { return {threshold, least}; }
+inline Threshold<false> below(double threshold, AtLeast least = {}) {
+    return checked(Threshold<false>{{}, threshold, least});
+}
 
 } // namespace ga

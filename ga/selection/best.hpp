@@ -7,10 +7,6 @@ namespace ga {
 /// Keeps the n best, best first. n >= 1.
 struct Best : Operator {
     std::size_t n = 1; ///< how many stay, >= 1
-
-    Best() = default;
-    /// Throws UsageError on 0.
-    explicit Best(std::size_t count) : n(count) { check_values(*this, words().name); }
     ///@{
     /// What every operator has (Operator).
     static Words words() { return {"best", "selection", "keeps the n best, best first"}; }
@@ -20,13 +16,13 @@ struct Best : Operator {
     Demand demand() const { return {.best = n}; }
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> population, Context<P>&) const {
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>&) const {
         return best_of(population, n);
     }
     ///@}
 };
 
 /// The stage `best n`.
-inline Best best(std::size_t n) { return Best(n); }
+inline Best best(std::size_t n) { return checked(Best{{}, n}); }
 
 } // namespace ga

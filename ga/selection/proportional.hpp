@@ -87,10 +87,6 @@ struct ByRank {
 template <class Weights>
 struct Proportional : Operator {
     Weights weights; ///< how much each counts: Roulette, Universal, ByRank or Sharing
-
-    Proportional() = default;
-    /// With these weights.
-    explicit Proportional(Weights w) : weights(w) { check_values(*this, words().name); }
     ///@{
     /// What every operator has (Operator).
     static Words words() { return Weights::words(); }
@@ -98,8 +94,7 @@ struct Proportional : Operator {
     void check(Known& known) const { weights.check(known, text_of(*this)); }
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
-                                              Context<P>& context) const {
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const std::size_t n = population.size();
         if (population.empty())
             return population;
@@ -131,6 +126,8 @@ inline Proportional<Roulette> roulette() { return {}; }
 /// The stage `sus`.
 inline Proportional<Universal> sus() { return {}; }
 /// @param pressure  expected places of the best, above 1 and at most 2
-inline Proportional<ByRank> rank(double pressure = 1.5) { return Proportional<ByRank>(ByRank{pressure}); }
+inline Proportional<ByRank> rank(double pressure = 1.5) {
+    return checked(Proportional<ByRank>{{}, ByRank{pressure}});
+}
 
 } // namespace ga

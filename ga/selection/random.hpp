@@ -8,10 +8,6 @@ namespace ga {
 /// no more.
 struct Random : Operator {
     std::size_t n = 0; ///< 0 for all
-
-    Random() = default;
-    /// `random count`; 0 for all.
-    explicit Random(std::size_t count) : n(count) {}
     ///@{
     /// What every operator has (Operator).
     static Words words() { return {"random", "selection", "keeps n at random, none twice, in random order"}; }
@@ -21,8 +17,7 @@ struct Random : Operator {
     void check(Known&) const {}
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
-                                              Context<P>& context) const {
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         Stream stream = context.stream(0);
         for (std::size_t i = 0; i + 1 < population.size(); ++i)
             std::swap(population[i], population[i + stream.below(population.size() - i)]);
@@ -34,6 +29,6 @@ struct Random : Operator {
 };
 
 /// The stage `random n`; 0 for all of them, shuffled.
-inline Random at_random(std::size_t n = 0) { return Random(n); }
+inline Random at_random(std::size_t n = 0) { return {{}, n}; }
 
 } // namespace ga

@@ -9,12 +9,6 @@ namespace ga {
 struct Tournament : Operator {
     std::size_t k = 2;    ///< drawn for each place, >= 1
     std::size_t size = 0; ///< places; 0 for as many as there are individuals
-
-    Tournament() = default;
-    /// Throws UsageError where none are drawn.
-    Tournament(std::size_t drawn, std::size_t places) : k(drawn), size(places) {
-        check_values(*this, words().name);
-    }
     ///@{
     /// What every operator has (Operator).
     static Words words() {
@@ -27,8 +21,7 @@ struct Tournament : Operator {
     void check(Known& known) const { known.need_score(text_of(*this)); }
 
     template <Problem P>
-    Population<typename P::Genome> operator()(Population<typename P::Genome> population,
-                                              Context<P>& context) const {
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         if (population.empty())
             return population;
         context.need_room(size, population);
@@ -48,6 +41,6 @@ struct Tournament : Operator {
 };
 
 /// The stage `tournament k size=size`.
-inline Tournament tournament(std::size_t k, std::size_t size = 0) { return {k, size}; }
+inline Tournament tournament(std::size_t k, std::size_t size = 0) { return checked(Tournament{{}, k, size}); }
 
 } // namespace ga

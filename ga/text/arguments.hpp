@@ -51,8 +51,6 @@ class Arguments {
     double number(const std::string& name) const { return *parsed(word(name)); }
     /// The value of a whole number that is no less than 0.
     std::size_t count(const std::string& name) const { return static_cast<std::size_t>(number(name)); }
-    /// The value of a whole number.
-    int integer(const std::string& name) const { return static_cast<int>(number(name)); }
     /// A word.
     const std::string& word(const std::string& name) const { return values_.at(name).front().value; }
     /// All the words of a parameter that takes several.

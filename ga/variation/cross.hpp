@@ -19,10 +19,6 @@ template <class Way>
 struct Cross : Operator {
     Way way;         ///< how two genomes are crossed (Crosses)
     double rate = 1; ///< probability of each pair, [0, 1]
-
-    Cross() = default;
-    /// Throws UsageError on a rate outside [0, 1], or a value that the way does not allow.
-    Cross(Way w, double r) : way(std::move(w)), rate(r) { check_values(*this, words().name); }
     ///@{
     /// What every operator has (Operator).
     static Words words() {
@@ -36,8 +32,8 @@ struct Cross : Operator {
     void check(Known& known) const { known.scored.reset(); }
 
     template <class P>
-    requires Crosses<Way, P> Population<typename P::Genome>
-    operator()(Population<typename P::Genome> population, Context<P>& context) const {
+    requires Crosses<Way, P> PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context) const {
         for (std::size_t i = 0; i + 1 < population.size(); i += 2) {
             Stream stream = context.stream(i);
             if (rate < 1 && !stream.chance(rate))
@@ -56,7 +52,7 @@ struct Cross : Operator {
 /// @param rate  probability that a pair is crossed, 0 to 1
 template <class Way>
 Cross<Way> cross(Way way, double rate = 1) {
-    return {std::move(way), rate};
+    return checked(Cross<Way>{{}, std::move(way), rate});
 }
 
 } // namespace ga

@@ -25,10 +25,6 @@ template <class Way>
 struct Mutate : Operator {
     double rate = 0; ///< probability of each gene, [0, 1]
     Way way;         ///< how a genome is changed (Mutates)
-
-    Mutate() = default;
-    /// Throws UsageError on a rate outside [0, 1], or a value that the way does not allow.
-    Mutate(double r, Way w) : rate(r), way(std::move(w)) { check_values(*this, words().name); }
     ///@{
     /// What every operator has (Operator).
     static Words words() {
@@ -43,8 +39,8 @@ struct Mutate : Operator {
     void check(Known& known) const { known.scored.reset(); }
 
     template <class P>
-    requires Mutates<Way, P> Population<typename P::Genome>
-    operator()(Population<typename P::Genome> population, Context<P>& context) const {
+    requires Mutates<Way, P> PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context) const {
         const Chance chance(rate);
         for (std::size_t i = 0; i < population.size(); ++i) {
             auto& individual = population[i];

@@ -286,7 +286,7 @@ inline Reverse reverse() { return {}; }
 /// @param rate  a gene's chance to mutate, 0 to 1
 template <class Way = Natural>
 Mutate<Way> mutate(double rate, Way way = {}) {
-    return {rate, std::move(way)};
+    return checked(Mutate<Way>{{}, rate, std::move(way)});
 }
 
 } // namespace ga

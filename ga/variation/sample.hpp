@@ -7,10 +7,6 @@ namespace ga {
 /// Puts n new individuals drawn at random by the problem in the place of the population.
 struct Sample : Operator {
     std::size_t n = 1; ///< how many, >= 1
-
-    Sample() = default;
-    /// Throws UsageError on 0.
-    explicit Sample(std::size_t count) : n(count) { check_values(*this, words().name); }
     ///@{
     /// What every operator has (Operator).
     static constexpr bool begins = true;
@@ -21,9 +17,9 @@ struct Sample : Operator {
     void check(Known& known) const { known.scored.reset(); }
 
     template <Problem P>
-    requires Sampled<P> Population<typename P::Genome>
-    operator()(Population<typename P::Genome>, Context<P>& context) const {
-        Population<typename P::Genome> fresh;
+    requires Sampled<P> PopulationOf<P>
+    operator()(PopulationOf<P>, Context<P>& context) const {
+        PopulationOf<P> fresh;
         for (std::size_t i = 0; i < n; ++i) {
             Stream stream = context.stream(i);
             fresh.push_back({context.problem().sample(stream), context.new_identity(), {}, {}, {}});
@@ -38,6 +34,6 @@ struct Sample : Operator {
 };
 
 /// The stage `sample n`.
-inline Sample sample(std::size_t n) { return Sample(n); }
+inline Sample sample(std::size_t n) { return checked(Sample{{}, n}); }
 
 } // namespace ga

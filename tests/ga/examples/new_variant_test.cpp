@@ -53,8 +53,8 @@ struct Regrow : ga::Operator {
     }
 
     template <ga::Problem P>
-    requires ga::Mutates<ga::Natural, P> ga::Population<typename P::Genome>
-    operator()(ga::Population<typename P::Genome> population, ga::Context<P>& context) const {
+    requires ga::Mutates<ga::Natural, P> ga::PopulationOf<P>
+    operator()(ga::PopulationOf<P> population, ga::Context<P>& context) const {
         const auto order = ga::ranking(population);
         for (std::size_t i = 0; i < std::min(k, order.size() - 1); ++i) {
             auto& worst = population[order[order.size() - 1 - i]];
