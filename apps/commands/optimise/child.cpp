@@ -1,20 +1,16 @@
 #include "apps/commands/optimise/child.hpp"
 
+#include "apps/outside/process.hpp"
 #include "domain/errors.hpp"
-#include "ga/stopwatch.hpp"
 
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <ctime>
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
-
-extern char** environ;
 
 namespace app {
 
@@ -37,30 +33,6 @@ struct Pipe {
 void close_once(int& descriptor) {
     if (descriptor >= 0)
         close(std::exchange(descriptor, -1));
-}
-
-int started(pid_t& process, const Words& command, int in, int out, int err) {
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, in, STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&files, out, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&files, err, STDERR_FILENO);
-    posix_spawnattr_t how;
-    posix_spawnattr_init(&how);
-    sigset_t usual;
-    sigemptyset(&usual);
-    sigaddset(&usual, SIGPIPE);
-    posix_spawnattr_setsigdefault(&how, &usual);
-    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-    std::vector<std::string> copy = command;
-    std::vector<char*> words;
-    for (std::string& word : copy)
-        words.push_back(word.data());
-    words.push_back(nullptr);
-    const int error = posix_spawnp(&process, words.front(), &files, &how, words.data(), environ);
-    posix_spawnattr_destroy(&how);
-    posix_spawn_file_actions_destroy(&files);
-    return error;
 }
 
 } // namespace
@@ -99,7 +71,7 @@ Words split_command(const std::string& command) {
 Child::Child(const Words& command, int log) {
     Pipe in;
     Pipe out;
-    const int error = started(process_, command, in.read, out.write, log);
+    const int error = start_process(process_, command, in.read, out.write, log);
     close(in.read);
     close(out.write);
     in_ = in.write;
@@ -161,15 +133,8 @@ std::optional<std::string> Child::line() {
 }
 
 bool Child::ended_within(double seconds) {
-    const ga::Stopwatch clock;
-    while (!ended_ && process_ > 0) {
-        const pid_t done = waitpid(process_, &status_, WNOHANG);
-        ended_ = done == process_ || (done < 0 && errno != EINTR);
-        if (ended_ || clock.seconds() > seconds)
-            break;
-        const timespec pause{0, 1'000'000};
-        nanosleep(&pause, nullptr);
-    }
+    if (!ended_ && process_ > 0)
+        ended_ = process_ended_within(seconds, process_, status_);
     return ended_;
 }
 
