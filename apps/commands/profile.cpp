@@ -153,7 +153,7 @@ int profile(const Words& words) {
             "--lambda-c), its material ratio curve (bearing.csv) and its power spectrum "
             "(spectrum.csv, spectrum.svg; lines.csv holds a genome's waves). Of a map: ISO 25178 parameters "
             "(surface.json), heights.txt, surface.x3p, surface.vtk, a tile to print (surface.3mf, "
-            "surface.stl), a picture (heights.png), bearing.csv and the areal spectrum.",
+            "surface.stl), a picture (heights.svg), bearing.csv and the areal spectrum.",
             profile_settings(),
             {"profile surface.json", "profile surface.json --nodes 2048 --magnify 100 --out surface",
              "profile --profile scan.txt --unit um --lambda-s 0.0025 --lambda-c 0.8",

@@ -1,10 +1,6 @@
 #include "apps/report/map_page.hpp"
 
-#include "apps/report/height_picture.hpp"
-#include "apps/report/page.hpp"
 #include "apps/report/units.hpp"
-
-#include <cmath>
 
 namespace app {
 
@@ -33,36 +29,27 @@ std::vector<Parameter> parameters(const rough::ArealParameters& s) {
 }
 
 std::string map_page(const MapShown& shown) {
-    const auto all = parameters(shown.areal);
-    Page page("Surface: " + shown.name, shown.account);
-    std::vector<std::pair<std::string, std::string>> tiles;
-    for (const std::size_t i : {0, 1, 6, 10})
-        tiles.emplace_back(all[i].name + ", " + all[i].meaning, in_words(all[i]));
-    page.tiles(tiles);
-    page.section("Heights");
     const auto [columns, rows] = shown.map.shape();
-    const double high = shown.map.heights.maxCoeff(), low = shown.map.heights.minCoeff();
-    const Unit up = length_unit(high - low);
-    const std::string size = readable(shown.map.spacing * static_cast<double>(columns - 1)) +
-                             " mm along x, " +
-                             readable(shown.map.row_spacing * static_cast<double>(rows - 1)) + " mm along y";
-    page.prose(Html::raw(embedded(shown.png, "Height map, " + size)));
-    page.prose(size + "; from " + readable(up.factor * low) + " (dark) to " + readable(up.factor * high) +
-               " " + up.name + " (bright), y upwards.");
+    const double length = shown.map.spacing * static_cast<double>(columns - 1),
+                 width = shown.map.row_spacing * static_cast<double>(rows - 1);
     Plot spectrum = spectrum_plot(shown.spectrum);
     spectrum.alt = "Radially averaged power spectral density of the surface against wave number";
     spectrum.y.label = "Power spectral density C (mm⁴)";
-    page.figure({"curves",
-                 "Material ratio and spectrum.",
-                 "Left, how much of the area is higher than a height; right, the areal power spectral "
-                 "density, averaged over directions.",
-                 {bearing_plot(shown.map.heights), spectrum}});
-    page.section("Parameters");
-    page.prose("By ISO 25178-2 over the whole map, about its mean plane.");
-    page.table(parameter_table(all));
-    page.section("Files");
-    page.links(shown.files);
-    return page.html();
+    return surface_page({"Surface: " + shown.name,
+                         shown.account,
+                         parameters(shown.areal),
+                         {"heights",
+                          "Heights.",
+                          readable(length) + " mm along x, " + readable(width) + " mm along y.",
+                          {shown.heights}},
+                         {"curves",
+                          "Material ratio and spectrum.",
+                          "Left, how much of the area is higher than a height; right, the areal power "
+                          "spectral density, averaged over directions.",
+                          {bearing_plot(shown.map.heights), spectrum}},
+                         "By ISO 25178-2 over the whole map, about its mean plane.",
+                         {},
+                         shown.files});
 }
 
 } // namespace app

@@ -15,7 +15,7 @@ struct MapShown {
     const rough::Profile& map;
     const rough::ArealParameters& areal;
     const rough::Spectrum& spectrum;
-    std::string png;                ///< a picture of its heights
+    Plot heights;                   ///< as colours
     std::vector<std::string> files; ///< beside the page
 };
 

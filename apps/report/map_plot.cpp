@@ -33,4 +33,13 @@ Plot pressure_plot(const rough::Grid& grid, const rough::ContactState& state, co
                        "Contact pressure as colours, nothing where there is none");
 }
 
+Plot heights_plot(const rough::Profile& map) {
+    const auto [columns, rows] = map.shape();
+    const rough::Grid grid{.nodes = columns,
+                           .length = map.spacing * static_cast<double>(columns - 1),
+                           .rows = rows,
+                           .width = map.row_spacing * static_cast<double>(rows - 1)};
+    return heights_plot(grid, map.heights, "");
+}
+
 } // namespace app

@@ -11,6 +11,8 @@ Plot shades_plot(const rough::Grid& grid, const Eigen::VectorXd& values, const s
                  const std::string& label, const std::string& alt);
 /// Heights (mm) under the highest.
 Plot heights_plot(const rough::Grid& grid, const Eigen::VectorXd& heights, const std::string& title);
+/// The same of a map alone.
+Plot heights_plot(const rough::Profile& map);
 /// The pressure at one load step; nothing where there is none.
 Plot pressure_plot(const rough::Grid& grid, const rough::ContactState& state, const std::string& title);
 

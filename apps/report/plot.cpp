@@ -167,20 +167,28 @@ void write_shades(std::ostream& out, const Plot& plot) {
     const Eigen::Index every = (std::max(columns, rows) + most_shades - 1) / most_shades;
     out << "$m << EOD\n";
     for (Eigen::Index j = 0; j < rows; j += every) {
-        for (Eigen::Index i = 0; i < columns; i += every)
-            std::isfinite(shades.values(i, j)) ? out << shades.values(i, j) << " " : out << "NaN ";
+        for (Eigen::Index i = 0; i < columns; i += every) {
+            // The mean of what is known among the nodes that a place stands for.
+            const auto some =
+                shades.values.block(i, j, std::min(every, columns - i), std::min(every, rows - j)).array();
+            const auto known = some.isFinite();
+            known.any() ? out << known.select(some, 0).sum() / static_cast<double>(known.count()) << " "
+                        : out << "NaN ";
+        }
         out << "\n";
     }
     out << "EOD\nset terminal svg size 480," << plot.height << " dynamic rounded enhanced font 'Arial,14'\n";
     write_axis(out, "x", plot.x);
     write_axis(out, "y", plot.y);
-    const auto step = [every](double to, Eigen::Index count) {
-        return static_cast<double>(every) * to / static_cast<double>(std::max<Eigen::Index>(1, count - 1));
+    const auto middle = [every](const char* place, double to, Eigen::Index count) {
+        const double node = to / static_cast<double>(std::max<Eigen::Index>(1, count - 1));
+        return rough::line_of("(", static_cast<double>(every) * node, "*", place, "+",
+                              0.5 * static_cast<double>(every - 1) * node, ")");
     };
     out << "set size ratio -1\nunset grid\n"
         << shades_palette << "set cblabel " << gnuplot_text(shades.label)
-        << " noenhanced offset 0.5,0\nplot $m matrix using ($1*" << step(shades.to_x, columns) << "):($2*"
-        << step(shades.to_y, rows) << "):3 with image notitle\nset size noratio\nset grid\n";
+        << " noenhanced offset 0.5,0\nplot $m matrix using " << middle("$1", shades.to_x, columns) << ":"
+        << middle("$2", shades.to_y, rows) << ":3 with image notitle\nset size noratio\nset grid\n";
 }
 
 constexpr const char* document = "<?xml";
@@ -241,13 +249,6 @@ Drawing draw(const std::vector<Plot>& plots, const std::string& name, double sec
     all.missing = "gnuplot, which draws the pictures, failed (" + all.missing +
                   "), expected the Debian package gnuplot-nox to be installed";
     return all;
-}
-
-std::vector<std::string> svg(const std::vector<Plot>& plots, const std::string& name) {
-    Drawing drawing = draw(plots, name);
-    if (!drawing.missing.empty())
-        throw rough::InputError(drawing.missing);
-    return std::move(drawing.pictures);
 }
 
 Series bundle(const std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>>& curves, Series look) {

@@ -33,6 +33,12 @@ constexpr std::array<Colour, 6> line_colours{Colour::blue,   Colour::orange, Col
 
 enum class Dash { solid, dashed, dotted };
 
+/// How the i-th of many lines looks: the colours in turn, then again with the other dash.
+constexpr Colour line_colour(std::size_t i) { return line_colours[i % line_colours.size()]; }
+constexpr Dash line_dash(std::size_t i) {
+    return i / line_colours.size() % 2 == 0 ? Dash::solid : Dash::dashed;
+}
+
 struct Series {
     std::string label;    ///< in the key; "" keeps it out
     Eigen::VectorXd x, y; ///< equal lengths; a NaN in y breaks the line
@@ -77,9 +83,6 @@ struct Drawing {
 /// `plot_style`). `name` begins the ids. A line of more points than can be seen is drawn through those that
 /// can.
 Drawing draw(const std::vector<Plot>& plots, const std::string& name = "plot", double seconds = 60);
-
-/// The pictures alone. Throws rough::InputError where one is missing.
-std::vector<std::string> svg(const std::vector<Plot>& plots, const std::string& name = "plot");
 
 /// One of them as a file of its own.
 std::string svg_file(std::string picture);

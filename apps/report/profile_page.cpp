@@ -47,11 +47,26 @@ std::string in_words(const Parameter& one) {
     return readable(unit.factor * one.value) + " " + unit.name;
 }
 
-Table parameter_table(const std::vector<Parameter>& all) {
+std::string surface_page(SurfaceShown shown) {
+    Page page(shown.title, shown.account);
+    std::vector<std::pair<std::string, std::string>> tiles;
+    for (const std::size_t i : {0, 1, 6, 10})
+        tiles.emplace_back(shown.parameters[i].name + ", " + shown.parameters[i].meaning,
+                           in_words(shown.parameters[i]));
+    page.tiles(tiles);
+    page.section("Heights");
+    page.figure(std::move(shown.heights));
+    page.figure(std::move(shown.curves));
+    page.section("Parameters");
+    page.prose(shown.by);
     Table table{"", {"Parameter", "Value", "What it is"}, {}, {false, true, false}};
-    for (const Parameter& one : all)
+    for (const Parameter& one : shown.parameters)
         table.rows.push_back({one.name, in_words(one), one.meaning});
-    return table;
+    table.rows.insert(table.rows.end(), shown.further.begin(), shown.further.end());
+    page.table(table);
+    page.section("Files");
+    page.links(shown.files);
+    return page.html();
 }
 
 void tell_parameters(const std::vector<Parameter>& all, double largest) {
@@ -121,37 +136,25 @@ Plot bearing_plot(const Eigen::VectorXd& heights) {
 
 std::string profile_page(const ProfileShown& shown) {
     const rough::Roughness& r = shown.roughness;
-    const auto all = parameters(r, shown.is_roughness);
-    Page page("Profile: " + shown.name, shown.account);
-    std::vector<std::pair<std::string, std::string>> tiles;
-    for (const std::size_t i : {0, 1, 6, 10})
-        tiles.emplace_back(all[i].name + ", " + all[i].meaning, in_words(all[i]));
-    page.tiles(tiles);
-    page.section("Heights");
-    page.figure({"profile", "Heights", "Counted from their mean.", {profile_plot(shown.profile)}});
-    page.figure(
-        {"curves",
-         "Material ratio and spectrum.",
-         "Left, how much of the length is higher than a height; right, the power spectral density under "
-         "a Hann window.",
-         {bearing_plot(shown.profile.heights), spectrum_plot(shown.spectrum)}});
-    page.section("Parameters");
-    page.prose(
-        shown.is_roughness
-            ? "A roughness profile: waves over the cut-off are taken off by a Gaussian filter (ISO "
-              "16610-21). "
-              "Parameters by ISO 21920-2 over " +
-                  std::to_string(r.sections) + " sections of " + readable(r.section_length) + " mm."
-            : std::string("A primary profile: no long waves are taken off, so its parameters are Pa, Pq and "
-                          "so on (ISO 21920-2), over its whole length."));
-    Table table = parameter_table(all);
-    table.rows.push_back(
-        {"rms curvature", readable(r.rms_curvature) + " 1/mm", "by the seven-point formula"});
-    table.rows.push_back({"bandwidth", readable(r.bandwidth), "Nayak's alpha, m0 m4/m2²"});
-    page.table(table);
-    page.section("Files");
-    page.links(shown.files);
-    return page.html();
+    return surface_page(
+        {"Profile: " + shown.name,
+         shown.account,
+         parameters(r, shown.is_roughness),
+         {"profile", "Heights", "Counted from their mean.", {profile_plot(shown.profile)}},
+         {"curves",
+          "Material ratio and spectrum.",
+          "Left, how much of the length is higher than a height; right, the power spectral density under "
+          "a Hann window.",
+          {bearing_plot(shown.profile.heights), spectrum_plot(shown.spectrum)}},
+         shown.is_roughness
+             ? "A roughness profile: waves over the cut-off are taken off by a Gaussian filter (ISO "
+               "16610-21). Parameters by ISO 21920-2 over " +
+                   std::to_string(r.sections) + " sections of " + readable(r.section_length) + " mm."
+             : std::string("A primary profile: no long waves are taken off, so its parameters are Pa, Pq and "
+                           "so on (ISO 21920-2), over its whole length."),
+         {{"rms curvature", readable(r.rms_curvature) + " 1/mm", "by the seven-point formula"},
+          {"bandwidth", readable(r.bandwidth), "Nayak's alpha, m0 m4/m2²"}},
+         shown.files});
 }
 
 } // namespace app

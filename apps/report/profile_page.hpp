@@ -18,10 +18,21 @@ struct Parameter {
 
 /// A parameter's value with a unit that suits.
 std::string in_words(const Parameter& one);
-/// Parameters, their values and meanings.
-Table parameter_table(const std::vector<Parameter>& all);
-/// The same as lines of the terminal, heights in the unit that suits the largest, mm.
+/// Parameters as lines of the terminal, heights in the unit that suits the largest, mm.
 void tell_parameters(const std::vector<Parameter>& all, double largest);
+
+/// A page about a surface, HTML: the parameters at 0, 1, 6 and 10 first, then two figures, all of them, and
+/// the files.
+struct SurfaceShown {
+    std::string title;
+    std::string account; ///< what was read and done
+    std::vector<Parameter> parameters;
+    Figure heights, curves;
+    std::string by;                              ///< which standard the parameters are of
+    std::vector<std::vector<Html>> further = {}; ///< rows behind the parameters
+    std::vector<std::string> files = {};         ///< beside the page
+};
+std::string surface_page(SurfaceShown shown);
 
 /// The set of ISO 21920-2 that profile.json holds. `is_roughness`: of a roughness profile.
 std::vector<Parameter> parameters(const rough::Roughness& roughness, bool is_roughness);

@@ -3,6 +3,8 @@
 #include "domain/text/atomic_file.hpp"
 #include "tests/folder.hpp"
 
+#include <catch2/catch.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -18,6 +20,14 @@ struct Ended {
     double seconds; ///< by the wall's clock
     long error_lines() const { return std::count(err.begin(), err.end(), '\n'); }
 };
+
+/// Refused in one line that holds some words.
+inline void check_refused(const Ended& ended, const std::string& words) {
+    INFO(ended.err);
+    CHECK(ended.code == 2);
+    CHECK(ended.error_lines() == 1);
+    CHECK_THAT(ended.err, Catch::Contains(words));
+}
 
 constexpr int killed = 128 + SIGKILL; ///< exit code of a program that was
 

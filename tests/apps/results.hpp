@@ -2,7 +2,10 @@
 
 #include "domain/text/atomic_file.hpp"
 
+#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+
+#include <sstream>
 
 namespace app::testing {
 
@@ -15,9 +18,36 @@ inline nlohmann::json result_in(const std::filesystem::path& folder) {
 inline nlohmann::json timeless(nlohmann::json result) {
     for (auto& variant : result["variants"])
         variant.erase("seconds");
-    result.erase("threads");
-    result.erase("command");
+    for (const char* name : {"threads", "command", "seconds"})
+        result.erase(name);
     return result;
 }
+
+/// The rows of numbers in a CSV file behind its header, which is some words where they are given.
+inline std::vector<std::vector<double>> rows_of(const std::filesystem::path& file,
+                                                const std::string& header = "") {
+    std::istringstream text(rough::read_whole(file));
+    std::string line;
+    std::getline(text, line);
+    if (!header.empty())
+        CHECK(line == header);
+    std::vector<std::vector<double>> rows;
+    while (std::getline(text, line)) {
+        rows.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');)
+            rows.back().push_back(std::stod(cell));
+    }
+    return rows;
+}
+
+/// The header of a curve's CSV file.
+inline const std::string curve_header = "displacement_mm,pressure_MPa,contact_fraction,"
+                                        "tangent_stiffness_MPa_per_mm,kkt_residual,"
+                                        "interface_stiffness_MPa_per_mm";
+
+/// A genome of one wave, as a file has it.
+inline const std::string one_wave =
+    R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]}]}]})";
 
 } // namespace app::testing

@@ -4,8 +4,8 @@
 #include "apps/prompt/area_settings.hpp"
 #include "apps/prompt/voice.hpp"
 #include "apps/report/csv.hpp"
-#include "apps/report/height_picture.hpp"
 #include "apps/report/map_page.hpp"
+#include "apps/report/map_plot.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/units.hpp"
 #include "domain/profile/areal.hpp"
@@ -58,7 +58,7 @@ int profile_map(const Settings& settings, const rough::Extrusion& extrusion) {
     const OutputFolder out(
         settings.text("out"), source.stem().string(),
         {{"surface.json", "heights.txt", "surface.x3p", "surface.vtk", "surface.stl", "surface.3mf",
-          "heights.png", "bearing.csv", "spectrum.csv", "spectrum.svg", "report.html"},
+          "heights.svg", "bearing.csv", "spectrum.csv", "spectrum.svg", "report.html"},
          settings.files(),
          settings.is_on("force")});
     const auto write = [&](const char* name, const std::string& content) {
@@ -73,14 +73,14 @@ int profile_map(const Settings& settings, const rough::Extrusion& extrusion) {
     write("spectrum.csv", csv({"wave_number_rad_per_mm", "density_mm4", "power_mm2"},
                               {spectrum.wave_number, spectrum.density, spectrum.power}));
     if (settings.is_on("pictures")) {
-        const std::string png = height_png(map);
-        write("heights.png", png);
+        const Plot heights = heights_plot(map);
+        write_picture(out.path() / "heights.svg", heights);
         write_picture(out.path() / "spectrum.svg", spectrum_plot(spectrum));
-        std::vector<std::string> files{"surface.json", "heights.txt", "heights.png", "surface.x3p",
+        std::vector<std::string> files{"surface.json", "heights.txt", "heights.svg", "surface.x3p",
                                        "surface.vtk",  "bearing.csv", "spectrum.csv"};
         files.insert(files.end(), solid_files.begin(), solid_files.end());
         write("report.html",
-              map_page({source.filename().string(), read.account, map, areal, spectrum, png, files}));
+              map_page({source.filename().string(), read.account, map, areal, spectrum, heights, files}));
     }
     write_json(out.path() / "surface.json", numbers_of(map, areal, settings));
     say(source.string() + ": " + read.account);

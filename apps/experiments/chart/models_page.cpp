@@ -13,8 +13,6 @@ using rough::Index;
 
 constexpr double fair = 0.2; ///< an error up to which a model is said to hold
 
-Html strong(const std::string& words) { return Html::raw("<b>") + words + Html::raw("</b>"); }
-
 const ModelRun* run_of(const ModelChart& chart, const std::string& scene, const std::string& model) {
     for (const ModelRun& run : chart.runs)
         if (chart.scenes[run.scene].name == scene && run.model == model)
@@ -58,7 +56,7 @@ std::string error_words(const ModelRun& run, const ModelScene& scene) {
            time_words(run.seconds);
 }
 
-/// The coarsest grid of a scene whose errors are both under a hundredth, or the finest.
+/// The coarsest grid of a scene whose errors are both under 0.03, or the finest.
 const ModelRun* grid_that_is_enough(const ModelChart& chart, std::size_t scene) {
     const ModelRun* found = nullptr;
     for (const ModelRun& run : chart.runs)
@@ -129,7 +127,7 @@ Plot load_plot(const ModelChart& chart, std::size_t scene, bool of_area) {
     for (const ModelRun& run : chart.runs)
         if (run.scene == scene && run.family != ModelRun::Family::grid)
             plot.series.push_back({run.model, of.contact_fraction, shown(run.contact_fraction, run.stiffness),
-                                   line_colours[colour++ % line_colours.size()], Style::line, 1.5});
+                                   line_colour(colour++), Style::line, 1.5});
     return plot;
 }
 

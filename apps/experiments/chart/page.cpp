@@ -121,12 +121,13 @@ std::string chart_page(const ChartData& data) {
     add_pictures(page, data);
     add_left_out(page, data);
     page.section("What was measured");
-    for (const ChartedScene& scene : data.scenes)
-        page.prose(Html::raw("<b>") + scene.name + Html::raw("</b>: ") + scene.words + "; measured against " +
-                   scene.reference + ".");
-    for (const ModelScene& scene : data.models.scenes)
-        page.prose(Html::raw("<b>") + scene.name + Html::raw("</b>: ") + scene.words + "; measured against " +
-                   scene.reference + ".");
+    const auto tell = [&](const auto& scenes) {
+        for (const auto& scene : scenes)
+            page.prose(strong(scene.name) + ": " + scene.words + "; measured against " + scene.reference +
+                       ".");
+    };
+    tell(data.scenes);
+    tell(data.models.scenes);
     page.prose(
         "Errors are root mean squares: of the relative error of the pressure over the load steps, at the "
         "same displacement; of the relative error of the tangent stiffness at 20 pressures, linear "

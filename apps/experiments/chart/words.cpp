@@ -25,4 +25,6 @@ std::string enumerated(const std::vector<std::string>& words) {
     return text;
 }
 
+Html strong(const std::string& words) { return Html::raw("<b>") + words + Html::raw("</b>"); }
+
 } // namespace app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "apps/report/html.hpp"
+
 #include <string>
 #include <vector>
 
@@ -12,5 +14,8 @@ std::string share_words(double share);        ///< "0.1 %"
 std::string tolerance_word(double tolerance); ///< "1e-6"
 /// "a", "a and b", "a, b and c"
 std::string enumerated(const std::vector<std::string>& words);
+
+/// In bold.
+Html strong(const std::string& words);
 
 } // namespace app

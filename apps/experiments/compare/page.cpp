@@ -16,9 +16,6 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
     return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-Colour colour_of(std::size_t v) { return line_colours[v % line_colours.size()]; }
-Dash dash_of(std::size_t v) { return v < line_colours.size() ? Dash::solid : Dash::dashed; }
-
 Plot share_plot(const GroupResult& group) {
     const Contestants& variants = group.bouts.front()->variants;
     Plot plot;
@@ -31,9 +28,9 @@ Plot share_plot(const GroupResult& group) {
     for (std::size_t v = 0; v < variants.size(); ++v) {
         const RuntimeShare& share = group.shares[v];
         plot.series.push_back(
-            {variants[v].first, x, vector_of(share.share), colour_of(v), Style::line, 2, dash_of(v)});
+            {variants[v].first, x, vector_of(share.share), line_colour(v), Style::line, 2, line_dash(v)});
         plot.series.push_back(bundle({{x, vector_of(share.lower)}, {x, vector_of(share.upper)}},
-                                     {"", {}, {}, colour_of(v), Style::line, 0.7, Dash::dotted}));
+                                     {"", {}, {}, line_colour(v), Style::line, 0.7, Dash::dotted}));
     }
     return plot;
 }

@@ -10,16 +10,6 @@ namespace app {
 
 namespace {
 
-struct Look {
-    Colour colour;
-    Dash dash;
-};
-
-Look look_of(std::size_t i) {
-    return {line_colours[i % line_colours.size()],
-            i / line_colours.size() % 2 == 0 ? Dash::solid : Dash::dashed};
-}
-
 /// How far the best is from the target in the median, against what was spent.
 template <class MedianAt>
 Plot shortfall_plot(const RaceTarget& target, const std::string& axis, double from, double to,
@@ -41,8 +31,7 @@ Plot shortfall_plot(const RaceTarget& target, const std::string& axis, double fr
             const double similarity = median_at(variant, x[k]);
             y[k] = similarity > -1 ? std::max(1e-5, 1 - similarity) : unset;
         }
-        const Look look = look_of(i);
-        plot.series.push_back({variant.name, x, y, look.colour, Style::line, 2, look.dash});
+        plot.series.push_back({variant.name, x, y, line_colour(i), Style::line, 2, line_dash(i)});
     }
     return plot;
 }

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-using app::testing::Folder;
-using app::testing::rugosa;
+using namespace app::testing;
 
 namespace {
 

@@ -1,6 +1,7 @@
 #include "apps/report/gnuplot.hpp"
 #include "apps/report/page.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "tests/apps/report/svg.hpp"
 #include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,6 +12,7 @@
 #include <thread>
 
 using namespace app;
+using app::testing::svg;
 using tests::Folder;
 
 namespace {

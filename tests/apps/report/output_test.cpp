@@ -5,9 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-using app::testing::Ended;
-using app::testing::Folder;
-using app::testing::rugosa;
+using namespace app::testing;
 
 namespace fs = std::filesystem;
 
@@ -26,12 +24,6 @@ struct Desk : Folder {
         write("scan.txt", "x [um];z [um]\n0;1\n1;3\n2;0.5\n3;2\n4;1\n5;3\n6;0\n7;2\n8;1\n9;2\n10;0\n11;1\n");
     }
 };
-
-void check_refused(const Ended& ended, const std::string& named) {
-    CHECK(ended.code == 2);
-    CHECK(ended.error_lines() == 1);
-    CHECK_THAT(ended.err, Catch::Contains(named));
-}
 
 } // namespace
 

@@ -1,7 +1,7 @@
 #include "apps/report/plot.hpp"
 #include "apps/report/units.hpp"
-#include "domain/errors.hpp"
 #include "tests/apps/found.hpp"
+#include "tests/apps/report/svg.hpp"
 
 #include <boost/property_tree/xml_parser.hpp>
 #include <catch2/catch.hpp>
@@ -10,7 +10,7 @@
 #include <set>
 
 using namespace app;
-using app::testing::found;
+using namespace app::testing;
 
 namespace {
 
@@ -99,7 +99,7 @@ TEST_CASE("values on a rectangle are an image with a scale of its own colours") 
     plot.y = {"y (mm)", false, 0, 1};
     plot.shades = {Eigen::MatrixXd::Random(300, 20), 2, 1, "Height (mm)"};
     plot.shades->values(3, 3) = unset;
-    const std::string picture = svg({plot, Plot{}}, "map").front();
+    const std::string picture = svg({plot, Plot{}}).front();
     CHECK(picture.find("<image preserveAspectRatio=\"none\"") != std::string::npos);
     CHECK(picture.find("href=\"data:image/png;base64,") != std::string::npos);
     CHECK(picture.find("style=\"fill:rgb(") != std::string::npos);
@@ -109,12 +109,7 @@ TEST_CASE("values on a rectangle are an image with a scale of its own colours") 
 TEST_CASE("without gnuplot a picture is refused in one line that says what to install") {
     const std::string path = std::getenv("PATH");
     setenv("PATH", "/nowhere", 1);
-    std::string message;
-    try {
-        svg({plot_of(Eigen::Vector3d(1, 2, 3))});
-    } catch (const rough::InputError& error) {
-        message = error.what();
-    }
+    const std::string message = draw({plot_of(Eigen::Vector3d(1, 2, 3))}).missing;
     setenv("PATH", path.c_str(), 1);
     CHECK(message.find("gnuplot-nox") != std::string::npos);
     CHECK(message.find('\n') == std::string::npos);
@@ -151,7 +146,7 @@ TEST_CASE("every point of a short line, and some of a long one, tell their value
     app::Plot plot;
     plot.series.push_back({"it's <A & B>", Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(0.5, -7, 1e-9)});
     plot.series.push_back({"", Eigen::VectorXd::LinSpaced(900, 1, 3), Eigen::VectorXd::LinSpaced(900, 0, 1)});
-    const std::string picture = app::svg({plot}).front();
+    const std::string picture = svg({plot}).front();
     CHECK_THAT(picture, Catch::Contains("<title>it's &lt;A &amp; B&gt;: 1, 0.5</title>") &&
                             Catch::Contains(": 3, 1e-09</title>") && Catch::Contains("<title>1, 0</title>") &&
                             !Catch::Contains("onmouse"));
