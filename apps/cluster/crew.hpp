@@ -22,6 +22,14 @@ struct Errand {
     std::function<bool()> ended = [] { return false; }; ///< no answer is wanted any more
 };
 
+/// Errand::next of so many tasks, each as its place says. One object serves one errand.
+template <class Task>
+auto one_after_another(std::size_t count, Task task) {
+    return [count, task, next = std::size_t{0}]() mutable -> std::optional<std::string> {
+        return next < count ? std::optional<std::string>(task(next++)) : std::nullopt;
+    };
+}
+
 /// First of all in every rank. Takes --patience out of the words. In rank 0 it returns once all the others
 /// are known to be the same program with the same words, or throws rough::InputError; in the others it
 /// serves, and never returns.

@@ -1,6 +1,7 @@
 #include "apps/cluster/evaluator.hpp"
 
 #include "apps/cluster/crew.hpp"
+#include "apps/cluster/frame.hpp"
 #include "apps/cluster/kinds.hpp"
 #include "domain/problem/stored.hpp"
 
@@ -13,15 +14,8 @@ using rough::DesignOutcome;
 using rough::DesignProblem;
 using rough::Genome;
 
-std::string bytes_of(const json& j) {
-    std::string bytes;
-    json::to_cbor(j, bytes);
-    return bytes;
-}
-json json_of(const std::string& bytes) { return json::from_cbor(bytes); }
-
 std::shared_ptr<const DesignProblem> problem_under(const std::string& setting) {
-    return std::make_shared<const DesignProblem>(json_of(setting).get<rough::DesignSetup>());
+    return std::make_shared<const DesignProblem>(json::from_cbor(setting).get<rough::DesignSetup>());
 }
 
 json json_of(const ga::Slope<DesignProblem>& slope) {
@@ -78,18 +72,14 @@ class OnRanks : public ga::OnThreads<DesignProblem> {
     template <class Task, class Take>
     void hand_out(const char* kind, const DesignProblem& problem, std::size_t count, const ga::Watch& watch,
                   Task task, Take take) const {
-        std::size_t next = 0;
-        crew::hand_out({.kind = kind,
-                        .setting = bytes_of(problem.setup()),
-                        .threads = asked_,
-                        .count = count,
-                        .next = [&]() -> std::optional<std::string> {
-                            if (next == count)
-                                return std::nullopt;
-                            return bytes_of(task(next++));
-                        },
-                        .take = [&](std::size_t i, const std::string& answer) { take(i, json_of(answer)); },
-                        .ended = [&] { return watch.expired(); }});
+        crew::hand_out(
+            {.kind = kind,
+             .setting = cbor_of(problem.setup()),
+             .threads = asked_,
+             .count = count,
+             .next = crew::one_after_another(count, [&](std::size_t i) { return cbor_of(task(i)); }),
+             .take = [&](std::size_t i, const std::string& answer) { take(i, json::from_cbor(answer)); },
+             .ended = [&] { return watch.expired(); }});
     }
 
     int asked_;
@@ -99,20 +89,20 @@ class OnRanks : public ga::OnThreads<DesignProblem> {
 
 Work outcomes_under(const std::string& setting) {
     return [problem = problem_under(setting)](const std::string& task) {
-        const auto found = ga::evaluated(*problem, json_of(task).get<Genome>());
+        const auto found = ga::evaluated(*problem, json::from_cbor(task).get<Genome>());
         const DesignOutcome* outcome = std::get_if<DesignOutcome>(&found);
-        return bytes_of(outcome ? json(*outcome) : json(*std::get<ga::Reason>(found)));
+        return cbor_of(outcome ? json(*outcome) : json(*std::get<ga::Reason>(found)));
     };
 }
 
 Work slopes_under(const std::string& setting) {
     return [problem = problem_under(setting)](const std::string& task) {
-        const json j = json_of(task);
+        const json j = json::from_cbor(task);
         ga::Slope<DesignProblem> slope;
         j.at(0).get_to(slope.genome);
         slope.objective = ga::Name(j.at(1).get<std::string>());
         ga::differentiate(*problem, slope);
-        return bytes_of(json_of(slope));
+        return cbor_of(json_of(slope));
     };
 }
 

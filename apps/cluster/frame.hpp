@@ -2,6 +2,8 @@
 
 #include "domain/text/bytes.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <string>
 #include <vector>
 
@@ -38,6 +40,13 @@ std::string number_bytes(T value) {
 template <class T>
 T number_of(std::string_view bytes) {
     return rough::little_endian<T>(bytes, 0);
+}
+
+/// JSON as bytes; nlohmann::json::from_cbor undoes it.
+inline std::string cbor_of(const nlohmann::json& j) {
+    std::string bytes;
+    nlohmann::json::to_cbor(j, bytes);
+    return bytes;
 }
 
 } // namespace app

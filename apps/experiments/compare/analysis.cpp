@@ -13,7 +13,6 @@ constexpr std::size_t resamples = 300;
 
 using Areas = std::vector<std::vector<double>>; // [variant][seed]
 
-/// The mean areas on a problem, a variant each.
 /// Less is better, as ranks count from the smallest.
 std::vector<double> negative(std::vector<double> values) {
     for (double& value : values)

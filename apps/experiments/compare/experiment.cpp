@@ -170,9 +170,9 @@ void hold(Contest& contest, const Settings& settings, const Conditions& conditio
     const auto race_of = [&](std::size_t i) {
         const auto [bout, variant, s] = places[i];
         const std::uint64_t number = contest.origin.seed + s;
-        return Race{bout->problem.name, bout->variants[variant].second,
-                    static_cast<int>(1 + (number - 1) % 100000), ga::fold(number, bout->problem.name),
-                    bout->budget};
+        return CompareRun{bout->problem.name, bout->variants[variant].second,
+                          static_cast<int>(1 + (number - 1) % 100000), ga::fold(number, bout->problem.name),
+                          bout->budget};
     };
     const auto take = [&](std::size_t i, Reached reached) {
         const auto [bout, variant, s] = places[i];

@@ -1,6 +1,7 @@
 #include "apps/experiments/compare/on_ranks.hpp"
 
 #include "apps/cluster/crew.hpp"
+#include "apps/cluster/frame.hpp"
 #include "apps/cluster/kinds.hpp"
 #include "apps/prompt/interrupt.hpp"
 #include "domain/problem/stored.hpp"
@@ -9,29 +10,22 @@ namespace app {
 
 using nlohmann::json;
 
-Reached raced(const Benchmark& problem, const Race& race) {
+Reached raced(const Benchmark& problem, const CompareRun& race) {
     return problem.run(race.pipeline, race.instance, {race.seed, race.budget, &Interrupt::flag()});
 }
 
 void race_on_ranks(const std::optional<rough::DesignSetup>& roughness, int threads, std::size_t count,
-                   const std::function<Race(std::size_t)>& race_of,
+                   const std::function<CompareRun(std::size_t)>& run_of,
                    const std::function<void(std::size_t, Reached)>& take) {
-    std::size_t next = 0;
-    const auto bytes_of = [](const json& j) {
-        const auto bytes = json::to_cbor(j);
-        return std::string(bytes.begin(), bytes.end());
+    const auto task = [&](std::size_t place) {
+        const CompareRun run = run_of(place);
+        return cbor_of(json::array({run.problem, run.pipeline, run.instance, run.seed, run.budget}));
     };
     crew::hand_out({.kind = "races",
-                    .setting = bytes_of(roughness ? json(*roughness) : json()),
+                    .setting = cbor_of(roughness ? json(*roughness) : json()),
                     .threads = threads,
                     .count = count,
-                    .next = [&]() -> std::optional<std::string> {
-                        if (next == count)
-                            return std::nullopt;
-                        const Race race = race_of(next++);
-                        return bytes_of(json::array(
-                            {race.problem, race.pipeline, race.instance, race.seed, race.budget}));
-                    },
+                    .next = crew::one_after_another(count, task),
                     .take =
                         [&](std::size_t place, const std::string& answer) {
                             const json j = json::from_cbor(answer);
@@ -45,11 +39,9 @@ Work races_under(const std::string& setting) {
     const auto roughness = j.is_null() ? std::nullopt : std::optional(j.get<rough::DesignSetup>());
     return [roughness](const std::string& task) {
         const json r = json::from_cbor(task);
-        const Race race{r.at(0), r.at(1), r.at(2), r.at(3), r.at(4)};
+        const CompareRun race{r.at(0), r.at(1), r.at(2), r.at(3), r.at(4)};
         const Reached reached = raced(benchmarks({race.problem}, roughness).front(), race);
-        const auto bytes =
-            json::to_cbor(json::array({reached.evaluations, reached.precision, reached.spent}));
-        return std::string(bytes.begin(), bytes.end());
+        return cbor_of(json::array({reached.evaluations, reached.precision, reached.spent}));
     };
 }
 

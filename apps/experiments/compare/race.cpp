@@ -34,8 +34,8 @@ class Tallied : public ga::Evaluator<OutsideProblem<G>> {
 template <class G>
 ga::Stage<OutsideProblem<G>> stage_of(const Instance<G>& instance, std::string text) {
     std::string names;
-    for (std::size_t k = 1; k <= instance.objectives; ++k)
-        names += (k > 1 ? " f" : "f") + std::to_string(k);
+    for (const std::string& name : objective_names(instance.objectives))
+        names += (names.empty() ? "" : " ") + name;
     const auto put = [&](const std::string& word, const std::string& meaning) {
         for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + meaning.size()))
             text.replace(at, word.size(), meaning);
