@@ -6,14 +6,18 @@
 
 namespace rough {
 
+void expect_waves(const Genome& genome, const Profile& profile) {
+    if (is_flat(profile, genome))
+        refuse("profile: all heights are equal at its ", profile.nodes(),
+               " nodes, expected waves that the grid can show");
+}
+
 Response respond(const Genome& genome, const Model& given) {
     const Model model = completed(given);
     if (model.accuracy > 0)
         return respond_within(genome, model, model.accuracy).response;
     const Profile profile = sample(genome, model.grid);
-    if (is_flat(profile, genome))
-        refuse("profile: all heights are equal at its ", model.grid.nodes,
-               " nodes, expected waves that the grid can show");
+    expect_waves(genome, profile);
     return respond(profile, model);
 }
 

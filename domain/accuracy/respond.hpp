@@ -9,4 +9,7 @@ namespace rough {
 /// the grid's nodes (a wave of exactly the spacing is).
 Response respond(const Genome& genome, const Model& model = {});
 
+/// Throws InputError where a genome's waves are flat at the nodes of its profile.
+void expect_waves(const Genome& genome, const Profile& profile);
+
 } // namespace rough

@@ -4,7 +4,7 @@
 #include "domain/accuracy/extrapolation.hpp"
 #include "domain/accuracy/line_of_map.hpp"
 #include "domain/accuracy/load_rows.hpp"
-#include "domain/accuracy/surface.hpp"
+#include "domain/accuracy/respond.hpp"
 #include "domain/contact/full_contact.hpp"
 #include "domain/contact/solvers/choice.hpp"
 #include "domain/errors.hpp"
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -38,6 +39,28 @@ constexpr double finest_part = 0.6;
 constexpr double estimate_order = 2, patience = 1.3;
 /// The resolved grid's part of an answer may cost so much of the whole curve there.
 constexpr double worth_while = 0.8;
+
+/// Something with a height everywhere, to be sampled on any grid.
+struct Surface {
+    std::function<Profile(const Grid&)> sampled; ///< heights, mm
+    double finest_feature = 0; ///< mm: on grids much coarser the surface is not to be recognised
+};
+
+Surface surface_of(const Genome& genome) {
+    return {[genome](const Grid& grid) { return sample(genome, grid); }, shortest_wave(genome)};
+}
+
+/// The elements around a resolved grid's nodes make up a body; `elements` equal ones over the same body,
+/// their nodes in the middle. A coarse grid of nodes from end to end would be a longer body than a fine one,
+/// since half an element hangs over at either end, and err by that to first order.
+Grid cells(const Grid& resolved, Index elements) {
+    if (resolved.wraps)
+        return {elements, resolved.length, true, resolved.from};
+    const double overhang = 0.5 * resolved.spacing();
+    const double spacing = (resolved.length + 2 * overhang) / static_cast<double>(elements);
+    return {elements, spacing * static_cast<double>(elements - 1), false,
+            resolved.from - overhang + 0.5 * spacing};
+}
 
 template <typename Member>
 Eigen::VectorXd column(const std::vector<LoadStep>& steps, Index count, Member member) {
@@ -292,18 +315,20 @@ void expect_accuracy(double accuracy) {
                          " given, expected more than 0 and at most 1");
 }
 
-void expect_waves(const Genome& genome, const Profile& profile) {
-    if (is_flat(profile, genome))
-        throw InputError("profile: all heights are equal at its " + std::to_string(profile.nodes()) +
-                         " nodes, expected waves that the grid can show");
-}
-
 template <typename Ask>
 AccountedResponse timed(Ask ask) {
     const ga::Stopwatch clock;
     AccountedResponse result = ask();
     result.account.seconds = clock.seconds();
     return result;
+}
+
+AccountedResponse by_own_nodes(const Profile& scan, const Model& model, double accuracy) {
+    return timed([&] {
+        Question question({[&](const Grid&) { return scan; }, 0}, model, accuracy);
+        question.by_resolved_grid();
+        return question.answer();
+    });
 }
 
 } // namespace
@@ -339,11 +364,7 @@ AccountedResponse respond_within(const Profile& scan, const Model& resolved, dou
     expect_accuracy(accuracy);
     if (scan.is_area())
         return timed([&] { return respond_map_within(scan, resolved, accuracy); });
-    return timed([&] {
-        Question question({[&](const Grid&) { return scan; }, 0}, resolved, accuracy);
-        question.by_resolved_grid();
-        return question.answer();
-    });
+    return by_own_nodes(scan, resolved, accuracy);
 }
 
 AccountedResponse respond_accounted(const Genome& genome, const Model& model) {
@@ -371,11 +392,7 @@ AccountedResponse respond_exactly(const Genome& genome, const Model& model) {
 }
 
 AccountedResponse respond_exactly(const Profile& scan, const Model& model) {
-    return timed([&] {
-        Question question({[&](const Grid&) { return scan; }, 0}, model, 0);
-        question.by_resolved_grid();
-        return question.answer();
-    });
+    return by_own_nodes(scan, model, 0);
 }
 
 } // namespace rough

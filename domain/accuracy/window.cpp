@@ -70,18 +70,4 @@ Bounds pressure_bounds(const std::vector<LoadStep>& steps, Index count, const Wi
     return bounds;
 }
 
-Bounds secant_bounds(const std::vector<double>& displacements, const Bounds& pressure) {
-    Bounds bounds = pressure;
-    double displacement = 0, lower = 0, upper = 0;
-    for (Index j = 0; j < pressure.lower.size(); ++j) {
-        const double next = displacements[static_cast<std::size_t>(j)];
-        bounds.lower[j] = std::max(0.0, pressure.lower[j] - upper) / (next - displacement);
-        bounds.upper[j] = (pressure.upper[j] - lower) / (next - displacement);
-        displacement = next;
-        lower = pressure.lower[j];
-        upper = pressure.upper[j];
-    }
-    return bounds;
-}
-
 } // namespace rough

@@ -40,8 +40,4 @@ Bounds pressure_bounds(const Profile& reduced, const Window& window, const Body&
 /// none. `steps` are the curve's, the bounds are given for the first `count` of them.
 Bounds pressure_bounds(const std::vector<LoadStep>& steps, Index count, const Window& window);
 
-/// Bounds of the secants K_j = (P_j - P_{j-1})/(Delta_j - Delta_{j-1}), MPa/mm, from those of the two
-/// pressures.
-Bounds secant_bounds(const std::vector<double>& displacements, const Bounds& pressure);
-
 } // namespace rough

@@ -128,21 +128,3 @@ TEST_CASE("bounds from one curve and its tangents hold, and are no tighter than 
         }
     }
 }
-
-TEST_CASE("the whole profile's secants stay within the bounds from neighbouring pressures") {
-    std::mt19937_64 random(7);
-    for (int trial = 0; trial < 100; ++trial) {
-        const Scene scene = random_scene(random);
-        const Window window = window_between(scene.whole, scene.reduced);
-        const Bounds bounds = secant_bounds(
-            scene.displacements, pressure_bounds(scene.reduced, window, scene.body, scene.displacements));
-        const Eigen::VectorXd P = pressures(solve_contact(scene.whole, scene.body, scene.displacements));
-        for (Index j = 0; j < P.size(); ++j) {
-            const auto at = static_cast<std::size_t>(j);
-            const double step = scene.displacements[at] - (j ? scene.displacements[at - 1] : 0);
-            const double K = (P[j] - (j ? P[j - 1] : 0)) / step;
-            CHECK(bounds.lower[j] <= K * (1 + 1e-9) + 1e-12);
-            CHECK(bounds.upper[j] >= K * (1 - 1e-9) - 1e-12);
-        }
-    }
-}
