@@ -4,10 +4,6 @@
 #include "domain/theory/asperities.hpp"
 #include "domain/theory/persson.hpp"
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 namespace rough {
 
 const std::vector<std::string>& theory_names() {
@@ -32,17 +28,6 @@ TheoryCurve foretold_curve(Theory theory, const RandomSurface& surface, double e
         return bush_gibson_thomas(spectral_moments(surface), effective_modulus, pressures);
     default:
         return persson(surface, effective_modulus, pressures);
-    }
-}
-
-double light_area_slope(Theory theory) {
-    switch (theory) {
-    case Theory::persson:
-        return std::sqrt(8 / std::numbers::pi);
-    case Theory::bush_gibson_thomas:
-        return std::sqrt(2 * std::numbers::pi);
-    default:
-        return std::numeric_limits<double>::quiet_NaN();
     }
 }
 

@@ -31,9 +31,4 @@ bool holds_for(Theory theory, bool is_area);
 TheoryCurve foretold_curve(Theory theory, const RandomSurface& surface, double effective_modulus,
                            const Eigen::VectorXd& pressures);
 
-/// Lim E* h' A/(A0 P) at light load, h' the root mean square gradient: sqrt(8/pi) = 1.596 (Persson) and
-/// sqrt(2 pi) = 2.507 (Bush, Gibson & Thomas). Greenwood & Williamson's has no limit; it falls to 0 with the
-/// load, slowly, and is no number here.
-double light_area_slope(Theory theory);
-
 } // namespace rough
