@@ -131,16 +131,10 @@ std::string spots_csv(const AreaScene& scene, const rough::Response& response, b
     const auto last =
         rough::solve_contact(surface, scene.model.body, {response.displacement.tail(1)[0]}, options);
     const auto sizes = rough::contact_spots(last.states[0].nodes, surface.shape(), scene.model.grid.wraps);
-    std::vector<double> nodes, areas;
-    for (const rough::Index size : sizes)
-        nodes.push_back(ratio * static_cast<double>(size));
-    for (const double count : nodes)
-        areas.push_back(count * scene.map.spacing * scene.map.row_spacing);
-    const auto values = [](const std::vector<double>& from) {
-        return Eigen::VectorXd(
-            Eigen::Map<const Eigen::VectorXd>(from.data(), static_cast<rough::Index>(from.size())));
-    };
-    return csv({"nodes", "area_mm2"}, {values(nodes), values(areas)});
+    Eigen::VectorXd nodes(static_cast<rough::Index>(sizes.size()));
+    std::transform(sizes.begin(), sizes.end(), nodes.begin(),
+                   [&](rough::Index size) { return ratio * static_cast<double>(size); });
+    return csv({"nodes", "area_mm2"}, {nodes, nodes * scene.map.spacing * scene.map.row_spacing});
 }
 
 Pressed pressed_area(const Settings& settings, const std::filesystem::path& spots) {
