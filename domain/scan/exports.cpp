@@ -84,14 +84,27 @@ void read_heights(HeightMap& profile, Reader& in, std::string_view end) {
         in.refuse(end == "\x03" ? "an end of record (ETX)" : "'" + std::string(end) + "' after the heights");
 }
 
+/// Notes up to a line that begins with `start`, which give the spacing, then the heights up to `end`.
+template <class Note>
+void read_noted(HeightMap& profile, Reader& in, std::string_view start, std::string_view end,
+                const std::string& spacing, Note note) {
+    for (in.next(); !in.starts(start); in.next()) {
+        if (in.done())
+            in.refuse("'" + std::string(start) + "' before the heights");
+        note();
+    }
+    if (!(profile.spacing > 0))
+        in.refuse(spacing + " before the heights");
+    in.next();
+    read_heights(profile, in, end);
+}
+
 /// ISO 25178-71, ASCII: "Xscale = 5E-07" in metres, the heights between two lines of '*', a trailer behind.
 HeightMap surface_data_file(Reader in, const std::string& file) {
     HeightMap profile{"ISO 25178-71 (SDF)"};
     profile.height_unit = {"m", 1e3};
     double missing = std::nan("");
-    for (in.next(); !in.starts("*"); in.next()) {
-        if (in.done())
-            in.refuse("'*' before the heights");
+    read_noted(profile, in, "*", "*", "an Xscale", [&] {
         const std::string key = lower(trim(in.text().substr(0, in.text().find('='))));
         const std::string_view value = after(in.text(), '=');
         if (key == "xscale")
@@ -106,11 +119,7 @@ HeightMap surface_data_file(Reader in, const std::string& file) {
             profile.rows = in.count(value);
         else if (key == "datatype" && value.size() == 1)
             missing = missing_mark(value[0] - '0');
-    }
-    if (!(profile.spacing > 0))
-        in.refuse("an Xscale before the heights");
-    in.next();
-    read_heights(profile, in, "*");
+    });
     std::replace(profile.heights.begin(), profile.heights.end(), missing, std::nan(""));
     if (profile.rows > 1 &&
         static_cast<Index>(profile.heights.size()) != profile.rows * std::max<Index>(profile.announced, 1))
@@ -175,17 +184,11 @@ HeightMap talysurf(Reader in) {
     in.next();
     if (!in.starts("EOR"))
         in.refuse("EOR");
-    for (in.next(); !in.starts("EOR"); in.next()) {
-        if (in.done())
-            in.refuse("EOR before the heights");
+    read_noted(profile, in, "EOR", "EOR", "a line 'SPACING CX'", [&] {
         const auto words = in.words();
         if (words.size() > 2 && words[0] == "SPACING" && words[1] == "CX")
             profile.spacing = in.positive(words[2], "a spacing") * x_unit;
-    }
-    if (!(profile.spacing > 0))
-        in.refuse("a line 'SPACING CX' before the heights");
-    in.next();
-    read_heights(profile, in, "EOR");
+    });
     return profile;
 }
 
@@ -219,18 +222,12 @@ HeightMap ptb(Reader in) {
 HeightMap sigma_surf(Reader in) {
     HeightMap profile{"SigmaSurf"};
     profile.height_unit = {"µm", 1e-3};
-    for (in.next(); !in.starts("PROFILE_UM"); in.next()) {
-        if (in.done())
-            in.refuse("PROFILE_UM before the heights");
+    read_noted(profile, in, "PROFILE_UM", "", "SPACING_UM", [&] {
         if (in.starts("SPACING_UM"))
             profile.spacing = in.positive(after(in.text(), ':'), "a spacing") * 1e-3;
         else if (in.starts("NUMBER_OF_POINTS"))
             profile.announced = in.count(after(in.text(), ':'));
-    }
-    if (!(profile.spacing > 0))
-        in.refuse("SPACING_UM before the heights");
-    in.next();
-    read_heights(profile, in, "");
+    });
     return profile;
 }
 

@@ -4,7 +4,6 @@
 #include "domain/text/lines.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace rough {
@@ -32,37 +31,17 @@ std::optional<Entry> entry(std::string_view line) {
     return std::nullopt;
 }
 
-template <std::size_t N>
-bool one_of(const std::string& key, const std::array<std::string_view, N>& keys) {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
-}
-
-constexpr std::array<std::string_view, 5> unit_keys{"unit", "units", "lengthunit", "lengthunits", "einheit"};
-constexpr std::array<std::string_view, 19> spacing_keys{"spacing",
-                                                        "samplespacing",
-                                                        "pointspacing",
-                                                        "xspacing",
-                                                        "step",
-                                                        "stepsize",
-                                                        "xstep",
-                                                        "dx",
-                                                        "deltax",
-                                                        "pixelsize",
-                                                        "increment",
-                                                        "xincrement",
-                                                        "pitch",
-                                                        "samplingpitch",
-                                                        "samplinginterval",
-                                                        "sampleinterval",
-                                                        "pointdistance",
-                                                        "sampledistance",
-                                                        "xscale"};
-constexpr std::array<std::string_view, 3> width_keys{"width", "xlength", "breite"};
+constexpr std::string_view unit_keys = " unit units lengthunit lengthunits einheit ";
+constexpr std::string_view spacing_keys =
+    " spacing samplespacing pointspacing xspacing step stepsize xstep dx deltax pixelsize increment "
+    "xincrement "
+    "pitch samplingpitch samplinginterval sampleinterval pointdistance sampledistance xscale ";
+constexpr std::string_view width_keys = " width xlength breite ";
 
 /// Which columns a key like "x-unit", "Height units" or "Unit" speaks of.
 enum class UnitOf { nothing, all, x, height };
 UnitOf unit_key(const std::string& key) {
-    if (one_of(key, unit_keys))
+    if (is_in(unit_keys, key))
         return UnitOf::all;
     const auto names = [&](std::initializer_list<std::string_view> parts) {
         return std::any_of(parts.begin(), parts.end(),
@@ -126,9 +105,9 @@ void take(Header& header, const Entry& entry, const std::string& where) {
     } else if (const double in_mm = conversion_unit(entry.key, where)) {
         header.height_factor = positive(entry, where);
         header.height_unit = LengthUnit{"m", in_mm};
-    } else if (one_of(entry.key, width_keys)) {
+    } else if (is_in(width_keys, entry.key)) {
         header.width = length_of(entry.value);
-    } else if (one_of(entry.key, spacing_keys) ||
+    } else if (is_in(spacing_keys, entry.key) ||
                (entry.key == "resolution" && entry.value.find("/sample") != std::string_view::npos)) {
         header.spacing = length_of(entry.value);
     }
@@ -229,8 +208,7 @@ Header read_header(const std::vector<TextLine>& lines, const Dialect& dialect, s
 
 bool names_spacing(const std::string& line) {
     const auto read = entry(line);
-    return read && (one_of(read->key, spacing_keys) || one_of(read->key, width_keys)) &&
-           length_of(read->value);
+    return read && (is_in(spacing_keys, read->key) || is_in(width_keys, read->key)) && length_of(read->value);
 }
 
 } // namespace rough

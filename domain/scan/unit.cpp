@@ -9,63 +9,30 @@
 namespace rough {
 namespace {
 
-struct Spelling {
-    std::string_view word;
+/// A unit by the name that accounts print, and how it may be spelled; lower case.
+struct KnownUnit {
     std::string_view name;
     double in_mm;
+    std::string_view spellings;
 };
 
 constexpr std::string_view known = "m, cm, mm, µm, nm, pm, Å, in, mil, µin";
 
-constexpr std::array<Spelling, 43> spellings{{
-    {"m", "m", 1e3},
-    {"meter", "m", 1e3},
-    {"metre", "m", 1e3},
-    {"cm", "cm", 10},
-    {"centimeter", "cm", 10},
-    {"centimetre", "cm", 10},
-    {"mm", "mm", 1},
-    {"millimeter", "mm", 1},
-    {"millimetre", "mm", 1},
-    {"µm", "µm", 1e-3},
-    {"μm", "µm", 1e-3},
-    {"um", "µm", 1e-3},
-    {"mum", "µm", 1e-3},
-    {"µ", "µm", 1e-3},
-    {"μ", "µm", 1e-3},
-    {"micron", "µm", 1e-3},
-    {"micrometer", "µm", 1e-3},
-    {"micrometre", "µm", 1e-3},
-    {"mikrometer", "µm", 1e-3},
-    {"nm", "nm", 1e-6},
-    {"nanometer", "nm", 1e-6},
-    {"nanometre", "nm", 1e-6},
-    {"pm", "pm", 1e-9},
-    {"picometer", "pm", 1e-9},
-    {"picometre", "pm", 1e-9},
-    {"å", "Å", 1e-7},
-    {"Å", "Å", 1e-7},
-    {"Å", "Å", 1e-7},
-    {"a", "Å", 1e-7},
-    {"ang", "Å", 1e-7},
-    {"angstrom", "Å", 1e-7},
-    {"ångström", "Å", 1e-7},
-    {"ångstrom", "Å", 1e-7},
-    {"in", "in", 25.4},
-    {"inch", "in", 25.4},
-    {"inches", "in", 25.4},
-    {"mil", "mil", 0.0254},
-    {"thou", "mil", 0.0254},
-    {"µin", "µin", 25.4e-6},
-    {"uin", "µin", 25.4e-6},
-    {"microinch", "µin", 25.4e-6},
-    {"microinches", "µin", 25.4e-6},
-    {"dm", "dm", 100},
+constexpr std::array<KnownUnit, 11> known_units{{
+    {"m", 1e3, " m meter metre "},
+    {"cm", 10, " cm centimeter centimetre "},
+    {"mm", 1, " mm millimeter millimetre "},
+    {"µm", 1e-3, " µm μm um mum µ μ micron micrometer micrometre mikrometer "},
+    {"nm", 1e-6, " nm nanometer nanometre "},
+    {"pm", 1e-9, " pm picometer picometre "},
+    {"Å", 1e-7, " å Å a ang angstrom ångström ångstrom "},
+    {"in", 25.4, " in inch inches "},
+    {"mil", 0.0254, " mil thou "},
+    {"µin", 25.4e-6, " µin uin microinch microinches "},
+    {"dm", 100, " dm "},
 }};
 
-constexpr std::array<std::string_view, 18> other_quantities{"v",     "mv",     "µv",  "uv", "s",  "ms",
-                                                            "sec",   "hz",     "n",   "mn", "px", "pix",
-                                                            "pixel", "pixels", "deg", "°",  "%",  "rad"};
+constexpr std::string_view other_quantities = " v mv µv uv s ms sec hz n mn px pix pixel pixels deg ° % rad ";
 
 bool ambiguous(std::string_view word) { return word.size() == 1 || lower(word) == "in"; }
 
@@ -120,9 +87,9 @@ bool announced(const std::vector<Word>& words, std::size_t i) {
 std::optional<LengthUnit> length_unit(std::string_view word) {
     const std::string small = lower(trim(word));
     for (const std::string& form : {small, small.ends_with('s') ? small.substr(0, small.size() - 1) : small})
-        for (const Spelling& spelling : spellings)
-            if (form == spelling.word)
-                return LengthUnit{std::string(spelling.name), spelling.in_mm};
+        for (const KnownUnit& unit : known_units)
+            if (is_in(unit.spellings, form))
+                return LengthUnit{std::string(unit.name), unit.in_mm};
     return std::nullopt;
 }
 
@@ -148,8 +115,7 @@ std::vector<LengthUnit> length_units_in(std::string_view header, const std::stri
         std::optional<LengthUnit> unit;
         if (!inside.empty()) {
             unit = length_unit(inside);
-            if (std::find(other_quantities.begin(), other_quantities.end(), lower(inside)) !=
-                other_quantities.end())
+            if (is_in(other_quantities, lower(inside)))
                 throw InputError(where + ": a column in '" + std::string(inside) + "', expected a length (" +
                                  std::string(known) + ")");
         } else if (slash != std::string_view::npos && slash > 0) {

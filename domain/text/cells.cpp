@@ -31,6 +31,11 @@ std::string lower(std::string_view text) {
     return small;
 }
 
+bool is_in(std::string_view list, std::string_view word) {
+    return !word.empty() && word.find(' ') == std::string_view::npos &&
+           list.find(' ' + std::string(word) + ' ') != std::string_view::npos;
+}
+
 std::vector<std::string_view> split(std::string_view line, Dialect::Separator separator) {
     using enum Dialect::Separator;
     std::vector<std::string_view> cells;

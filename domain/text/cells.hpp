@@ -12,6 +12,9 @@ namespace rough {
 /// Lower case of ASCII letters; other bytes as they are.
 std::string lower(std::string_view text);
 
+/// Whether a word is one of those in a list that has a blank before and behind each.
+bool is_in(std::string_view list, std::string_view word);
+
 /// How a file writes its columns and numbers.
 struct Dialect {
     /// What parts the columns; `comma_and_blank` is a comma with a blank behind it, where commas are decimal.
