@@ -40,21 +40,30 @@ class Reader {
     const std::string& where_;
 };
 
+/// Shows what a law is by name.
+template <class Law, class Visit>
+void visit_law(Law& law, const Visit& visit) {
+    visit("series", law.series);
+    visit("ridges", law.ridges);
+    visit("H_from", law.H_from);
+    visit("H_to", law.H_to);
+    visit("gamma_from", law.gamma_from);
+    visit("gamma_to", law.gamma_to);
+    visit("lambda_mm", law.lambda);
+    visit("shortest_wave_mm", law.shortest);
+    visit("seed", law.seed);
+}
+
 } // namespace
 
 Fields fields(const DatabaseSetup& setup) {
     Fields all = fields(setup.model);
-    const GenomeLaw& law = setup.law;
-    for (const auto& [name, value] : Fields{{"series", std::to_string(law.series)},
-                                            {"ridges", std::to_string(law.ridges)},
-                                            {"H_from", field_text(law.H_from)},
-                                            {"H_to", field_text(law.H_to)},
-                                            {"gamma_from", field_text(law.gamma_from)},
-                                            {"gamma_to", field_text(law.gamma_to)},
-                                            {"lambda_mm", field_text(law.lambda)},
-                                            {"shortest_wave_mm", field_text(law.shortest)},
-                                            {"seed", std::to_string(law.seed)}})
-        all.emplace_back(name, value);
+    visit_law(setup.law, [&](const char* name, auto value) {
+        if constexpr (std::is_integral_v<decltype(value)>)
+            all.emplace_back(name, std::to_string(value));
+        else
+            all.emplace_back(name, field_text(value));
+    });
     return all;
 }
 
@@ -73,16 +82,7 @@ DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
         read("datum_mm", model.body.datum);
     if (model.body.kernel == Kernel::strip)
         read("strip_width_mm", model.body.strip_width);
-    GenomeLaw& law = setup.law;
-    read("series", law.series);
-    read("ridges", law.ridges);
-    read("H_from", law.H_from);
-    read("H_to", law.H_to);
-    read("gamma_from", law.gamma_from);
-    read("gamma_to", law.gamma_to);
-    read("lambda_mm", law.lambda);
-    read("shortest_wave_mm", law.shortest);
-    read("seed", law.seed);
+    visit_law(setup.law, read);
     const bool sound = model.grid.nodes >= 2 && model.grid.nodes <= 10'000'000 && model.grid.length > 0 &&
                        std::isfinite(model.grid.length) && model.body.effective_modulus > 0 &&
                        std::isfinite(model.body.effective_modulus) && model.loading.steps >= 1 &&

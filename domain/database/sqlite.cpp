@@ -58,24 +58,24 @@ Statement::Statement(Sqlite& sqlite, const std::string& sql) : sqlite_(sqlite) {
     statement_.reset(statement);
 }
 
-Statement& Statement::bind(std::int64_t value) {
-    if (sqlite3_bind_int64(statement_.get(), ++bound_, value) != SQLITE_OK)
+Statement& Statement::expect_done(int result) {
+    if (result != SQLITE_OK)
         sqlite_.fail();
     return *this;
+}
+
+Statement& Statement::bind(std::int64_t value) {
+    return expect_done(sqlite3_bind_int64(statement_.get(), ++bound_, value));
 }
 
 Statement& Statement::bind_text(std::string_view value) {
-    if (sqlite3_bind_text64(statement_.get(), ++bound_, value.data(), value.size(), SQLITE_TRANSIENT,
-                            SQLITE_UTF8) != SQLITE_OK)
-        sqlite_.fail();
-    return *this;
+    return expect_done(sqlite3_bind_text64(statement_.get(), ++bound_, value.data(), value.size(),
+                                           SQLITE_TRANSIENT, SQLITE_UTF8));
 }
 
 Statement& Statement::bind_blob(std::string_view bytes) {
-    if (sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.data(), bytes.size(), SQLITE_TRANSIENT) !=
-        SQLITE_OK)
-        sqlite_.fail();
-    return *this;
+    return expect_done(
+        sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.data(), bytes.size(), SQLITE_TRANSIENT));
 }
 
 bool Statement::step() {

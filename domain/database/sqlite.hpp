@@ -54,6 +54,7 @@ class Statement {
     struct Finalise {
         void operator()(sqlite3_stmt* statement) const;
     };
+    Statement& expect_done(int result);
     Sqlite& sqlite_;
     std::unique_ptr<sqlite3_stmt, Finalise> statement_;
     int bound_ = 0;

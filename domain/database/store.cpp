@@ -149,6 +149,53 @@ Eigen::VectorXd displacements(const Model& model, double range) {
     return Eigen::Map<const Eigen::VectorXd>(steps.data(), static_cast<Index>(steps.size()));
 }
 
+struct Place {
+    std::vector<double> numbers;
+    std::size_t within, count; ///< of the batch
+};
+
+Place look_up(Sqlite& sqlite, const char* table, std::uint64_t index) {
+    Statement row(sqlite, std::string("SELECT batch.first, count, numbers, checksum FROM batch JOIN ") +
+                              table +
+                              " USING(first) WHERE batch.first <= ? ORDER BY batch.first DESC LIMIT 1");
+    if (row.bind(as_key(index)).step() && index < as_index(row.number(0)) + as_index(row.number(1)))
+        return {checked_numbers(sqlite, row, 0, table),
+                static_cast<std::size_t>(index - as_index(row.number(0))),
+                static_cast<std::size_t>(row.number(1))};
+    throw InputError(sqlite.file().string() + ": genome " + std::to_string(index) + " is not stored");
+}
+
+std::vector<Genome> genomes_of(const Sqlite& sqlite, const Place& place) {
+    std::vector<Genome> genomes = genomes_from(place.numbers);
+    if (genomes.size() != place.count)
+        refuse_changed(sqlite, "a batch of " + std::to_string(genomes.size()) + " genomes in place of " +
+                                   std::to_string(place.count));
+    return genomes;
+}
+
+/// The responses' numbers of a batch, side by side.
+struct Columns {
+    Columns(Sqlite& sqlite, std::uint64_t index, Index steps)
+        : pressure(look_up(sqlite, "pressure", index)), contact(look_up(sqlite, "contact", index)),
+          steps(steps) {
+        expect_size(sqlite, pressure.numbers, pressure.count * static_cast<std::size_t>(steps + 1));
+        expect_size(sqlite, contact.numbers, contact.count * static_cast<std::size_t>(2 * steps));
+    }
+    Response of(std::size_t within) const {
+        const double* p = pressure.numbers.data() + within * static_cast<std::size_t>(steps + 1);
+        const double* c = contact.numbers.data() + within * static_cast<std::size_t>(2 * steps);
+        Response response;
+        response.range = p[0];
+        response.pressure = Eigen::Map<const Eigen::VectorXd>(p + 1, steps);
+        response.contact_fraction = Eigen::Map<const Eigen::VectorXd>(c, steps);
+        response.tangent_stiffness = Eigen::Map<const Eigen::VectorXd>(c + steps, steps);
+        return response;
+    }
+
+    Place pressure, contact;
+    Index steps;
+};
+
 } // namespace
 
 GenomeStore::GenomeStore(Sqlite sqlite) : sqlite_(std::make_unique<Sqlite>(std::move(sqlite))) {
@@ -315,61 +362,6 @@ StoredCurves GenomeStore::curves(bool with_fractions) const {
         refuse_changed(*sqlite_, "a batch without its curves");
     return curves;
 }
-
-namespace {
-
-struct Place {
-    std::vector<double> numbers;
-    std::size_t within, count; ///< of the batch
-};
-
-Place look_up(Sqlite& sqlite, const char* table, std::uint64_t index) {
-    Statement row(sqlite, std::string("SELECT batch.first, count, numbers, checksum FROM batch JOIN ") +
-                              table +
-                              " USING(first) WHERE batch.first <= ? ORDER BY batch.first DESC LIMIT 1");
-    if (row.bind(as_key(index)).step() && index < as_index(row.number(0)) + as_index(row.number(1)))
-        return {checked_numbers(sqlite, row, 0, table),
-                static_cast<std::size_t>(index - as_index(row.number(0))),
-                static_cast<std::size_t>(row.number(1))};
-    throw InputError(sqlite.file().string() + ": genome " + std::to_string(index) + " is not stored");
-}
-
-} // namespace
-
-namespace {
-
-std::vector<Genome> genomes_of(const Sqlite& sqlite, const Place& place) {
-    std::vector<Genome> genomes = genomes_from(place.numbers);
-    if (genomes.size() != place.count)
-        refuse_changed(sqlite, "a batch of " + std::to_string(genomes.size()) + " genomes in place of " +
-                                   std::to_string(place.count));
-    return genomes;
-}
-
-/// The responses' numbers of a batch, side by side.
-struct Columns {
-    Columns(Sqlite& sqlite, std::uint64_t index, Index steps)
-        : pressure(look_up(sqlite, "pressure", index)), contact(look_up(sqlite, "contact", index)),
-          steps(steps) {
-        expect_size(sqlite, pressure.numbers, pressure.count * static_cast<std::size_t>(steps + 1));
-        expect_size(sqlite, contact.numbers, contact.count * static_cast<std::size_t>(2 * steps));
-    }
-    Response of(std::size_t within) const {
-        const double* p = pressure.numbers.data() + within * static_cast<std::size_t>(steps + 1);
-        const double* c = contact.numbers.data() + within * static_cast<std::size_t>(2 * steps);
-        Response response;
-        response.range = p[0];
-        response.pressure = Eigen::Map<const Eigen::VectorXd>(p + 1, steps);
-        response.contact_fraction = Eigen::Map<const Eigen::VectorXd>(c, steps);
-        response.tangent_stiffness = Eigen::Map<const Eigen::VectorXd>(c + steps, steps);
-        return response;
-    }
-
-    Place pressure, contact;
-    Index steps;
-};
-
-} // namespace
 
 Genome GenomeStore::genome(std::uint64_t index) const {
     const Place place = look_up(*sqlite_, "genome", index);
