@@ -1,0 +1,123 @@
+#include "domain/database/build.hpp"
+#include "domain/database/codec.hpp"
+#include "domain/database/sqlite.hpp"
+#include "domain/errors.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "tests/domain/database/small_setup.hpp"
+#include "tests/folder.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+namespace fs = std::filesystem;
+using rough::testing::small_setup;
+using tests::Folder;
+
+namespace {
+
+/// Everything that a database is asked for.
+void use(const fs::path& file) {
+    const GenomeStore store = GenomeStore::open(file);
+    const StoredCurves curves = store.curves(true);
+    for (const std::uint64_t index : curves.index) {
+        store.genome(index);
+        store.response(index);
+    }
+}
+
+} // namespace
+
+TEST_CASE("a database of another set-up is refused with the difference named, and stays as it was") {
+    const Folder folder;
+    const fs::path file = folder / "genomes.db";
+    GenomeStore::create(file, small_setup());
+    const std::string before = read_whole(file);
+    DatabaseSetup other = small_setup();
+    other.model.body.datum = 2;
+    CHECK_THROWS_WITH(GenomeStore::create(file, other),
+                      Catch::Contains("datum_mm is 0.8494") && Catch::Contains("not 2"));
+    other = small_setup();
+    other.model.body.kernel = Kernel::strip;
+    CHECK_THROWS_WITH(GenomeStore::create(file, other), Catch::Contains("kernel is free, not strip"));
+    other = small_setup();
+    other.law.seed = 2;
+    CHECK_THROWS_WITH(GenomeStore::create(file, other), Catch::Contains("seed is 1, not 2"));
+    CHECK(read_whole(file) == before);
+    CHECK_NOTHROW(GenomeStore::create(file, small_setup()));
+}
+
+TEST_CASE("what is no genome database is refused") {
+    const Folder folder;
+    CHECK_THROWS_WITH(GenomeStore::open(folder / "none.db"), Catch::Contains("none.db"));
+    write_atomically(folder / "text.db", std::string(5000, 'x'));
+    CHECK_THROWS_WITH(GenomeStore::open(folder / "text.db"), Catch::Contains("no genome database"));
+    Sqlite(folder / "other.db", Sqlite::Access::create).run("CREATE TABLE t(a)");
+    CHECK_THROWS_WITH(GenomeStore::open(folder / "other.db"), Catch::Contains("no genome database"));
+    CHECK_THROWS_WITH(GenomeStore::create(folder / "other.db", small_setup()),
+                      Catch::Contains("no genome database"));
+    write_atomically(folder / "empty.db", "");
+    CHECK_FALSE(GenomeStore::begun(folder / "empty.db"));
+    CHECK_FALSE(GenomeStore::begun(folder / "none.db"));
+    CHECK_NOTHROW(GenomeStore::create(folder / "empty.db", small_setup()));
+    CHECK(GenomeStore::begun(folder / "empty.db"));
+    CHECK_THROWS_AS(GenomeStore::create(folder / "missing" / "a.db", small_setup()), InputError);
+}
+
+TEST_CASE("a database in which anything was altered is refused, never read as something else") {
+    const Folder folder;
+    const fs::path good = folder / "good.db";
+    {
+        GenomeStore store = GenomeStore::create(good, small_setup());
+        build(store, {.genomes = 12, .batch = 4});
+    }
+    CHECK_NOTHROW(use(good));
+    for (const char* change :
+         {"UPDATE genome SET numbers = substr(numbers, 1, 100) WHERE first = 4",
+          "UPDATE pressure SET numbers = substr(numbers, 1, 15)",
+          "UPDATE contact SET numbers = zeroblob(length(numbers)) WHERE first = 8",
+          "UPDATE batch SET count = 3 WHERE first = 4", "UPDATE batch SET count = -4 WHERE first = 4",
+          "UPDATE batch SET count = 4000000000", "UPDATE pressure SET first = 100 WHERE first = 4",
+          "UPDATE setup SET value = '65' WHERE name = 'nodes'",
+          "UPDATE setup SET value = '-1' WHERE name = 'steps'", "DELETE FROM pressure WHERE first = 8",
+          "DELETE FROM setup WHERE name = 'checksum'", "CREATE VIEW v AS SELECT 1",
+          "CREATE TRIGGER t AFTER INSERT ON batch BEGIN DELETE FROM genome; END",
+          "PRAGMA user_version = 1"}) {
+        INFO(change);
+        const fs::path bad = folder / "bad.db";
+        fs::copy_file(good, bad, fs::copy_options::overwrite_existing);
+        Sqlite(bad, Sqlite::Access::existing).run(change);
+        CHECK_THROWS_AS(use(bad), InputError);
+    }
+}
+
+TEST_CASE("a view that bears a table's name is not run") {
+    const Folder folder;
+    const fs::path file = folder / "view.db";
+    {
+        Sqlite sqlite(file, Sqlite::Access::create);
+        sqlite.run("PRAGMA application_id = " + std::to_string(0x52554741));
+        sqlite.run("PRAGMA user_version = 2");
+        sqlite.run(
+            "CREATE VIEW batch AS WITH RECURSIVE n(first) AS (SELECT 1 UNION ALL SELECT first + 1 FROM n) "
+            "SELECT first, 1 AS count FROM n"); // has no end
+    }
+    CHECK_THROWS_WITH(GenomeStore::open(file), Catch::Contains("other tables"));
+}
+
+TEST_CASE("names that SQLite takes for a place in memory are no database files") {
+    for (const char* name : {":memory:", "file:x?mode=memory", ""})
+        CHECK_THROWS_WITH(GenomeStore::create(name, small_setup()), Catch::Contains("names no file"));
+}
+
+TEST_CASE("a law of genomes that no memory holds is refused") {
+    GenomeLaw law;
+    law.series = 16, law.ridges = 1000, law.shortest = 1e-300;
+    CHECK_THROWS_WITH(validate(law), Catch::Contains("phases a genome"));
+}
+
+TEST_CASE("genomes from a database are checked part by part") {
+    CHECK(genomes_from(numbers({Genome{}})).size() == 1);
+    for (const double parts : {1e300, -1., 0.5, std::nan(""), 2.})
+        CHECK_THROWS_AS(genomes_from({1, 1, 0.8, 1.5, 1, parts}), InputError);
+    CHECK_THROWS_AS(unpacked("1234567"), InputError);
+}

@@ -1,0 +1,195 @@
+#include "domain/accuracy/respond.hpp"
+#include "domain/database/build.hpp"
+#include "domain/database/screen.hpp"
+#include "domain/database/starts.hpp"
+#include "domain/errors.hpp"
+#include "domain/mwm/waves.hpp"
+#include "domain/response/curve.hpp"
+#include "domain/target/similarity.hpp"
+#include "tests/domain/database/small_setup.hpp"
+#include "tests/folder.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace rough;
+using rough::testing::small_setup;
+using tests::Folder;
+
+namespace {
+
+/// Five points of the curve that a response gives at an amplitude, up to a part of its reach.
+Target goal_of(const Response& response, double factor, double reach,
+               Quantity quantity = Quantity::stiffness) {
+    const Curve curve = curve_of(quantity, scaled(response, factor));
+    Target target;
+    target.quantity = quantity;
+    target.name = "a stored genome";
+    target.x = Eigen::VectorXd::LinSpaced(5, 0.2, 1) * (reach * curve.to);
+    target.y = target.x.unaryExpr([&](double x) { return curve.at(x); });
+    return target;
+}
+
+} // namespace
+
+TEST_CASE("screening by Eq. 11 finds the genomes that similarity ranks first, on any number of threads") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    GenomeStore store = GenomeStore::create(folder / "genomes.db", setup);
+    build(store, {.genomes = 200});
+    const double max_pressure = 1.6e-4;
+    const auto factor = [&](std::uint64_t g) { return max_pressure / store.response(g).pressure[7]; };
+    std::vector<Target> targets{goal_of(store.response(123), factor(123), 0.9),
+                                goal_of(store.response(123), factor(123), 0.9, Quantity::area_at_pressure)};
+    targets[1].weight = 0.5;
+    targets[0].lower = 0.98 * targets[0].y, targets[0].upper = 1.01 * targets[0].y;
+    std::vector<std::pair<double, std::uint64_t>> expected;
+    for (std::uint64_t g = 0; g < 200; ++g) {
+        const Response response = scaled(store.response(g), factor(g));
+        double worst = 1;
+        for (const Target& target : targets)
+            worst = std::min(worst, similarity(target, curve_of(target.quantity, response)));
+        expected.emplace_back(-worst, g);
+    }
+    std::sort(expected.begin(), expected.end());
+    for (const int threads : {1, 2, 5}) {
+        const auto matches = screen(store.curves(true), setup.model, targets,
+                                    {.max_pressure = max_pressure, .best = 20, .threads = threads});
+        REQUIRE(matches.size() == 20);
+        CHECK(matches[0].index == 123);
+        CHECK(matches[0].similarity == Approx(1).epsilon(1e-12));
+        for (std::size_t i = 0; i < 20; ++i) {
+            CHECK(matches[i].index == expected[i].second);
+            CHECK(matches[i].similarity == Approx(-expected[i].first).epsilon(1e-12));
+            CHECK(matches[i].scale == Approx(factor(matches[i].index)));
+        }
+    }
+    CHECK_THROWS_WITH(screen(store.curves(true), setup.model, targets, {.max_pressure = 1e-5}),
+                      Catch::Contains("reaches"));
+    CHECK_THROWS_WITH(screen(store.curves(), setup.model, targets, {}), Catch::Contains("fractions"));
+    CHECK_THROWS_AS(screen({}, setup.model, targets, {}), InputError);
+    CHECK_THROWS_AS(screen(store.curves(), setup.model, {}, {}), InputError);
+}
+
+TEST_CASE("screening with free amplitude finds a stored genome at the amplitude that its curve was given") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    GenomeStore store = GenomeStore::create(folder / "genomes.db", setup);
+    build(store, {.genomes = 200});
+    const StoredCurves curves = store.curves(true);
+    for (const auto quantity : {Quantity::stiffness, Quantity::area_at_displacement,
+                                Quantity::load_at_displacement, Quantity::interface_stiffness})
+        for (const double reach : {0.95, 0.4, 0.3}) {
+            if (quantity == Quantity::area_at_displacement && reach < 0.9)
+                continue; // a handful of touching nodes is many genomes' answer
+            const Target target = goal_of(store.response(77), 0.037, reach, quantity);
+            const auto matches = screen(curves, setup.model, {target}, {.best = 3});
+            INFO(int(quantity) << " " << reach);
+            CHECK(matches[0].index == 77);
+            CHECK(matches[0].scale == Approx(0.037).epsilon(1e-3));
+            CHECK(matches[0].similarity > 0.999);
+            for (const Match& match : matches) {
+                const Response response = scaled(store.response(match.index), match.scale);
+                CHECK(match.similarity ==
+                      Approx(similarity(target, curve_of(quantity, response))).epsilon(1e-9));
+            }
+        }
+}
+
+TEST_CASE("a genome without a response, or one whose curve ends before the target, matches nothing") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    GenomeStore store = GenomeStore::create(folder / "genomes.db", setup);
+    build(store, {.genomes = 20});
+    const double max_pressure = store.response(7).pressure[7];
+    for (const Quantity quantity :
+         {Quantity::stiffness, Quantity::area_at_pressure, Quantity::area_at_displacement}) {
+        const Target target = goal_of(store.response(7), 1, 0.9, quantity);
+        for (const ScreenOptions& options : {ScreenOptions{}, ScreenOptions{.max_pressure = max_pressure}}) {
+            StoredCurves curves = store.curves(true);
+            CHECK(screen(curves, setup.model, {target}, options)[0].index == 7);
+            ScreenOptions two = options;
+            two.best = 2;
+            CHECK(screen(curves, setup.model, {target}, two).size() == 2);
+            for (const std::size_t lost : {7u, 12u}) {
+                curves.range[lost] = std::nan("");
+                for (std::size_t j = 8 * lost; j < 8 * lost + 8; ++j)
+                    curves.pressure[j] = curves.fraction[j] = std::nan("");
+            }
+            ScreenOptions every = options;
+            every.best = 20;
+            const auto matches = screen(curves, setup.model, {target}, every);
+            CHECK(!matches.empty());
+            CHECK(matches.size() <= 18);
+            for (const Match& match : matches) {
+                CHECK(match.index != 7);
+                CHECK(match.index != 12);
+                CHECK(match.similarity < 1);
+            }
+        }
+    }
+    Target none = goal_of(store.response(7), 1, 0.9);
+    none.y[2] = 0;
+    CHECK_THROWS_AS(screen(store.curves(), setup.model, {none}, {}), InputError);
+    // Eq. 11 fixes the amplitude: a displacement that no genome reaches then leaves none.
+    Target far = goal_of(store.response(7), 1, 0.9, Quantity::load_at_displacement);
+    far.x *= 1e6;
+    CHECK(screen(store.curves(), setup.model, {far}, {.max_pressure = max_pressure}).empty());
+}
+
+TEST_CASE("stored starts meet a design's targets at their amplitude, and another model's are refused") {
+    const Folder folder;
+    const DatabaseSetup setup = small_setup();
+    GenomeStore store = GenomeStore::create(folder / "genomes.db", setup);
+    build(store, {.genomes = 100});
+    DesignSetup design;
+    design.model = setup.model;
+    design.targets = {goal_of(store.response(5), 0.02, 0.9)};
+    const auto starts = stored_starts(store, design, 4);
+    REQUIRE(starts.size() == 4);
+    const Response response = respond(starts[0], setup.model);
+    CHECK(similarity(design.targets[0], curve_of(Quantity::stiffness, response)) > 0.999);
+    design.max_pressure = store.response(5).pressure[7] * 0.02;
+    CHECK(respond(stored_starts(store, design, 1)[0], setup.model).pressure[7] ==
+          Approx(*design.max_pressure));
+    design.model.loading.steps = 9;
+    CHECK_THROWS_WITH(stored_starts(store, design, 4), Catch::Contains("steps is 8, not 9"));
+}
+
+TEST_CASE("a database answers for every length and modulus, exactly as the drawn-out genomes do") {
+    const Folder folder;
+    for (const Kernel kernel : {Kernel::free, Kernel::strip, Kernel::periodic}) {
+        DatabaseSetup setup = small_setup();
+        setup.model.body.kernel = kernel;
+        setup.model = completed(setup.model);
+        GenomeStore store =
+            GenomeStore::create(folder / (std::to_string(static_cast<int>(kernel)) + ".db"), setup);
+        build(store, {.genomes = 40});
+        DesignSetup design;
+        design.model.body.kernel = kernel;
+        design.model.body.effective_modulus = 210;
+        design.model.grid = {64, 2.5, kernel == Kernel::periodic};
+        if (kernel == Kernel::strip)
+            design.model.body.strip_width = setup.model.body.strip_width * 2.5 / setup.model.grid.length;
+        design.model.loading.steps = 8;
+        design.model = completed(design.model);
+        const Response own = respond(drawn_out(store.genome(7), 2.5 / setup.model.grid.length), design.model);
+        const double scale = scale_to(store, design.model).pressure;
+        CHECK(scale == Approx(210 * setup.model.grid.length / 2.5));
+        for (Index j = 0; j < 8; ++j) {
+            CHECK(own.pressure[j] == Approx(scale * store.response(7).pressure[j]).epsilon(1e-9));
+            CHECK(own.contact_fraction[j] == store.response(7).contact_fraction[j]);
+        }
+        design.targets = {goal_of(own, 0.02, 0.9), goal_of(own, 0.02, 0.9, Quantity::area_at_pressure)};
+        const auto starts = stored_starts(store, design, 1);
+        REQUIRE(starts.size() == 1);
+        for (const Target& target : design.targets)
+            CHECK(similarity(target, curve_of(target.quantity, respond(starts[0], design.model))) > 0.999);
+        design.max_pressure = 0.02 * own.pressure[7];
+        CHECK(respond(stored_starts(store, design, 1)[0], design.model).pressure[7] ==
+              Approx(*design.max_pressure));
+        if (kernel == Kernel::free) {
+            design.model.body.datum *= 2;
+            CHECK_THROWS_WITH(stored_starts(store, design, 1), Catch::Contains("datum_mm"));
+        }
+    }
+}
