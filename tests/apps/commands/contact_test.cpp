@@ -1,43 +1,14 @@
 #include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
-using app::testing::Ended;
-using app::testing::Folder;
-using app::testing::rugosa;
+using namespace app::testing;
 using nlohmann::json;
-
-namespace {
-
-const std::string one_wave =
-    R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]}]}]})";
-
-std::vector<std::vector<double>> rows_of(const std::filesystem::path& file, std::string& header) {
-    std::ifstream in(file);
-    std::getline(in, header);
-    std::vector<std::vector<double>> rows;
-    for (std::string line; std::getline(in, line);) {
-        rows.emplace_back();
-        std::istringstream cells(line);
-        for (std::string cell; std::getline(cells, cell, ',');)
-            rows.back().push_back(std::stod(cell));
-    }
-    return rows;
-}
-
-void check_refused(const Ended& ended, const std::string& expected) {
-    INFO(ended.err);
-    CHECK(ended.code == 2);
-    CHECK(ended.error_lines() == 1);
-    CHECK_THAT(ended.err, Catch::Contains(expected));
-}
-
-} // namespace
 
 TEST_CASE("the program gives the six reference curves") {
     const json scenes = json::parse(rough::read_whole(RUGOSA_TEST_DATA "/curves.json"));
@@ -57,10 +28,7 @@ TEST_CASE("the program gives the six reference curves") {
         const Ended ended = rugosa(words.str(), folder.path());
         INFO(scene["name"] << " " << ended.err);
         REQUIRE(ended.code == 0);
-        std::string header;
-        const auto rows = rows_of(folder / "c.csv", header);
-        CHECK(header == "displacement_mm,pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm,"
-                        "kkt_residual,interface_stiffness_MPa_per_mm");
+        const auto rows = rows_of(folder / "c.csv", curve_header);
         REQUIRE(rows.size() == 20);
         for (std::size_t j = 0; j < 20; ++j) {
             CHECK(rows[j][0] == Approx(scene["displacement_mm"][j].get<double>()).epsilon(1e-9));
@@ -83,8 +51,7 @@ TEST_CASE("modulus and Poisson's ratio scale pressure and stiffness by E*") {
     REQUIRE(rugosa("contact --genome g.json --out one.csv", folder.path()).code == 0);
     REQUIRE(rugosa("contact --genome g.json --out steel.csv --modulus 210000 --poisson 0.3", folder.path())
                 .code == 0);
-    std::string header;
-    const auto one = rows_of(folder / "one.csv", header), steel = rows_of(folder / "steel.csv", header);
+    const auto one = rows_of(folder / "one.csv"), steel = rows_of(folder / "steel.csv");
     for (std::size_t j = 0; j < one.size(); ++j) {
         CHECK(steel[j][1] == Approx(one[j][1] * 210000 / 0.91).epsilon(1e-9));
         CHECK(steel[j][2] == one[j][2]);
@@ -102,8 +69,7 @@ TEST_CASE("a measured scan is pressed as it stands, its tilt removed") {
     INFO(ended.err);
     REQUIRE(ended.code == 0);
     CHECK_THAT(ended.out, Catch::Contains("200 points"));
-    std::string header;
-    CHECK(rows_of(folder / "c.csv", header).size() == 20);
+    CHECK(rows_of(folder / "c.csv").size() == 20);
 
     folder.write("gap.txt", "0 1\n1 NaN\n2 3\n3 1\n");
     check_refused(rugosa("contact --profile gap.txt --unit um --out d.csv", folder.path()),
@@ -152,15 +118,14 @@ TEST_CASE("bad input to contact gets one line and exit code 2, and leaves no fil
 TEST_CASE("the load may end at a pressure or stand at given ones") {
     const Folder folder;
     folder.write("g.json", one_wave);
-    std::string header;
     REQUIRE(rugosa("contact --genome g.json --to-pressure 0.01 --steps 5 --out to.csv", folder.path()).code ==
             0);
-    const auto to = rows_of(folder / "to.csv", header);
+    const auto to = rows_of(folder / "to.csv");
     REQUIRE(to.size() == 5);
     CHECK(to[4][1] == Approx(0.01).epsilon(1e-10));
     REQUIRE(rugosa("contact --genome g.json --pressures 0.001,0.004,0.01 --out at.csv", folder.path()).code ==
             0);
-    const auto at = rows_of(folder / "at.csv", header);
+    const auto at = rows_of(folder / "at.csv");
     REQUIRE(at.size() == 3);
     CHECK(at[1][1] == Approx(0.004).epsilon(1e-10));
     CHECK(at[2][0] == Approx(to[4][0]).epsilon(1e-10));
@@ -177,11 +142,10 @@ TEST_CASE("the load may end at a pressure or stand at given ones") {
 TEST_CASE("a hardness is held, counted and told; friction writes partial slip beside the curve") {
     const Folder folder;
     folder.write("g.json", one_wave);
-    std::string header;
     REQUIRE(rugosa("contact --genome g.json --friction 0.3 --out c.csv", folder.path()).code == 0);
-    const auto normal = rows_of(folder / "c.csv", header), slip = rows_of(folder / "c-slip.csv", header);
-    CHECK(header == "tangential_displacement_mm,tangential_traction_MPa,tangential_stiffness_MPa_per_mm,"
-                    "stick_fraction");
+    const auto normal = rows_of(folder / "c.csv"),
+               slip = rows_of(folder / "c-slip.csv", "tangential_displacement_mm,tangential_traction_MPa,"
+                                                     "tangential_stiffness_MPa_per_mm,stick_fraction");
     REQUIRE(slip.size() == 21);
     CHECK(slip[20][1] == Approx(0.3 * normal[19][1]));
     CHECK(slip[0][3] == 1);
@@ -191,7 +155,7 @@ TEST_CASE("a hardness is held, counted and told; friction writes partial slip be
     INFO(hard.err);
     REQUIRE(hard.code == 0);
     CHECK_THAT(hard.out, Catch::Contains("bear the hardness"));
-    const auto held = rows_of(folder / "h.csv", header);
+    const auto held = rows_of(folder / "h.csv");
     CHECK(held[19][1] < normal[19][1]);
     const json account = json::parse(rough::read_whole(folder / "h.json"));
     CHECK(account["nodes_at_hardness"] > 0);
@@ -260,10 +224,8 @@ TEST_CASE("within an accuracy the curve is that near the resolved one, and an ac
         {"n":1,"phases":[0.3]},{"n":2,"phases":[4.1]},{"n":3,"phases":[2.2]},{"n":5,"phases":[5.0]}]}]})");
     REQUIRE(rugosa("contact --genome g.json --nodes 4097 --out fine.csv", folder.path()).code == 0);
     REQUIRE(rugosa("contact --genome g.json --accuracy 1e-2 --out cheap.csv", folder.path()).code == 0);
-    std::string header, same;
-    const auto fine = rows_of(folder.path() / "fine.csv", header);
-    const auto cheap = rows_of(folder.path() / "cheap.csv", same);
-    CHECK(header == same);
+    const auto fine = rows_of(folder.path() / "fine.csv", curve_header);
+    const auto cheap = rows_of(folder.path() / "cheap.csv", curve_header);
     REQUIRE(cheap.size() == 20);
     for (std::size_t j = 0; j < 20; ++j) {
         CHECK(cheap[j][0] == Approx(fine[j][0]).epsilon(1e-12));

@@ -12,11 +12,7 @@
 #include <map>
 #include <random>
 
-using app::testing::Ended;
-using app::testing::Folder;
-using app::testing::rugosa;
-using app::testing::rugosa_killed;
-using app::testing::rugosa_stopped;
+using namespace app::testing;
 
 namespace {
 
@@ -137,9 +133,7 @@ TEST_CASE("a database of another model is refused in one line that names the dif
              {"query g.db --target " + target + " --nodes 64 --steps 10", "steps is 20, not 10"},
              {"query g.db --target " + target + " --nodes 64 --datum 2", "datum_mm is 0.84941"}}) {
         const auto refused = rugosa("database " + words, folder.path());
-        CHECK(refused.code == 2);
-        CHECK(refused.error_lines() == 1);
-        CHECK_THAT(refused.err, Catch::Contains(difference));
+        check_refused(refused, difference);
     }
     CHECK(rugosa("database build g.db --genomes 20", folder.path()).code == 0); // as the file is
     CHECK(pressures(folder / "g.db").size() == 20);
@@ -176,11 +170,7 @@ TEST_CASE(
                                      {"a.db b.db --out a.db --force", "is read here"},
                                      {"a.db --out d.db", "two genome databases"},
                                      {"a.db none.db --out d.db", "none.db"}}) {
-        const Ended refused = rugosa(std::string("database merge ") + words, folder.path());
-        INFO(refused.err);
-        CHECK(refused.code == 2);
-        CHECK(refused.error_lines() == 1);
-        CHECK_THAT(refused.err, Catch::Contains(why));
+        check_refused(rugosa(std::string("database merge ") + words, folder.path()), why);
     }
     CHECK_FALSE(std::filesystem::exists(folder / "d.db"));
     CHECK(rugosa("database merge a.db b.db --out c.db --force", folder.path()).code == 0);

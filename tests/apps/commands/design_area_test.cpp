@@ -7,11 +7,7 @@
 
 #include <cmath>
 
-using app::testing::Ended;
-using app::testing::Folder;
-using app::testing::result_in;
-using app::testing::rugosa;
-using app::testing::timeless;
+using namespace app::testing;
 using nlohmann::json;
 
 namespace {
@@ -125,9 +121,7 @@ TEST_CASE("what a design on an area cannot be given is refused in one line", "[a
           std::pair(std::string("run '" RUGOSA_SOURCE "/experiments/paper.ini' --nodes 32x32"), "32x32")}) {
         const Ended ended = rugosa(words, folder.path());
         INFO(words << ": " << ended.err);
-        CHECK(ended.code == 2);
-        CHECK(ended.error_lines() == 1);
-        CHECK(ended.err.find(expected) != std::string::npos);
+        check_refused(ended, expected);
     }
 }
 

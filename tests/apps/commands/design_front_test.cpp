@@ -6,10 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-using app::testing::Ended;
-using app::testing::Folder;
-using app::testing::result_in;
-using app::testing::rugosa;
+using namespace app::testing;
 using nlohmann::json;
 
 namespace {
@@ -74,11 +71,9 @@ TEST_CASE("the two-target variants answer by name, and are refused with one targ
         const json result = result_in(folder / variant);
         CHECK(result["variants"][variant]["genome"]["series"].size() >= 1);
         CHECK(result["targets"].size() == 2);
-        const Ended single =
-            rugosa("design --target K.csv --nodes 128 --out one --variant " + variant, folder.path());
-        CHECK(single.code == 2);
-        CHECK(single.error_lines() == 1);
-        CHECK_THAT(single.err, Catch::Contains("goal2"));
+        check_refused(
+            rugosa("design --target K.csv --nodes 128 --out one --variant " + variant, folder.path()),
+            "goal2");
     }
 }
 

@@ -7,10 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-using app::testing::Ended;
-using app::testing::Folder;
-using app::testing::result_in;
-using app::testing::rugosa;
+using namespace app::testing;
 using nlohmann::json;
 
 namespace {

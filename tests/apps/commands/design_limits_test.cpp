@@ -6,10 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-using app::testing::Ended;
-using app::testing::Folder;
-using app::testing::result_in;
-using app::testing::rugosa;
+using namespace app::testing;
 using nlohmann::json;
 
 TEST_CASE("every variant's answer holds every limit, on a grid four times finer too") {

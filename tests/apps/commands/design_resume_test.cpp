@@ -3,12 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-using app::testing::Ended;
-using app::testing::Folder;
-using app::testing::result_in;
-using app::testing::rugosa;
-using app::testing::rugosa_killed;
-using app::testing::timeless;
+using namespace app::testing;
 using nlohmann::json;
 
 namespace {
@@ -53,10 +48,7 @@ TEST_CASE("a design out of time goes on where it stopped, and a set-up that is a
         unfinished = cut.out.find("--resume") != std::string::npos;
     }
     REQUIRE(unfinished);
-    const Ended other = rugosa(words + " --largest-height 1 --out cut --resume", folder.path());
-    CHECK(other.code == 2);
-    CHECK(other.error_lines() == 1);
-    CHECK_THAT(other.err, Catch::Contains("checkpoint"));
+    check_refused(rugosa(words + " --largest-height 1 --out cut --resume", folder.path()), "checkpoint");
     const Ended homeless = rugosa(words + " --resume", folder.path());
     CHECK(homeless.code == 2);
     CHECK_THAT(homeless.err, Catch::Contains("--out"));

@@ -7,14 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-using app::testing::Ended;
-using app::testing::Folder;
-using app::testing::Outline;
-using app::testing::outline;
-using app::testing::result_in;
-using app::testing::rugosa;
-using app::testing::rugosa_stopped;
-using app::testing::timeless;
+using namespace app::testing;
 using nlohmann::json;
 
 namespace {

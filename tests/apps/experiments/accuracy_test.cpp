@@ -7,12 +7,7 @@
 
 #include <set>
 
-using app::testing::Ended;
-using app::testing::Folder;
-using app::testing::Outline;
-using app::testing::outline;
-using app::testing::result_in;
-using app::testing::rugosa;
+using namespace app::testing;
 using nlohmann::json;
 
 namespace {

@@ -3,11 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-using app::testing::Ended;
-using app::testing::Folder;
-using app::testing::result_in;
-using app::testing::rugosa;
-using app::testing::timeless;
+using namespace app::testing;
 
 namespace fs = std::filesystem;
 
@@ -86,10 +82,8 @@ TEST_CASE("an experiment whose folder is taken away goes on and leaves its resul
 TEST_CASE("the time between checkpoints is seconds") {
     for (const char* wrong : {"soon", "-1", "1s", ""}) {
         const Folder folder;
-        const Ended refused =
-            rugosa(design + "--out o", folder.path(), "RUGOSA_CHECKPOINTS='" + std::string(wrong) + "' ");
-        CHECK(refused.code == 2);
-        CHECK(refused.error_lines() == 1);
-        CHECK_THAT(refused.err, Catch::Contains("RUGOSA_CHECKPOINTS"));
+        check_refused(
+            rugosa(design + "--out o", folder.path(), "RUGOSA_CHECKPOINTS='" + std::string(wrong) + "' "),
+            "RUGOSA_CHECKPOINTS");
     }
 }

@@ -6,9 +6,7 @@
 #include <set>
 #include <sstream>
 
-using app::testing::Ended;
-using app::testing::Folder;
-using app::testing::rugosa;
+using namespace app::testing;
 
 namespace {
 

@@ -9,8 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-using app::testing::Folder;
-using app::testing::rugosa;
+using namespace app::testing;
 
 TEST_CASE("the program says more or less as it is told, the results stay the same") {
     const Folder folder;
