@@ -71,7 +71,8 @@ class PolonskyKeer {
 
     void iterate(double& approach, std::optional<double> load, double target) {
         direction_.pressure.setZero();
-        double conjugate = 0, previous = 1, residual = 1;
+        double previous = 1, residual = 1;
+        bool conjugate = false;
         for (long iteration = 0; iteration < most_iterations; ++iteration) {
             if (iteration % 16 == 0)
                 check_stop(options_);
@@ -95,19 +96,21 @@ class PolonskyKeer {
             }
             ++iterations_;
             const double squares = contact.select(gap_.square(), 0).sum();
-            direction_.pressure =
-                contact.select(gap_ + conjugate * (squares / previous) * direction_.pressure.array(), 0);
+            const double growth = conjugate ? squares / previous : 0; // previous may be 0
+            direction_.pressure = contact.select(gap_ + growth * direction_.pressure.array(), 0);
             previous = squares;
             solver_.load(direction_);
             ArrayXd image = direction_.displacement.array();
             if (load)
                 image -= contact.select(image, 0).sum() / count;
             const double curvature = contact.select(image * direction_.pressure.array(), 0).sum();
-            const double step =
-                curvature > 0 ? contact.select(gap_ * direction_.pressure.array(), 0).sum() / curvature : 0;
+            // A single node keeps its load whatever the step; those that join it take theirs.
+            const double step = curvature > 0 && !(load && count == 1)
+                                    ? contact.select(gap_ * direction_.pressure.array(), 0).sum() / curvature
+                                    : 1 / problem_.column[0];
             p = contact.select(p.array() - step * direction_.pressure.array(), 0).max(0);
             const Eigen::Array<bool, Eigen::Dynamic, 1> overlap = p.array() == 0 && gap_ < 0;
-            conjugate = overlap.any() ? 0 : 1;
+            conjugate = !overlap.any();
             p = overlap.select(-step * gap_, p.array());
             if (load)
                 p *= *load / p.sum();

@@ -8,6 +8,7 @@
 #include "domain/response/response.hpp"
 #include "tests/domain/contact/maps.hpp"
 
+#include <Eigen/Cholesky>
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -88,6 +89,29 @@ TEST_CASE("on small areas every solver agrees with the oracle in extended precis
         }
 }
 
+TEST_CASE("maps of a few nodes are solved by every solver, under either control", "[contact][areas]") {
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic})
+        for (const Extent shape : {Extent{2, 1}, Extent{5, 1}, Extent{2, 2}, Extent{2, 3}, Extent{3, 5}})
+            for (unsigned seed = 1; seed < 4; ++seed) {
+                const Profile map = noise(shape, 0.01, 0.013, seed);
+                const auto displacements = steps_of(map, kernel, 4, 0.95);
+                const Oracle oracle = consult_oracle(map, on(kernel), displacements);
+                for (const Solver solver : {Solver::automatic, Solver::nested, Solver::nnls,
+                                            Solver::active_set, Solver::polonsky_keer}) {
+                    INFO(static_cast<int>(kernel) << ", " << shape.columns << " x " << shape.rows
+                                                  << ", solver " << static_cast<int>(solver));
+                    const ContactCurve curve = solve_contact(map, on(kernel), displacements, by(solver));
+                    const ContactCurve loaded =
+                        solve_contact_at_pressures(map, on(kernel), oracle.pressure, by(solver));
+                    for (std::size_t j = 0; j < displacements.size(); ++j) {
+                        CHECK(curve.steps[j].pressure == Approx(oracle.pressure[j]).epsilon(1e-5));
+                        CHECK(loaded.steps[j].pressure == Approx(oracle.pressure[j]).epsilon(1e-5));
+                        CHECK(loaded.steps[j].displacement == Approx(displacements[j]).epsilon(1e-5));
+                    }
+                }
+            }
+}
+
 TEST_CASE("on a small area with a hardness the held nodes are the oracle's", "[contact][areas]") {
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
         const Profile map = noise({9, 8}, 0.01, 0.012, 5);
@@ -124,6 +148,26 @@ TEST_CASE("an extruded periodic map gives the profile's curve", "[contact][areas
         for (std::size_t j = 0; j < displacements.size(); ++j)
             CHECK(area.steps[j].contact_fraction == line.steps[j].contact_fraction);
     }
+}
+
+TEST_CASE("full contact of a few nodes is solved as a dense matrix solves it", "[areas]") {
+    for (const Extent shape : {Extent{2, 1}, Extent{7, 1}, Extent{2, 2}, Extent{2, 3}, Extent{3, 2},
+                               Extent{3, 5}, Extent{5, 3}, Extent{2, 9}, Extent{8, 8}, Extent{11, 4}})
+        for (const double row_spacing : {0.1, 0.04, 0.3}) {
+            INFO(shape.columns << " x " << shape.rows << ", " << row_spacing << " mm");
+            const Profile flat = map_of(shape, 0.1, row_spacing, [](double, double) { return 0.0; });
+            const Eigen::VectorXd column = area_influence_column(Kernel::free, shape, row_spacing / 0.1);
+            const Index n = shape.nodes();
+            Eigen::MatrixXd matrix(n, n);
+            for (Index i = 0; i < n; ++i)
+                for (Index j = 0; j < n; ++j)
+                    matrix(i, j) = column[std::abs(i / shape.columns - j / shape.columns) * shape.columns +
+                                          std::abs(i % shape.columns - j % shape.columns)];
+            const double sum = matrix.llt().solve(Eigen::VectorXd::Ones(n)).sum();
+            CHECK(full_contact_stiffness(flat, on(Kernel::free)) ==
+                  Approx(1.3 / (elements(flat, Kernel::free) * 0.1) * sum).epsilon(1e-9));
+            CHECK(std::isinf(full_contact_stiffness(flat, on(Kernel::periodic))));
+        }
 }
 
 TEST_CASE("one row of square cells on a half-space is the strip", "[contact][areas]") {
