@@ -46,7 +46,8 @@ int design(const Words& words) {
     if (shows_help(
             words, "design (--target T.csv | --like SCAN.txt [--unit U]) [flags]",
             "Finds a rough profile that answers as the target asks, and says what to believe of it. Writes "
-            "result.json, genome.json, answer.csv and report.html to a folder. A target is a CSV file with "
+            "result.json, genome.json, answer.csv and report.html to a folder, of an area a tile to print "
+            "(surface.3mf, surface.stl) beside them. A target is a CSV file with "
             "the columns pressure_MPa and stiffness_MPa_per_mm, contact_fraction or conductance, or "
             "displacement_mm and contact_fraction or pressure_MPa; columns lower and upper give a tolerance "
             "band. The answer is judged by its worst similarity, over a grid four times finer, four times "
@@ -77,7 +78,7 @@ int design(const Words& words) {
             "--resume: given without --out, expected the folder of the interrupted design");
     const OutputFolder output(settings.text("out"), "design",
                               {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor",
-                                "checkpoint.cbor.before"},
+                                "checkpoint.cbor.before", "surface.stl", "surface.3mf"},
                                settings.files(),
                                settings.is_on("force"),
                                resume});

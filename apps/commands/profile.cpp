@@ -1,6 +1,5 @@
 #include "apps/commands/commands.hpp"
 #include "apps/commands/profile/map.hpp"
-#include "apps/commands/profile/solids.hpp"
 #include "apps/prompt/area_settings.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/scan_settings.hpp"
@@ -9,6 +8,7 @@
 #include "apps/report/output.hpp"
 #include "apps/report/profile_page.hpp"
 #include "apps/report/shape_notes.hpp"
+#include "apps/report/solids.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/discrete_spectrum.hpp"
@@ -35,9 +35,13 @@ std::vector<Setting> profile_settings() {
         {"profile", "", "measured profile in place of a genome: text, SDF, SUR, GSF or X3P"},
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
         {"force", "", "write over existing results", true},
-        {"nodes", "", "nodes of the grid, 10 to 1e7 [512; a scan: its points]"},
-        {"length", "", "length L of the profile, mm [0.84942; a scan, or a genome made for one: its own]"},
-        {"periodic", "", "the map of --surface repeats: nothing is windowed, lags go around its edges", true},
+        {"nodes", "", "nodes of the grid, 10 to 1e7 [512; a scan: its points]; a genome's area: NXxNY"},
+        {"length", "",
+         "length L of the profile, mm [0.84942; a scan, or a genome made for one: its own]; an area: LX or "
+         "LXxLY"},
+        {"periodic", "", "the area repeats: nothing is windowed, lags go around its edges", true},
+        {"smr", "", "heights over an area's mean plane, mm, with commas between: what share is higher"},
+        {"smc", "", "shares of an area, 0 to 1, with commas between: the height that each exceeds"},
         {"width", "", "width of a profile's solid along its ridges, mm [L/4]"},
         {"base", "",
          "thickness of the solid below its lowest node, mm [the larger of height range and L/10]"},
@@ -151,23 +155,27 @@ int profile(const Words& words) {
             "profile.x3p), a solid to print or mesh (profile.3mf in mm, profile.stl), a picture "
             "(profile.svg), its parameters (profile.json: Pa, Pq and so on, or Ra, Rq and so on with "
             "--lambda-c), its material ratio curve (bearing.csv) and its power spectrum "
-            "(spectrum.csv, spectrum.svg; lines.csv holds a genome's waves). Of a map: ISO 25178 parameters "
+            "(spectrum.csv, spectrum.svg; lines.csv holds a genome's waves). Of a map, and of a genome on "
+            "--nodes NXxNY: ISO 25178 parameters "
             "(surface.json), heights.txt, surface.x3p, surface.vtk, a tile to print (surface.3mf, "
             "surface.stl), a picture (heights.svg), bearing.csv and the areal spectrum.",
             profile_settings(),
             {"profile surface.json", "profile surface.json --nodes 2048 --magnify 100 --out surface",
              "profile --profile scan.txt --unit um --lambda-s 0.0025 --lambda-c 0.8",
              "profile --profile map.sur --row 12 --detrend arc --outliers remove",
-             "profile --surface map.x3p --detrend parabola --lambda-c 0.8 --out out/map"}))
+             "profile surface.json --nodes 128x128",
+             "profile --surface map.x3p --detrend parabola --lambda-c 0.8 --smc 0.1,0.8 --out out/map"}))
         return 0;
     const Settings settings = read_command_line(words, profile_settings(), {"genome"});
     if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
         throw rough::InputError("profile: expected one of a genome file, --profile and --surface");
     const rough::Extrusion extrusion = extrusion_from(settings);
-    if (settings.has("surface"))
+    if (settings.has("surface") || (settings.has("genome") && asks_for_area(settings)))
         return profile_map(settings, extrusion);
-    if (settings.given("periodic"))
-        throw rough::InputError("--periodic: given without --surface, expected with a map");
+    for (const std::string name : {"periodic", "smr", "smc"})
+        if (settings.given(name))
+            throw rough::InputError("--" + name +
+                                    ": given without an area, expected with --surface or --nodes NXxNY");
     const bool pictures = settings.is_on("pictures");
 
     const Shape shape = shape_from(settings);

@@ -126,6 +126,26 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
                : "";
 }
 
+rough::Map sampled_from(const Settings& settings, bool wraps, rough::Index least) {
+    expect_none(settings, scan_settings(), "given with a genome, expected with --surface only");
+    const rough::Source source = rough::open_genome(settings.text("genome"));
+    const auto side = [&](bool x) {
+        const Settings own = along(settings, "", x);
+        rough::Model model;
+        model.grid = source.grid(wraps);
+        model.grid.nodes = nodes_from(own, model.grid.nodes, "", least);
+        if (own.has("length"))
+            model.grid.length = own.positive("length");
+        return model;
+    };
+    const rough::Grid grid = crossed(side(true), side(false).grid, settings, "").grid;
+    const std::string note = fit_note(*source.genome, grid);
+    return {sample(*source.genome, grid), source.name + ": " + std::to_string(grid.nodes) + " x " +
+                                              std::to_string(grid.rows) + " nodes on " +
+                                              readable(grid.length, 6) + " x " + readable(grid.width, 6) +
+                                              " mm" + (note.empty() ? "" : "; " + note)};
+}
+
 AreaScene area_from(const Settings& settings, const std::string& map) {
     expect_of_areas(settings, "", {"profile", "friction", "datum", "strip-width"});
     const Settings x = along(settings, "", true), y = along(settings, "", false);

@@ -30,6 +30,9 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid);
 /// --lambda-s and --lambda-c say.
 rough::Map surface_from(const Settings& settings, rough::Detrend form, const std::string& flag = "surface");
 
+/// The heights of --genome on the area of --nodes and --length, which wraps or not; the least nodes a side.
+rough::Map sampled_from(const Settings& settings, bool wraps, rough::Index least);
+
 /// An area as the settings give it, and what it is pressed on.
 struct AreaScene {
     rough::Profile map;             ///< heights, mm

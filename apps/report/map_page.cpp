@@ -37,7 +37,7 @@ std::string map_page(const MapShown& shown) {
     spectrum.y.label = "Power spectral density C (mm⁴)";
     return surface_page({"Surface: " + shown.name,
                          shown.account,
-                         parameters(shown.areal),
+                         shown.parameters,
                          {"heights",
                           "Heights.",
                           readable(length) + " mm along x, " + readable(width) + " mm along y.",

@@ -13,7 +13,7 @@ struct MapShown {
     std::string name;    ///< of its file
     std::string account; ///< what was read and done
     const rough::Profile& map;
-    const rough::ArealParameters& areal;
+    const std::vector<Parameter>& parameters; ///< of the table
     const rough::Spectrum& spectrum;
     Plot heights;                   ///< as colours
     std::vector<std::string> files; ///< beside the page

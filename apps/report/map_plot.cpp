@@ -42,4 +42,12 @@ Plot heights_plot(const rough::Profile& map) {
     return heights_plot(grid, map.heights, "");
 }
 
+Plot pressure_plot(const rough::Model& model, const rough::Profile& surface, double displacement,
+                   const std::string& title) {
+    rough::ContactOptions options = model.contact;
+    options.states = true;
+    return pressure_plot(model.grid, solve_contact(surface, model.body, {displacement}, options).states[0],
+                         title);
+}
+
 } // namespace app

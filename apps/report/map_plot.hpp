@@ -2,7 +2,7 @@
 
 #include "apps/report/plot.hpp"
 #include "domain/contact/solve.hpp"
-#include "domain/numerics/grid.hpp"
+#include "domain/response/model.hpp"
 
 namespace app {
 
@@ -15,5 +15,8 @@ Plot heights_plot(const rough::Grid& grid, const Eigen::VectorXd& heights, const
 Plot heights_plot(const rough::Profile& map);
 /// The pressure at one load step; nothing where there is none.
 Plot pressure_plot(const rough::Grid& grid, const rough::ContactState& state, const std::string& title);
+/// The same at a displacement (mm), of heights (mm) that are pressed for it.
+Plot pressure_plot(const rough::Model& model, const rough::Profile& surface, double displacement,
+                   const std::string& title);
 
 } // namespace app

@@ -1,7 +1,6 @@
 #include "domain/profile/areal.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/numerics/statistics.hpp"
 #include "domain/profile/derivatives.hpp"
 
 #include <cmath>
@@ -31,7 +30,7 @@ ArealParameters areal_parameters(const Profile& map, bool wraps) {
     s.Sdq = std::sqrt(squares.mean());
     s.Sdr = (squares / ((1 + squares).sqrt() + 1)).mean(); // sqrt(1 + g^2) - 1
     s.Smr = material_ratio(about, 0);
-    s.Smc10 = quantile({z.begin(), z.end()}, 0.9);
+    s.Smc10 = material_height(about.heights, 0.1);
     s.core = core_heights(about.heights);
     s.texture = texture(about, wraps);
     return s;

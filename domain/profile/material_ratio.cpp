@@ -1,6 +1,7 @@
 #include "domain/profile/material_ratio.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/numerics/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,10 @@ double material_ratio(const Profile& profile, double level) {
         sum += level <= low ? 1 : level >= high ? 0 : (high - level) / (high - low);
     }
     return sum / static_cast<double>(z.size() - 1);
+}
+
+double material_height(const Eigen::VectorXd& heights, double ratio) {
+    return quantile({heights.begin(), heights.end()}, 1 - ratio);
 }
 
 CoreHeights core_heights(const Eigen::VectorXd& heights) {

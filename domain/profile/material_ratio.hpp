@@ -8,6 +8,10 @@ namespace rough {
 /// (mm, from where the heights are counted). Smr(c) of an area: the share of its nodes.
 double material_ratio(const Profile& profile, double level);
 
+/// Smc(mr) of an area (ISO 25178-2): the height (mm, from where the heights are counted) that a share `ratio`
+/// of the nodes, 0 to 1, exceeds, straight between them: the inverse of Smr(c).
+double material_height(const Eigen::VectorXd& heights, double ratio);
+
 /// Parameters of the material ratio curve (ISO 21920-2; ISO 13565-2): the line of least squares through the
 /// flattest 40 % of the curve parts peaks, core and valleys. Of several equally flat regions the first.
 struct CoreHeights {

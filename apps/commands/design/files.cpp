@@ -1,9 +1,11 @@
 #include "apps/commands/design/files.hpp"
 
 #include "apps/commands/design/summary.hpp"
+#include "apps/prompt/voice.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
+#include "apps/report/solids.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/text/atomic_file.hpp"
 
@@ -127,6 +129,15 @@ json design_json(const DesignRun& run) {
     return result;
 }
 
+/// A design stands, whether its tile can be printed or not.
+void write_tile(const rough::Profile& surface, const std::filesystem::path& folder) {
+    try {
+        write_solids(solids_of(surface, {}), folder, "surface");
+    } catch (const rough::InputError& error) {
+        say(std::string("note: no solid of the surface is written: ") + error.what());
+    }
+}
+
 } // namespace
 
 void write_design_result(const DesignRun& run, const std::filesystem::path& folder) {
@@ -137,6 +148,8 @@ void write_design_tables(const DesignRun& run, const std::filesystem::path& fold
     rough::write_atomically(folder / "answer.csv", csv(run.response));
     rough::write_atomically(folder / "genome.json",
                             rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
+    if (run.setup.model.grid.is_area())
+        write_tile(sample(run.found.best.genome, run.setup.model.grid), folder);
 }
 
 } // namespace app

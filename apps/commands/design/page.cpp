@@ -89,11 +89,8 @@ Plot misfit_plot(const DesignRun& run, const Curves& curves, std::size_t g) {
 /// At the end of the load.
 Plot last_pressure(const DesignRun& run) {
     const rough::Model& model = run.setup.model;
-    rough::ContactOptions options = model.contact;
-    options.states = true;
-    const auto last = solve_contact(sample(run.found.best.genome, model.grid), model.body,
-                                    {run.response.displacement.tail(1)[0]}, options);
-    return pressure_plot(model.grid, last.states[0], "Where it touches at the last load");
+    return pressure_plot(model, sample(run.found.best.genome, model.grid),
+                         run.response.displacement.tail(1)[0], "Where it touches at the last load");
 }
 
 Plot scan_plot(const rough::Profile& scan) {

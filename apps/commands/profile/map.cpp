@@ -1,21 +1,24 @@
 #include "apps/commands/profile/map.hpp"
 
-#include "apps/commands/profile/solids.hpp"
 #include "apps/prompt/area_settings.hpp"
 #include "apps/prompt/voice.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/map_page.hpp"
 #include "apps/report/map_plot.hpp"
 #include "apps/report/output.hpp"
+#include "apps/report/solids.hpp"
 #include "apps/report/units.hpp"
 #include "domain/profile/areal.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "domain/scan/x3p.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "domain/text/words.hpp"
 
 namespace app {
 
 namespace {
+
+constexpr rough::Index fewest_nodes = 10; ///< a side, that areal parameters can be told of
 
 /// A text matrix as --surface reads it.
 std::string matrix(const rough::Profile& map) {
@@ -27,8 +30,57 @@ std::string matrix(const rough::Profile& map) {
     return table.substr(table.find('\n') + 1);
 }
 
+/// Numbers with commas between, each from `from` to `to`.
+std::vector<double> list_of(const Settings& settings, const std::string& name, double from, double to) {
+    std::vector<double> numbers;
+    for (const std::string& word : rough::listed(settings.text(name)))
+        numbers.push_back(settings.with({{name, word}}).number(name, from, to));
+    return numbers;
+}
+
+/// The material ratio curve at one place.
+struct OnCurve {
+    double ratio, height; ///< mm from the mean plane
+};
+
+/// What --smr and --smc ask for, of the mean plane.
+struct MaterialRatios {
+    std::vector<OnCurve> of_heights, of_ratios;
+};
+
+MaterialRatios ratios_of(rough::Profile map, const Settings& settings) {
+    map.heights.array() -= map.heights.mean();
+    MaterialRatios found;
+    for (const double height : list_of(settings, "smr", -1e300, 1e300))
+        found.of_heights.push_back({material_ratio(map, height), height});
+    for (const double ratio : list_of(settings, "smc", 0, 1))
+        found.of_ratios.push_back({ratio, rough::material_height(map.heights, ratio)});
+    return found;
+}
+
+/// The set that surface.json holds and what was asked for beside it.
+std::vector<Parameter> told(const rough::ArealParameters& areal, const MaterialRatios& ratios) {
+    std::vector<Parameter> all = parameters(areal);
+    for (const OnCurve& one : ratios.of_heights) {
+        const Unit unit = length_unit(std::abs(one.height));
+        all.push_back({"Smr(" + brief(unit.factor * one.height, 4) + " " + unit.name + ")", "", one.ratio,
+                       false, "", "material ratio at this height over the mean plane"});
+    }
+    for (const OnCurve& one : ratios.of_ratios)
+        all.push_back({"Smc(" + brief(100 * one.ratio, 4) + " %)", "", one.height, true, "",
+                       "height that this share of the area exceeds"});
+    return all;
+}
+
+nlohmann::json curve_json(const std::vector<OnCurve>& points) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const OnCurve& one : points)
+        all.push_back({{"material_ratio", one.ratio}, {"height_mm", one.height}});
+    return all;
+}
+
 nlohmann::json numbers_of(const rough::Profile& map, const rough::ArealParameters& areal,
-                          const Settings& settings) {
+                          const MaterialRatios& ratios, const Settings& settings) {
     const auto [columns, rows] = map.shape();
     const auto cut_off = [&](const char* name) {
         return settings.has(name) ? nlohmann::json(settings.positive(name)) : nullptr;
@@ -41,20 +93,27 @@ nlohmann::json numbers_of(const rough::Profile& map, const rough::ArealParameter
                            {"version", RUGOSA_VERSION}};
     for (const Parameter& one : parameters(areal))
         numbers[one.key] = one.value;
+    if (settings.has("smr"))
+        numbers["Smr_of_heights"] = curve_json(ratios.of_heights);
+    if (settings.has("smc"))
+        numbers["Smc_of_ratios"] = curve_json(ratios.of_ratios);
     return numbers;
 }
 
 } // namespace
 
 int profile_map(const Settings& settings, const rough::Extrusion& extrusion) {
-    const rough::Map read = surface_from(settings, rough::Detrend::line);
+    const bool wraps = settings.is_on("periodic"), measured = settings.has("surface");
+    const rough::Map read =
+        measured ? surface_from(settings, rough::Detrend::line) : sampled_from(settings, wraps, fewest_nodes);
     const rough::Profile& map = read.heights;
-    const bool wraps = settings.is_on("periodic");
     const rough::ArealParameters areal = areal_parameters(map, wraps);
+    const MaterialRatios ratios = ratios_of(map, settings);
+    const std::vector<Parameter> all = told(areal, ratios);
     const rough::Spectrum spectrum = continuous_spectrum(map, wraps);
     const Solids solids = solids_of(map, extrusion);
 
-    const std::filesystem::path source = settings.text("surface");
+    const std::filesystem::path source = settings.text(measured ? "surface" : "genome");
     const OutputFolder out(
         settings.text("out"), source.stem().string(),
         {{"surface.json", "heights.txt", "surface.x3p", "surface.vtk", "surface.stl", "surface.3mf",
@@ -80,11 +139,11 @@ int profile_map(const Settings& settings, const rough::Extrusion& extrusion) {
                                        "surface.vtk",  "bearing.csv", "spectrum.csv"};
         files.insert(files.end(), solid_files.begin(), solid_files.end());
         write("report.html",
-              map_page({source.filename().string(), read.account, map, areal, spectrum, heights, files}));
+              map_page({source.filename().string(), read.account, map, all, spectrum, heights, files}));
     }
-    write_json(out.path() / "surface.json", numbers_of(map, areal, settings));
-    say(source.string() + ": " + read.account);
-    tell_parameters(parameters(areal), areal.Sz);
+    write_json(out.path() / "surface.json", numbers_of(map, areal, ratios, settings));
+    say(measured ? source.string() + ": " + read.account : read.account);
+    tell_parameters(all, areal.Sz);
     say("written to " + out.path().string());
     return 0;
 }

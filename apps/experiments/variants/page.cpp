@@ -1,6 +1,7 @@
 #include "apps/report/page.hpp"
 
 #include "apps/experiments/variants/run.hpp"
+#include "apps/report/map_plot.hpp"
 #include "apps/report/units.hpp"
 
 #include <algorithm>
@@ -36,8 +37,71 @@ Plot shortfall_plot(const RaceTarget& target, const std::string& axis, double fr
     return plot;
 }
 
+bool is_area(const RaceTarget& target) { return target.setup.model.grid.is_area(); }
+
+/// What the genes mean on the target's grid.
+std::string on_grid(const RaceTarget& target) {
+    const rough::Model& model = target.setup.model;
+    const rough::Grid& grid = model.grid;
+    const bool free = model.body.kernel == rough::Kernel::free;
+    if (is_area(target))
+        return "An area of " + std::to_string(grid.nodes) + " x " + std::to_string(grid.rows) + " nodes on " +
+               brief(grid.length, 6) + " x " + brief(grid.width, 6) + " mm. The " +
+               std::to_string(target.setup.ridges) +
+               " ridges of a chromosome are as many directions (Ausloos & Berman 1985)" +
+               (free ? "; displacements are measured to infinity, there is no datum." : ".");
+    return "A profile of " + std::to_string(grid.nodes) + " nodes on " + brief(grid.length, 6) +
+           " mm, drawn out along endless ridges. The ridges of a chromosome are one cosine" +
+           (free ? "; displacements are measured to the datum, d = " + brief(model.body.datum, 6) + " mm."
+                 : std::string("."));
+}
+
+/// The area that a way's median run found, and where it touches at the end of the load.
+Figure area_figure(const RaceTarget& target, const RaceVariant& best, std::size_t number) {
+    const rough::DesignSetup& setup = target.setup;
+    const rough::Genome& genome = best.median_run().run.answer.genome;
+    const rough::Profile surface = sample(genome, setup.model.grid);
+    const double last = respond(setup, genome, setup.model).responses.front().displacement.tail(1)[0];
+    return {"best-" + std::to_string(number),
+            "What " + best.name + " found.",
+            "The surface of the way that ended nearest, its median run; and the pressure at the last load.",
+            {heights_plot(setup.model.grid, surface.heights, "Heights"),
+             pressure_plot(setup.model, surface, last, "Where it touches at the last load")}};
+}
+
+/// The ways on areas and on profiles beside each other.
+void add_grids(Page& page, const Race& race) {
+    page.section("Areas beside profiles");
+    page.prose("The same ways for the same targets, from the same seeds. The same genes answer a load "
+               "differently: on an area spots are surrounded by gaps, on a profile they are endless strips.");
+    Table table{"", {"Way"}, {}, {false}};
+    for (const RaceTarget& target : race.targets)
+        for (const char* what : {", similarity at worst", ", seconds"}) {
+            table.header.push_back(target.setup.targets[0].name + (is_area(target) ? ", area" : ", profile") +
+                                   what);
+            table.numeric.push_back(true);
+        }
+    for (std::size_t i = 0; i < race.targets.front().variants.size(); ++i) {
+        std::vector<Html> row{race.targets.front().variants[i].name};
+        for (const RaceTarget& target : race.targets) {
+            const bool ran = i < target.variants.size() && !target.variants[i].runs.empty();
+            if (!ran) {
+                row.insert(row.end(), 2, "–");
+                continue;
+            }
+            const VariantRun& run = target.variants[i].median_run().run;
+            row.push_back(readable(target.variants[i].median_judged(), 4));
+            row.push_back(readable(run.seconds));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    page.table(table);
+}
+
 void add_target(Page& page, const Race& race, const RaceTarget& target, std::size_t number) {
     page.section("Target " + target.setup.targets[0].name);
+    if (std::any_of(race.targets.begin(), race.targets.end(), is_area))
+        page.prose(on_grid(target));
     double longest = 0.1;
     for (const auto& variant : target.variants)
         for (const auto& run : variant.runs)
@@ -73,6 +137,8 @@ void add_target(Page& page, const Race& race, const RaceTarget& target, std::siz
              crossed > 0 ? percent(static_cast<double>(better) / static_cast<double>(crossed)) : "–"});
     }
     page.table(table);
+    if (is_area(target) && !order.empty())
+        page.figure(area_figure(target, *order.front(), number));
 }
 
 } // namespace
@@ -84,6 +150,9 @@ std::string race_page(const Race& race) {
     std::size_t number = 0;
     for (const RaceTarget& target : race.targets)
         add_target(page, race, target, ++number);
+    if (std::any_of(race.targets.begin(), race.targets.end(), is_area) &&
+        !std::all_of(race.targets.begin(), race.targets.end(), is_area))
+        add_grids(page, race);
     page.section("The ways");
     for (const RaceVariant& variant : race.targets.front().variants)
         if (!variant.runs.empty())

@@ -1,5 +1,6 @@
 #include "domain/mwm/genome_json.hpp"
 #include "domain/problem/judgement.hpp"
+#include "domain/profile/solid.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
@@ -62,6 +63,10 @@ TEST_CASE("a design on an area has the same files, and its similarities follow f
         CHECK(page.find("<image") != std::string::npos);
         CHECK(page.find("Where it touches at the last load") != std::string::npos);
         CHECK(page.find("No picture") == std::string::npos);
+        // The tile to print is the answer's own.
+        const rough::Profile answer = sample(genome, setup.model.grid);
+        CHECK(rough::read_whole(folder / "r" / "surface.stl") == binary_stl(answer));
+        CHECK(rough::read_whole(folder / "r" / "surface.3mf") == three_mf(answer));
     }
 }
 

@@ -3,6 +3,7 @@
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/solid.hpp"
 #include "domain/profile/spectrum.hpp"
+#include "domain/scan/map.hpp"
 #include "domain/scan/scan.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
@@ -220,6 +221,44 @@ TEST_CASE("a map comes out as ISO 25178 parameters, heights that are read back, 
             rough::read_whole(folder / source.substr(source.size() - 1) / "surface.json"));
         for (const char* key : {"Sa_mm", "Sq_mm", "Sdq", "Sal_mm", "Sk_mm"})
             CHECK(same[key].get<double>() == Approx(numbers[key].get<double>()).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("a genome on a grid of two dimensions comes out as a map does, with the ratios asked for") {
+    const Folder folder;
+    folder.write("g.json", genome);
+    const auto ended = rugosa("profile g.json --nodes 40x30 --length 0.8x0.6 --smr 0,-1e-5 --smc 0.1,0.9 "
+                              "--magnify 100 --out o",
+                              folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    CHECK_THAT(ended.out, Catch::Contains("40 x 30 nodes on 0.8") && Catch::Contains("Smc(10 %)") &&
+                              Catch::Contains("Smc(90 %)"));
+    const auto numbers = nlohmann::json::parse(rough::read_whole(folder / "o" / "surface.json"));
+    CHECK(numbers["nodes"] == nlohmann::json({40, 30}));
+    CHECK(numbers["spacing_mm"][1].get<double>() == Approx(0.6 / 29));
+    CHECK(numbers["Smr_of_heights"][0]["material_ratio"] == numbers["Smr"]);
+    CHECK(numbers["Smr_of_heights"][1]["material_ratio"].get<double>() >= numbers["Smr"].get<double>());
+    CHECK(numbers["Smc_of_ratios"][0]["height_mm"] == numbers["Smc10_mm"]);
+    CHECK(numbers["Smc_of_ratios"][1]["height_mm"].get<double>() < 0);
+    CHECK_THAT(rough::read_whole(folder / "o" / "report.html"), Catch::Contains("Smc(90 %)"));
+    // Its heights are those that contact presses.
+    rough::GenomeFile file = rough::read_genome_file(folder / "g.json");
+    rough::Grid grid{40, 0.8};
+    grid.rows = 30;
+    grid.width = 0.6;
+    const rough::Map back = rough::read_map(folder / "o" / "heights.txt", {"", 0.8 / 39, 0.6 / 29});
+    CHECK((back.heights.heights - sample(file.genome, grid).heights).cwiseAbs().maxCoeff() < 1e-15);
+    CHECK(std::filesystem::file_size(folder / "o" / "surface.stl") == 84 + 50 * 4 * (40 * 30 - 1));
+    for (const auto& [words, expected] :
+         {std::pair("g.json --smr 0", "--smr"), std::pair("g.json --nodes 40x30 --smc 2", "--smc"),
+          std::pair("g.json --nodes 40x5", "--nodes"), std::pair("g.json --nodes 40x30 --unit um", "--unit"),
+          std::pair("g.json --nodes 40x30 --smr 1,a", "--smr")}) {
+        const auto refused = rugosa("profile " + std::string(words) + " --out none", folder.path());
+        INFO(words << ": " << refused.err);
+        CHECK(refused.code == 2);
+        CHECK(refused.error_lines() == 1);
+        CHECK_THAT(refused.err, Catch::Contains(expected));
     }
 }
 

@@ -36,6 +36,26 @@ TEST_CASE("ways to search are compared on the same targets with the same budget 
                   "bets");
 }
 
+TEST_CASE("the paper's algorithms run on areas and on profiles, and the page shows both", "[areas]") {
+    const Folder folder;
+    const Ended ended =
+        rugosa("run '" RUGOSA_SOURCE "/experiments/surface.ini' --set experiment.budget=120 --set "
+               "'model.nodes=16x16, 32' --set model.steps=6 --set targets.shortest-wave=0.2 "
+               "--set variants.cco= --out r",
+               folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    CHECK(result_in(folder / "r")["nodes"] == json({16, 16}));
+    CHECK(result_in(folder / "r" / "drawn-32")["nodes"] == 32);
+    const std::string page = rough::read_whole(folder / "r" / "report.html");
+    for (const char* words : {"An area of 16 x 16 nodes", "A profile of 32 nodes", "Areas beside profiles",
+                              "Where it touches at the last load", "<image"}) {
+        INFO(words);
+        CHECK(page.find(words) != std::string::npos);
+    }
+    CHECK(page.find("No picture") == std::string::npos);
+}
+
 TEST_CASE("names of files, folders and ways may hold bytes that are no UTF-8") {
     const Folder folder;
     folder.write("t\xE9.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-6,0.1\n5e-6,0.12\n1e-5,0.14\n");

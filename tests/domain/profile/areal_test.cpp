@@ -47,6 +47,46 @@ TEST_CASE("a wave on an area has the heights of textbooks", "[areal]") {
     CHECK(s.Smc10 == Approx(a * std::cos(pi / 10)).epsilon(2e-2));
 }
 
+TEST_CASE("heights count upwards from the mean plane, depths downwards, as ISO 25178-2 has them", "[areal]") {
+    // A plateau with one pit in every tenth of 20 x 20 nodes, 9 um deep: the mean is 0.9 um under the
+    // plateau.
+    const Profile pits = map_of({20, 20}, 0.1, 0.1,
+                                [](double x, double) { return std::lround(10 * x) % 10 == 3 ? 1 : 1.009; });
+    const ArealParameters s = areal_parameters(pits);
+    CHECK(s.Sp == Approx(0.0009).epsilon(1e-9));
+    CHECK(s.Sv == Approx(0.0081).epsilon(1e-9)); // a depth is positive
+    CHECK(s.Sz == Approx(0.009).epsilon(1e-9));
+    CHECK(s.Sa == Approx(2 * 0.9 * 0.0009).epsilon(1e-9));
+    CHECK(s.Sq == Approx(0.009 * 0.3).epsilon(1e-9));
+    CHECK(s.Ssk == Approx((0.1 - 0.9) / 0.3).epsilon(1e-9)); // pits: negative
+    CHECK(s.Sku == Approx((1 - 3 * 0.09) / 0.09).epsilon(1e-9));
+    CHECK(s.Smr == Approx(0.9));
+    CHECK(s.Smc10 == Approx(0.0009).epsilon(1e-9));
+    Profile peaks = pits; // the same upside down
+    peaks.heights *= -1;
+    const ArealParameters turned = areal_parameters(peaks);
+    CHECK(turned.Ssk == Approx(-s.Ssk));
+    CHECK(turned.Sp == Approx(s.Sv));
+    CHECK(turned.Sv == Approx(s.Sp));
+    CHECK(turned.Smr == Approx(0.1));
+}
+
+TEST_CASE("the share that exceeds a height and the height that a share exceeds are each other's inverse",
+          "[areal]") {
+    // A ramp along x from -1 to 1 um, 201 columns: linear in both.
+    const Profile ramp = map_of({201, 11}, 0.1, 0.2, [](double x, double) { return 1e-3 * (x / 10 - 1); });
+    for (const double c : {-7.05e-4, -2.5e-5, 3.05e-4, 9.05e-4})
+        CHECK(material_ratio(ramp, c) == Approx((1 - c / 1e-3) / 2).margin(0.005));
+    CHECK(material_ratio(ramp, -1.1e-3) == 1); // all is higher than the lowest
+    CHECK(material_ratio(ramp, 1.1e-3) == 0);
+    CHECK(material_height(ramp.heights, 0) == Approx(1e-3)); // nothing exceeds the highest peak
+    CHECK(material_height(ramp.heights, 1) == Approx(-1e-3));
+    CHECK(material_height(ramp.heights, 0.1) == Approx(8e-4).epsilon(0.02));
+    CHECK(material_height(ramp.heights, 0.9) == Approx(-8e-4).epsilon(0.02));
+    for (const double mr : {0.05, 0.25, 0.5, 0.8})
+        CHECK(material_ratio(ramp, material_height(ramp.heights, mr)) == Approx(mr).margin(0.006));
+}
+
 TEST_CASE("a plane has its own gradient and area, and is levelled to nothing", "[areal]") {
     const Profile plane = map_of({20, 30}, 0.1, 0.05, [](double x, double y) { return 3 + 2 * x - y; });
     const Derivatives of = derivatives(plane);

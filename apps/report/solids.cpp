@@ -1,4 +1,4 @@
-#include "apps/commands/profile/solids.hpp"
+#include "apps/report/solids.hpp"
 
 #include "apps/prompt/voice.hpp"
 #include "domain/text/atomic_file.hpp"
