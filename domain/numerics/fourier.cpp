@@ -1,11 +1,10 @@
 #include "domain/numerics/fourier.hpp"
 
 #include <algorithm>
-#include <complex>
+#include <array>
 #include <map>
 #include <mutex>
 #include <numbers>
-#include <type_traits>
 
 namespace rough {
 
@@ -17,13 +16,14 @@ std::mutex& planner() {
 }
 
 /// Plans are made under a lock: FFTW's planner is not thread-safe, its new-array execution is.
-template <typename Plan, typename Make>
-Plan cached(Extent shape, std::map<std::pair<Index, Index>, Plan>& plans, Make make) {
+template <typename Key, typename Plan, typename Make>
+Plan cached(const Key& key, std::map<Key, Plan>& plans, Make make) {
     const std::lock_guard guard(planner());
-    const std::pair key(shape.columns, shape.rows);
     const auto known = plans.find(key);
     return known != plans.end() ? known->second : plans.emplace(key, make()).first->second;
 }
+
+using ShapeKey = std::pair<Index, Index>;
 
 /// Numbers of the half-complex transform.
 Index half_of(Extent shape) { return (shape.columns / 2 + 1) * shape.rows; }
@@ -37,39 +37,65 @@ struct Sizes {
     const int* begin() const { return n + 2 - rank; }
 };
 
-using SinglePlan = Fftw<float>::Plan;
-
-SinglePlan single_fourier_plan(Extent shape) {
-    static std::map<std::pair<Index, Index>, SinglePlan> plans;
-    return cached(shape, plans, [shape] {
-        AlignedBuffer<float> real(shape.nodes());
-        AlignedBuffer<fftwf_complex> transform(half_of(shape));
-        const Sizes n(shape);
-        return SinglePlan{
-            fftwf_plan_dft_r2c(n.rank, n.begin(), real.data(), transform.data(), FFTW_ESTIMATE),
-            fftwf_plan_dft_c2r(n.rank, n.begin(), transform.data(), real.data(), FFTW_ESTIMATE)};
-    });
-}
+/// FFTW's functions in one precision.
+template <typename Real>
+struct Call;
+template <>
+struct Call<double> {
+    using Complex = fftw_complex;
+    static constexpr auto plan_forward = fftw_plan_many_dft_r2c;
+    static constexpr auto plan_backward = fftw_plan_many_dft_c2r;
+    static constexpr auto plan_complex = fftw_plan_many_dft;
+    static constexpr auto forward = fftw_execute_dft_r2c;
+    static constexpr auto backward = fftw_execute_dft_c2r;
+    static constexpr auto complex = fftw_execute_dft;
+};
+template <>
+struct Call<float> {
+    using Complex = fftwf_complex;
+    static constexpr auto plan_forward = fftwf_plan_many_dft_r2c;
+    static constexpr auto plan_backward = fftwf_plan_many_dft_c2r;
+    static constexpr auto plan_complex = fftwf_plan_many_dft;
+    static constexpr auto forward = fftwf_execute_dft_r2c;
+    static constexpr auto backward = fftwf_execute_dft_c2r;
+    static constexpr auto complex = fftwf_execute_dft;
+};
 
 template <typename Real>
-typename Fftw<Real>::Plan plan_of(Extent shape) {
-    if constexpr (std::is_same_v<Real, float>)
-        return single_fourier_plan(shape);
-    else
-        return fourier_plan(shape);
+typename Call<Real>::Complex* as_fftw(std::complex<Real>* numbers) {
+    return reinterpret_cast<typename Call<Real>::Complex*>(numbers);
 }
 
-void execute_forward(const FourierPlan& plan, double* real, fftw_complex* transform) {
-    fftw_execute_dft_r2c(plan.forward, real, transform);
-}
-void execute_forward(const SinglePlan& plan, float* real, fftwf_complex* transform) {
-    fftwf_execute_dft_r2c(plan.forward, real, transform);
-}
-void execute_backward(const FourierPlan& plan, fftw_complex* transform, double* real) {
-    fftw_execute_dft_c2r(plan.backward, transform, real);
-}
-void execute_backward(const SinglePlan& plan, fftwf_complex* transform, float* real) {
-    fftwf_execute_dft_c2r(plan.backward, transform, real);
+/// Columns that are transformed together: as many as fit the first cache, in whole lines of the rows.
+constexpr Index column_block = 8;
+/// From one of them to the next: a power of two would put them all in the same places of the cache.
+constexpr Index column_stride(Index rows) { return rows + column_block; }
+
+/// Of the first `rows` of padded rows; the others are zeros.
+template <typename Real>
+RowColumnPlan<Real> row_column_plan(Index rows, Extent padded) {
+    static std::map<std::array<Index, 3>, RowColumnPlan<Real>> plans;
+    return cached(std::array{rows, padded.columns, padded.rows}, plans, [&] {
+        using Fftw = Call<Real>;
+        const int n = static_cast<int>(padded.columns), m = static_cast<int>(padded.rows), half = n / 2 + 1,
+                  many = static_cast<int>(rows), block = static_cast<int>(column_block),
+                  stride = static_cast<int>(column_stride(padded.rows));
+        AlignedBuffer<Real> real(rows * padded.columns);
+        AlignedBuffer<std::complex<Real>> transform(rows * half),
+            columns(column_block * column_stride(padded.rows));
+        auto* wave = as_fftw(transform.data());
+        auto* column = as_fftw(columns.data());
+        const auto along_y = [&](int sign) {
+            return m == 1 ? nullptr
+                          : Fftw::plan_complex(1, &m, block, column, nullptr, 1, stride, column, nullptr, 1,
+                                               stride, sign, FFTW_ESTIMATE);
+        };
+        return RowColumnPlan<Real>{Fftw::plan_forward(1, &n, many, real.data(), nullptr, 1, n, wave, nullptr,
+                                                      1, half, FFTW_ESTIMATE),
+                                   Fftw::plan_backward(1, &n, many, wave, nullptr, 1, half, real.data(),
+                                                       nullptr, 1, n, FFTW_ESTIMATE),
+                                   along_y(FFTW_FORWARD), along_y(FFTW_BACKWARD)};
+    });
 }
 
 } // namespace
@@ -77,8 +103,8 @@ void execute_backward(const SinglePlan& plan, fftwf_complex* transform, float* r
 FourierPlan fourier_plan(Index length) { return fourier_plan(Extent{length}); }
 
 FourierPlan fourier_plan(Extent shape) {
-    static std::map<std::pair<Index, Index>, FourierPlan> plans;
-    return cached(shape, plans, [shape] {
+    static std::map<ShapeKey, FourierPlan> plans;
+    return cached(ShapeKey(shape.columns, shape.rows), plans, [shape] {
         AlignedBuffer<double> real(shape.nodes());
         AlignedBuffer<fftw_complex> transform(half_of(shape));
         const Sizes n(shape);
@@ -89,8 +115,8 @@ FourierPlan fourier_plan(Extent shape) {
 }
 
 FourierPlan complex_fourier_plan(Extent shape) {
-    static std::map<std::pair<Index, Index>, FourierPlan> plans;
-    return cached(shape, plans, [shape] {
+    static std::map<ShapeKey, FourierPlan> plans;
+    return cached(ShapeKey(shape.columns, shape.rows), plans, [shape] {
         AlignedBuffer<fftw_complex> work(shape.nodes());
         const Sizes n(shape);
         return FourierPlan{
@@ -122,8 +148,10 @@ Index fast_fourier_length(Index length) {
 
 template <typename Real>
 BasicFourierOperator<Real>::BasicFourierOperator(Extent shape, Extent padded)
-    : shape_(shape), padded_(padded), plan_(plan_of<Real>(padded)), half_(half_of(padded)),
-      real_(padded.nodes()), spectrum_(half_), transform_(half_) {}
+    : shape_(shape), padded_(padded), half_(padded.columns / 2 + 1),
+      plan_(row_column_plan<Real>(shape.rows, padded)), real_(shape.rows * padded.columns),
+      spectrum_(half_ * padded.rows), transform_(half_ * shape.rows),
+      columns_(padded.rows == 1 ? 0 : column_block * column_stride(padded.rows)) {}
 
 template <typename Real>
 BasicFourierOperator<Real> BasicFourierOperator<Real>::toeplitz(const Eigen::VectorXd& first_column,
@@ -132,7 +160,7 @@ BasicFourierOperator<Real> BasicFourierOperator<Real>::toeplitz(const Eigen::Vec
     const Index columns = padded(shape.columns), rows = shape.rows == 1 ? 1 : padded(shape.rows);
     BasicFourierOperator op(shape, {columns, rows});
     AlignedBuffer<double> column(columns * rows);
-    AlignedBuffer<fftw_complex> transform(op.half_);
+    AlignedBuffer<fftw_complex> transform(op.half_ * rows);
     std::fill_n(column.data(), columns * rows, 0.0);
     for (Index j = 0; j < shape.rows; ++j)
         for (const Index row : {j, j == 0 ? 0 : rows - j}) {
@@ -141,9 +169,11 @@ BasicFourierOperator<Real> BasicFourierOperator<Real>::toeplitz(const Eigen::Vec
             for (Index i = 1; i < shape.columns; ++i)
                 values[i] = values[columns - i] = first_column[j * shape.columns + i];
         }
-    execute_forward(fourier_plan(op.padded_), column.data(), transform.data());
-    for (Index k = 0; k < op.half_; ++k)
-        op.spectrum_[k] = static_cast<Real>(transform[k][0] / static_cast<double>(op.padded_.nodes()));
+    fftw_execute_dft_r2c(fourier_plan(op.padded_).forward, column.data(), transform.data());
+    for (Index j = 0; j < rows; ++j)
+        for (Index k = 0; k < op.half_; ++k)
+            op.spectrum_[k * rows + j] =
+                static_cast<Real>(transform[j * op.half_ + k][0] / static_cast<double>(op.padded_.nodes()));
     return op;
 }
 
@@ -151,13 +181,17 @@ template <typename Real>
 BasicFourierOperator<Real> BasicFourierOperator<Real>::circulant(Extent shape,
                                                                  const Eigen::VectorXd& eigenvalues) {
     BasicFourierOperator op(shape, shape);
-    for (Index k = 0; k < op.half_; ++k)
-        op.spectrum_[k] = static_cast<Real>(eigenvalues[k] / static_cast<double>(shape.nodes()));
+    for (Index j = 0; j < shape.rows; ++j)
+        for (Index k = 0; k < op.half_; ++k)
+            op.spectrum_[k * shape.rows + j] =
+                static_cast<Real>(eigenvalues[j * op.half_ + k] / static_cast<double>(shape.nodes()));
     return op;
 }
 
 template <typename Real>
 void BasicFourierOperator<Real>::spread() {
+    if (padded_.columns == shape_.columns)
+        return;
     Real* real = real_.data();
     for (Index j = shape_.rows - 1; j >= 0; --j) {
         Real* row = real + j * padded_.columns;
@@ -166,28 +200,57 @@ void BasicFourierOperator<Real>::spread() {
                                row + shape_.columns);
         std::fill(row + shape_.columns, row + padded_.columns, Real(0));
     }
-    std::fill(real + shape_.rows * padded_.columns, real + padded_.nodes(), Real(0));
 }
 
 template <typename Real>
 void BasicFourierOperator<Real>::gather() {
     Real* real = real_.data();
-    for (Index j = 1; j < shape_.rows; ++j)
-        std::copy_n(real + j * padded_.columns, shape_.columns, real + j * shape_.columns);
+    if (padded_.columns != shape_.columns)
+        for (Index j = 1; j < shape_.rows; ++j)
+            std::copy_n(real + j * padded_.columns, shape_.columns, real + j * shape_.columns);
+}
+
+/// Entries of the half-complex transform by the operator's eigenvalues.
+template <typename Real>
+static void multiply(std::complex<Real>* numbers, const Real* eigenvalues, Index count) {
+    for (Index k = 0; k < count; ++k)
+        numbers[k] *= eigenvalues[k];
+}
+
+template <typename Real>
+void BasicFourierOperator<Real>::multiply_columns() {
+    const Index rows = padded_.rows, stride = column_stride(rows);
+    std::complex<Real>* block = columns_.data();
+    auto* planned = as_fftw(block);
+    for (Index first = 0; first < half_; first += column_block) {
+        const Index count = std::min(column_block, half_ - first);
+        std::complex<Real>* corner = transform_.data() + first;
+        for (Index j = 0; j < shape_.rows; ++j)
+            for (Index c = 0; c < count; ++c)
+                block[c * stride + j] = corner[j * half_ + c];
+        for (Index c = 0; c < column_block; ++c)
+            std::fill(block + c * stride + (c < count ? shape_.rows : 0), block + c * stride + rows,
+                      std::complex<Real>());
+        Call<Real>::complex(plan_.columns_forward, planned, planned);
+        for (Index c = 0; c < count; ++c)
+            multiply(block + c * stride, spectrum_.data() + (first + c) * rows, rows);
+        Call<Real>::complex(plan_.columns_backward, planned, planned);
+        for (Index j = 0; j < shape_.rows; ++j)
+            for (Index c = 0; c < count; ++c)
+                corner[j * half_ + c] = block[c * stride + j];
+    }
 }
 
 template <typename Real>
 const Real* BasicFourierOperator<Real>::apply() {
     Real* real = real_.data();
     spread();
-    execute_forward(plan_, real, transform_.data());
-    auto* transform = transform_.data();
-    const Real* spectrum = spectrum_.data();
-    for (Index k = 0; k < half_; ++k) {
-        transform[k][0] *= spectrum[k];
-        transform[k][1] *= spectrum[k];
-    }
-    execute_backward(plan_, transform, real);
+    Call<Real>::forward(plan_.rows_forward, real, as_fftw(transform_.data()));
+    if (padded_.rows == 1)
+        multiply(transform_.data(), spectrum_.data(), half_);
+    else
+        multiply_columns();
+    Call<Real>::backward(plan_.rows_backward, as_fftw(transform_.data()), real);
     gather();
     return real;
 }

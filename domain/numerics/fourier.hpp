@@ -4,6 +4,8 @@
 
 #include <fftw3.h>
 
+#include <complex>
+#include <type_traits>
 #include <vector>
 
 namespace rough {
@@ -28,29 +30,24 @@ bool is_good_fourier_length(Index length);
 /// Smallest even 2^a 3^b 5^c that is no smaller than `length`.
 Index fast_fourier_length(Index length);
 
-/// FFTW's types in one precision.
+/// FFTW's plan in one precision.
 template <typename Real>
-struct Fftw;
-/// In double precision, planned by fourier_plan.
-template <>
-struct Fftw<double> {
-    using Complex = fftw_complex; ///< real and imaginary part
-    using Plan = FourierPlan;     ///< both directions
-};
-/// In single precision.
-template <>
-struct Fftw<float> {
-    using Complex = fftwf_complex; ///< real and imaginary part
-    /// both directions
-    struct Plan {
-        fftwf_plan forward;  ///< real to half-complex, unnormalised
-        fftwf_plan backward; ///< its inverse, times the length
-    };
+using Plan = std::conditional_t<std::is_same_v<Real, float>, fftwf_plan, fftw_plan>;
+
+/// Transforms of rows, then of columns: all rows at once, real to half-complex and back, and some columns of
+/// what that gives, laid one after another; of a line there are none. Unnormalised, as fourier_plan's.
+template <typename Real>
+struct RowColumnPlan {
+    Plan<Real> rows_forward;     ///< real to half-complex
+    Plan<Real> rows_backward;    ///< its inverse, times the length
+    Plan<Real> columns_forward;  ///< complex, in place
+    Plan<Real> columns_backward; ///< its inverse, times the length
 };
 
 /// u = T p for a symmetric circulant (its eigenvalues given) or Toeplitz matrix (its first column given,
 /// padded with zeros), by FFT in double or single precision; on an area circulant or Toeplitz along both axes
-/// and symmetric in each. One object serves one thread at a time.
+/// and symmetric in each: there columns are transformed, multiplied and transformed back a few at a time,
+/// while they are in the cache, and rows of zeros not at all. One object serves one thread at a time.
 template <typename Real>
 class BasicFourierOperator {
   public:
@@ -77,13 +74,14 @@ class BasicFourierOperator {
 
   private:
     BasicFourierOperator(Extent shape, Extent padded);
-    void spread(); ///< from N entries to the padded rows
-    void gather(); ///< back
+    void spread();           ///< from N entries to the padded rows
+    void gather();           ///< back
+    void multiply_columns(); ///< along y, by the eigenvalues
     Extent shape_, padded_;
-    typename Fftw<Real>::Plan plan_;
-    Index half_; ///< of the half-complex transform, all rows
-    AlignedBuffer<Real> real_, spectrum_;
-    AlignedBuffer<typename Fftw<Real>::Complex> transform_;
+    Index half_; ///< numbers of a half-complex row
+    RowColumnPlan<Real> plan_;
+    AlignedBuffer<Real> real_, spectrum_; ///< eigenvalues column after column
+    AlignedBuffer<std::complex<Real>> transform_, columns_;
 };
 /// In double precision.
 using FourierOperator = BasicFourierOperator<double>;

@@ -175,16 +175,32 @@ class ActiveSet {
 
     /// Under a load the approach is what the nodes in contact say in the mean.
     void follow(double& approach) const {
-        if (!sum_ || load_.pressure.maxCoeff() <= 0)
+        if (!sum_)
             return;
         double sum = 0;
         Index count = 0;
-        for (Index i = 0; i < problem_.nodes(); ++i)
+        for (const int i : set_.nodes())
             if (load_.pressure[i] > 0) {
                 sum += problem_.gap[i] + load_.displacement[i];
                 ++count;
             }
-        approach = sum / static_cast<double>(count);
+        if (count > 0)
+            approach = sum / static_cast<double>(count);
+    }
+
+    /// Looks how deep every node is.
+    void look(double& approach) {
+        follow(approach);
+        depth_ = approach - (problem_.gap + load_.displacement).array();
+    }
+
+    /// As it was looked at, over the approach.
+    double residual(double approach) const {
+        double worst = std::max(0.0, depth_.maxCoeff());
+        for (const int i : set_.nodes())
+            if (load_.pressure[i] > 0)
+                worst = std::max(worst, -depth_[i]);
+        return worst / approach;
     }
 
     double residual(const Loaded& x, double approach) const {
@@ -209,14 +225,13 @@ class ActiveSet {
         double target = 1;
         for (int round = 0; round < most_rounds; ++round) {
             check_stop(options_);
-            double worst = 0;
             change_set(approach, 0.3 * tolerance * approach,
-                       std::min(rough_accuracy, 0.1 * target) * approach, worst);
-            worst = residual(load_, approach);
+                       std::min(rough_accuracy, 0.1 * target) * approach);
+            double worst = residual(approach);
             if (worst <= tolerance) {
                 solver_.load(load_, product_, 0.1 * tolerance * approach); // unless it is as good already
-                follow(approach);
-                worst = residual(load_, approach);
+                look(approach);
+                worst = residual(approach);
             }
             if (worst <= tolerance)
                 return;
@@ -230,9 +245,11 @@ class ActiveSet {
         for (int round = 0; round < most_rounds; ++round) {
             check_stop(options_);
             const double least = 0.3 * std::min(target, tolerance) * approach;
-            double worst = 0;
             const double accuracy = std::min(rough_accuracy, 0.1 * target) * approach;
-            if (change_set(approach, least, accuracy, worst)) {
+            if (change_set(approach, least, accuracy)) {
+                double worst = 0;
+                for (const int i : set_.nodes())
+                    worst = std::max(worst, std::abs(depth_[i]) / approach);
                 // The next change is looked for at a residual well under what caused this one.
                 target = std::max(finest, loosening * worst);
             } else if (target > tolerance) {
@@ -251,8 +268,8 @@ class ActiveSet {
     }
 
     /// Drops the nodes under tension, adds those that penetrate by more than `least`, known to `accuracy`;
-    /// false if there are none. `worst` becomes the largest residual that this leaves, over the approach.
-    bool change_set(double& approach, double least, double accuracy, double& worst) {
+    /// false if there are none.
+    bool change_set(double& approach, double least, double accuracy) {
         std::vector<int> dropped;
         for (const int i : set_.nodes())
             if (!(load_.pressure[i] > 0))
@@ -271,8 +288,7 @@ class ActiveSet {
         if (stale_ || !dropped.empty())
             solver_.load(load_, product_, accuracy);
         stale_ = false;
-        follow(approach);
-        depth_ = approach - (problem_.gap + load_.displacement).array();
+        look(approach);
         const std::vector<int> added = dropped.empty() || problem_.is_area()
                                            ? advancing_nodes(depth_, set_.touching(), problem_.shape, least)
                                            : std::vector<int>();
@@ -280,9 +296,6 @@ class ActiveSet {
             set_.insert(i);
         if (!dropped.empty() || !added.empty())
             set_.collect();
-        worst = 0;
-        for (const int i : set_.nodes())
-            worst = std::max(worst, std::abs(depth_[i]) / approach);
         return !dropped.empty() || !added.empty();
     }
 

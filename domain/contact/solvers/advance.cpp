@@ -45,6 +45,10 @@ std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<
                                  double least) {
     auto touches = [&](Index i) { return touching[static_cast<std::size_t>(i)] != 0; };
     auto penetrates = [&](Index i) { return depth[i] > least && !touches(i); };
+    std::vector<int> deep;
+    for (Index i = 0; i < depth.size(); ++i)
+        if (penetrates(i))
+            deep.push_back(static_cast<int>(i));
     std::vector<std::pair<double, int>> found;
     const auto take = [&](Index i, const Doubt& doubt) {
         const double share =
@@ -53,23 +57,26 @@ std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<
             found.emplace_back(share, static_cast<int>(i));
     };
     const Index columns = shape.columns;
-    std::vector<Doubt> along_y(shape.rows > 1 ? static_cast<std::size_t>(depth.size()) : 0);
-    if (shape.rows > 1)
-        for (Index i = 0; i < depth.size(); ++i) // by the first node of each run, rows in their order
-            if (penetrates(i) && (i < columns || !penetrates(i - columns)))
+    const bool area = shape.rows > 1;
+    std::vector<Doubt> along_y(area ? deep.size() : 0);
+    const auto of_y = [&](Index i) -> Doubt& {
+        return along_y[static_cast<std::size_t>(std::lower_bound(deep.begin(), deep.end(), i) -
+                                                deep.begin())];
+    };
+    if (area)
+        for (const Index i : deep) // by the first node of each run
+            if (i < columns || !penetrates(i - columns))
                 judge_run(depth, i, columns, i / columns, shape.rows, penetrates, touches,
-                          [&](Index k, const Doubt& doubt) { along_y[static_cast<std::size_t>(k)] = doubt; });
-    for (Index j = 0; j < shape.rows; ++j)
-        for (Index i = 0; i < columns; ++i)
-            if (penetrates(j * columns + i))
-                i += judge_run(depth, j * columns + i, 1, i, columns, penetrates, touches,
-                               [&](Index k, const Doubt& along_x) {
-                                   if (shape.rows == 1)
-                                       return take(k, along_x);
-                                   const Doubt& other = along_y[static_cast<std::size_t>(k)];
-                                   take(k, {std::min(along_x.edge, other.edge),
-                                            std::max(along_x.deepest, other.deepest)});
-                               });
+                          [&](Index k, const Doubt& doubt) { of_y(k) = doubt; });
+    for (const Index i : deep)
+        if (i % columns == 0 || !penetrates(i - 1))
+            judge_run(
+                depth, i, 1, i % columns, columns, penetrates, touches, [&](Index k, const Doubt& along_x) {
+                    if (!area)
+                        return take(k, along_x);
+                    const Doubt& other = of_y(k);
+                    take(k, {std::min(along_x.edge, other.edge), std::max(along_x.deepest, other.deepest)});
+                });
     std::sort(found.begin(), found.end());
     std::vector<int> nodes;
     for (const auto& entry : found)

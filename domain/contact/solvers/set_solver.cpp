@@ -72,6 +72,15 @@ SingleFourierOperator preconditioner(const ContactProblem& problem) {
     return SingleFourierOperator::circulant(shape, inverse_circulant(problem, shape));
 }
 
+/// y += factor x, and the largest |x|. Plain loops: Eigen leaves casts to one number at a time.
+float add(double factor, const float* x, Eigen::VectorXd& y) {
+    const Index n = y.size();
+    double* into = y.data();
+    for (Index i = 0; i < n; ++i)
+        into[i] += factor * static_cast<double>(x[i]);
+    return Eigen::VectorXf::Map(x, n).cwiseAbs().maxCoeff();
+}
+
 } // namespace
 
 void ContactSet::collect() {
@@ -99,11 +108,13 @@ void SetSolver::load(Loaded& x, KnownProduct& known, double accuracy) {
         const Eigen::VectorXd change = x.pressure - known.pressure;
         const double scale = change.cwiseAbs().maxCoeff();
         if (scale > 0) {
-            Eigen::VectorXf::Map(single_.input(), n) = (change * (1 / scale)).cast<float>();
-            const auto moved = Eigen::VectorXf::Map(single_.apply(), n);
+            const double inverse = 1 / scale;
+            float* input = single_.input();
+            for (Index i = 0; i < n; ++i)
+                input[i] = static_cast<float>(change[i] * inverse);
+            const float most = add(scale, single_.apply(), known.displacement);
             ++applies_;
-            known.displacement += scale * moved.cast<double>();
-            known.blur += single_rounding * scale * static_cast<double>(moved.cwiseAbs().maxCoeff());
+            known.blur += single_rounding * scale * static_cast<double>(most);
         }
         if (known.blur <= accuracy) { // false for what is no number
             known.pressure = x.pressure;
@@ -191,10 +202,8 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                 break;
             const double step = rz / curvature;
             if (known) {
-                const auto product = Eigen::VectorXf::Map(single_.applied(), x.pressure.size());
-                known->displacement += (step * scale) * product.cast<double>();
-                known->blur += single_rounding * std::abs(step * scale) *
-                               static_cast<double>(product.cwiseAbs().maxCoeff());
+                const float most = add(step * scale, single_.applied(), known->displacement);
+                known->blur += single_rounding * std::abs(step * scale) * static_cast<double>(most);
             }
             r -= step * hq;
             centre();
