@@ -6,7 +6,6 @@
 #include "apps/report/units.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/contact/pressure_and_gap.hpp"
-#include "domain/contact/spots.hpp"
 
 namespace app {
 
@@ -85,10 +84,11 @@ std::string page_of_area(const ContactShown& shown) {
     const auto steps = shown_steps(shown.response.steps());
     const rough::ContactCurve curve = solved_anew(shown, steps);
     Page page = begun(shown, std::to_string(grid.nodes) + " x " + std::to_string(grid.rows));
-    Table table{"",
-                {"Mean pressure", "p/E*", "Contact", "Spots", "Largest spot, mm²", "Highest pressure"},
-                {},
-                std::vector<bool>(6, true)};
+    Table table{
+        "",
+        {"Mean pressure", "p/E*", "Contact", "Spots", "Largest spot, mm²", "Highest pressure", "Mean gap"},
+        {},
+        std::vector<bool>(7, true)};
     Figure figure{"area",
                   "Heights and pressure.",
                   "At the mean pressures over the pictures.",
@@ -96,14 +96,15 @@ std::string page_of_area(const ContactShown& shown) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const rough::LoadStep& step = curve.steps[i];
         const rough::ContactState& state = curve.states[i];
-        const auto spots = rough::contact_spots(state.nodes, grid.shape(), grid.wraps);
-        const Unit mean = pressure_unit(step.pressure), top = pressure_unit(state.pressure.maxCoeff());
+        const rough::Interface at = interface_at(shown.profile, shown.model.body, step, state);
+        const double gap = at.gap.mean();
+        const Unit mean = pressure_unit(step.pressure), top = pressure_unit(state.pressure.maxCoeff()),
+                   open = length_unit(gap);
         const std::string label = readable(mean.factor * step.pressure) + " " + mean.name;
-        table.rows.push_back(
-            {label, readable(step.pressure / shown.model.body.effective_modulus),
-             percent(step.contact_fraction), std::to_string(spots.size()),
-             readable(static_cast<double>(spots.front()) * grid.spacing() * grid.row_spacing()),
-             readable(top.factor * state.pressure.maxCoeff()) + " " + top.name});
+        table.rows.push_back({label, readable(step.pressure / shown.model.body.effective_modulus),
+                              percent(step.contact_fraction), std::to_string(at.spots), readable(at.widest),
+                              readable(top.factor * state.pressure.maxCoeff()) + " " + top.name,
+                              readable(open.factor * gap) + " " + open.name});
         figure.panels.push_back(pressure_plot(grid, state, label));
     }
     page.section("On the surface");

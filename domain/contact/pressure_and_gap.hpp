@@ -4,17 +4,17 @@
 
 namespace rough {
 
-/// What a profile and the body do to each other along the profile at one load step.
+/// What a surface and the body do to each other at one load step: along a profile, or at an area's nodes.
 struct Interface {
     Eigen::VectorXd pressure; ///< at every node, MPa; 0 off contact
-    Eigen::VectorXd gap;      ///< between the deformed body and the profile, mm; about 0 in contact
-    Index spots = 0;          ///< runs of neighbouring contact nodes; periodic bodies join the ends
-    double widest = 0;        ///< spot, mm: its nodes times their spacing
+    Eigen::VectorXd gap;      ///< between the deformed body and the surface, mm; about 0 in contact
+    Index spots = 0;          ///< of neighbouring contact nodes; periodic bodies join the ends
+    double widest = 0;        ///< spot, mm: its nodes times their spacing; of an area its size, mm^2
 };
 
 /// The interface at a load step that solve_contact gave of the profile on this body, with its state: the
-/// pressures, and the gap u - (Delta - g0) by an FFT of them. The body is completed for the profile's length.
-Interface interface_at(const Profile& profile, const Body& body, const LoadStep& step,
+/// pressures, and the gap u - (Delta - g0) by an FFT of them. The body is completed for the surface's length.
+Interface interface_at(const Profile& surface, const Body& body, const LoadStep& step,
                        const ContactState& state);
 
 } // namespace rough

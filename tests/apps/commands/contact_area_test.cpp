@@ -56,6 +56,7 @@ TEST_CASE("an area's page shows where it touches, with as many spots as the tabl
     const auto last = page.rfind("<tr");
     CHECK(page.find("On the surface") != std::string::npos);
     CHECK(page.find(">3</td>", last) != std::string::npos);
+    CHECK(page.find("Mean gap") != std::string::npos);
     std::size_t pictures = 0;
     for (auto at = page.find("<image"); at != std::string::npos; at = page.find("<image", at + 1))
         ++pictures;

@@ -1,4 +1,6 @@
 #include "domain/contact/pressure_and_gap.hpp"
+#include "domain/contact/spots.hpp"
+#include "tests/domain/contact/maps.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
@@ -45,4 +47,23 @@ TEST_CASE("two equal waves touch in two spots, which a periodic body joins acros
     const Interface at = interface_at(profile, body, curve.steps[0], curve.states[0]);
     CHECK(at.spots == 2); // one of them about x = 0
     CHECK(2 * at.widest == Approx(0.01 * double(curve.steps[0].contact_nodes)));
+}
+
+TEST_CASE("on an area pressure and gap exclude each other, and a periodic body's displacement has no mean",
+          "[areas]") {
+    const Profile map = maps::self_affine(40, 0.8, 2, 0.1);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
+        const Body body{.kernel = kernel, .effective_modulus = 7};
+        const double delta = 0.4 * (map.heights.maxCoeff() - map.heights.mean());
+        const auto curve = solve_contact(map, body, {delta}, with_states());
+        const Interface at = interface_at(map, body, curve.steps[0], curve.states[0]);
+        CHECK((at.pressure.array() * at.gap.array()).abs().maxCoeff() <
+              1e-5 * at.pressure.maxCoeff() * delta);
+        CHECK(at.gap.minCoeff() > -1e-5 * delta);
+        if (kernel == Kernel::periodic)
+            CHECK(at.gap.mean() == Approx(map.heights.maxCoeff() - map.heights.mean() - delta));
+        const auto spots = contact_spots(curve.states[0].nodes, {40, 40}, kernel == Kernel::periodic);
+        CHECK(at.spots == static_cast<Index>(spots.size()));
+        CHECK(at.widest == Approx(static_cast<double>(spots[0]) * map.spacing * map.row_spacing));
+    }
 }
