@@ -96,6 +96,11 @@ void add_grids(Page& page, const Race& race) {
         table.rows.push_back(std::move(row));
     }
     page.table(table);
+    for (const RaceTarget& target : race.targets)
+        for (const RaceVariant& variant : target.variants)
+            if (!variant.runs.empty())
+                for (const std::string& note : variant.median_run().run.notes)
+                    page.prose(target.setup.targets[0].name + ", " + variant.name + ": " + note + ".");
 }
 
 void add_target(Page& page, const Race& race, const RaceTarget& target, std::size_t number) {
