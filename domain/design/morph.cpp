@@ -13,6 +13,12 @@ namespace rough {
 namespace {
 
 constexpr int first_try = 20, second_try = 12; ///< curves with derivatives, at most
+/// A try ends that has not yet met where so many of them in a row have not bettered the worst misfit by this
+/// share: most of those that cannot meet do not, and would take longest.
+constexpr int patience = 6;
+constexpr double betterment = 0.02;
+/// Another way must find a point that is nearer by this share to be gone on with.
+constexpr double worth_another_try = 0.01;
 /// Share of the misfit allowed that is aimed at, as a step ends near its bounds and not on them.
 constexpr double aimed = 0.98;
 /// Misfits are told in units of what is wanted, which is no less than this.
@@ -102,6 +108,8 @@ class LeastChange {
     }
 
     bool meets() const { return best_.merit > 0; }
+    /// Of the best point so far: above 0 where it meets, else less the worst misfit.
+    double merit() const { return best_.merit; }
     const Eigen::VectorXd& best() const { return best_.x; }
 
     /// Sequential quadratic programming from the best point so far.
@@ -118,6 +126,7 @@ class LeastChange {
         ga::NloptSearch search(nlopt::LD_SLSQP, lower, upper, 10 * evaluations);
         search->set_ftol_rel(1e-4);
         const long last = phases_.asked + evaluations;
+        bettered_ = phases_.asked;
         search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
             if (gradient)
                 Eigen::Map<Eigen::VectorXd>(gradient, n + 1) << x.head(n), cost_of_misfit;
@@ -127,7 +136,7 @@ class LeastChange {
             using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
             Eigen::Map<Eigen::VectorXd> values(c, 2 * rows);
             values.setZero();
-            if (phases_.asked >= last) {
+            if (phases_.asked >= (meets() ? last : std::min(last, bettered_ + patience))) {
                 search->force_stop();
                 return;
             }
@@ -160,13 +169,17 @@ class LeastChange {
     const ga::Sensitivity& look(const Eigen::VectorXd& x) {
         const ga::Sensitivity& rows = phases_.look(x).rows;
         const double worst = rows.residuals.cwiseAbs().maxCoeff();
-        best_.offer(x, worst <= allowed_ ? 1 / (1 + x.norm()) : -worst);
+        const double merit = worst <= allowed_ ? 1 / (1 + x.norm()) : -worst;
+        if (merit > best_.merit + betterment * std::abs(best_.merit))
+            bettered_ = phases_.asked;
+        best_.offer(x, merit);
         return rows;
     }
 
     Phases& phases_;
     double allowed_;
     ga::BestPoint best_;
+    long bettered_ = 0; ///< phases_.asked when the best point last got markedly better
 };
 
 std::vector<PointOff> points_off(const DesignSetup& setup, const std::vector<Eigen::VectorXd>& misfits,
@@ -223,8 +236,10 @@ Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<
     if (!search.meets())
         search.nearest(first_try);
     if (!search.meets()) {
+        const double before = search.merit();
         search.least_misfit(second_try);
-        search.nearest(second_try);
+        if (search.merit() > before + worth_another_try * std::abs(before))
+            search.nearest(second_try);
     }
     const Eigen::VectorXd& x = search.best();
 
