@@ -7,7 +7,6 @@
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/parallel.hpp"
-#include "ga/stopwatch.hpp"
 
 namespace app {
 
@@ -27,6 +26,18 @@ std::vector<Setting> Experiment::all_settings() const {
           {"experiment.threads", "0", "threads, where no time is measured; 0 takes all"}},
          settings});
 }
+
+namespace {
+
+std::string in_one(const Settings& settings) {
+    std::string text;
+    for (const std::string& name : settings.names_under(""))
+        if (name != "experiment.threads")
+            text += name + "=" + settings.text(name) + "\n";
+    return text;
+}
+
+} // namespace
 
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request) {
     const ga::Stopwatch clock;
@@ -51,7 +62,8 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
         Progress progress;
         const Origin origin{RUGOSA_VERSION, request.command, settings.seed("experiment.seed"),
                             ga::thread_count(settings.threads("experiment.threads"))};
-        found = experiment.run(settings, {origin, progress, interrupt.flag(), folder, request.resume});
+        found = experiment.run(
+            settings, {origin, progress, interrupt.flag(), folder, request.resume, in_one(settings)});
         output.restored();
         if (found.write)
             found.write();

@@ -3,6 +3,7 @@
 #include "apps/prompt/progress.hpp"
 #include "apps/prompt/settings.hpp"
 #include "apps/report/record.hpp"
+#include "ga/stopwatch.hpp"
 
 #include <atomic>
 #include <filesystem>
@@ -18,6 +19,8 @@ struct Conditions {
     const std::atomic<bool>& stop; ///< somebody asks it to end, with what was found so far
     std::filesystem::path folder;  ///< its results go there
     bool resume = false;           ///< go on from the checkpoints that are there
+    std::string settings = {};     ///< those given, in one text; threads left out, as they change nothing
+    ga::Stopwatch clock = {};      ///< since it began
 };
 
 /// What an experiment found, to be written once it has ended.

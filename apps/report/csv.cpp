@@ -48,6 +48,23 @@ void Csv::put(const std::string& given) {
 
 void Csv::put(double number) { put_number(text_, number); }
 
+void Csv::add(const nlohmann::json& row) {
+    nlohmann::json named = nlohmann::json::object();
+    for (std::size_t c = 0; c < names_.size(); ++c) {
+        const nlohmann::json value = row.value(names_[c], nlohmann::json());
+        text_ << (c ? "," : "");
+        if (value.is_string())
+            put(value.get<std::string>());
+        else if (value.is_number_integer())
+            put(value.get<long>());
+        else if (value.is_number())
+            put(value.get<double>());
+        named[names_[c]] = value;
+    }
+    text_ << "\n";
+    rows_.push_back(std::move(named));
+}
+
 std::string csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns) {
     rough::PlainStream out;
     out.precision(17);

@@ -33,6 +33,9 @@ class Csv {
         rows_.push_back(std::move(row));
     }
 
+    /// A row by the names of the header; a value that is null, or not there, leaves its cell empty.
+    void add(const nlohmann::json& row);
+
     std::string text() const { return text_.str(); }
     /// The rows, each an object of the header's names.
     const nlohmann::json& rows() const { return rows_; }

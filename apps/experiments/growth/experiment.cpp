@@ -1,20 +1,14 @@
-#include "apps/experiments/experiment.hpp"
-
 #include "apps/experiments/growth/run.hpp"
 #include "apps/experiments/paper/variant_runs.hpp"
+#include "apps/experiments/study.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/target_files.hpp"
-#include "apps/report/csv.hpp"
-#include "apps/report/output.hpp"
-#include "apps/report/result.hpp"
 #include "domain/database/law.hpp"
 #include "domain/design/search.hpp"
 #include "domain/errors.hpp"
 #include "domain/target/similarity.hpp"
-#include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
 #include "ga/parallel.hpp"
-#include "ga/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +19,7 @@ namespace app {
 namespace {
 
 using ga::best, ga::refine, ga::score;
+using nlohmann::json;
 using rough::Genome;
 using Population = ga::Population<Genome>;
 
@@ -39,17 +34,26 @@ struct Stored {
     Scores scores;
 };
 
-class Trial {
+/// What SOG, GCO or CCO paid and found on its way.
+struct Way {
+    std::size_t u1 = 0, u2 = 0; ///< genomes above 0.95 at low and at high pressure, "at least 3" included
+    long pairs = 0;             ///< distinct ones that were tried: |U3| = u1 u2, where it is not capped
+    long given_up = 0;          ///< of them, as an exact bound showed that they are not among the best
+    double best_child = NAN;    ///< before refinement
+    long curves = 0;            ///< the database's, Algorithm 1's, the children's and the refinement's
+};
+
+class GrowthTrial {
   public:
-    Trial(const Settings& settings, const Conditions& conditions, Growth& growth)
-        : conditions_(conditions), growth_(growth), model_(model_from(settings, "model.")),
+    GrowthTrial(const Settings& settings, const Conditions& conditions)
+        : conditions_(conditions), model_(model_from(settings, "model.")),
           max_pressure_(settings.pressure("targets.max-pressure")),
+          most_pairs_(static_cast<std::uint64_t>(settings.whole("growth.pairs", 9, 100000000))),
           seeds_(settings.whole("growth.seeds", 1, 100)),
           budget_(settings.whole("growth.budget", 1, 1000000000)) {
         law_.lambda = model_.grid.length;
         law_.shortest = model_.grid.spacing();
-        law_.seed = growth.origin.seed;
-        growth.most_pairs = static_cast<std::uint64_t>(settings.whole("growth.pairs", 9, 100000000));
+        law_.seed = conditions.origin.seed;
         for (const auto& word : rough::listed(settings.text("growth.sizes"))) {
             const double size = rough::number_from(word, settings.place("growth.sizes"));
             if (!(size >= 10) || size > 1e7 || size != std::floor(size) ||
@@ -58,54 +62,66 @@ class Trial {
                                         " given, expected whole numbers from 10 to 1e7, increasing");
             sizes_.push_back(static_cast<std::uint64_t>(size));
         }
-        for (const auto& file : target_files(settings, "targets.files")) {
-            growth.targets.push_back({rough::read_target(file), {}, {}});
-            growth.targets.back().target.name = file.stem().string();
-        }
+        for (rough::Target& target : named_targets(settings, "targets.files"))
+            targets_.push_back({std::move(target), json::array(), json::array()});
     }
 
-    void run() {
-        for (GrowthTarget& target : growth_.targets) {
-            target_ = &target;
+    std::vector<GrowthTarget> run() {
+        for (GrowthTarget& target : targets_) {
+            target_ = &target.target;
             stored_.clear();
             for (const std::uint64_t size : sizes_) {
-                show("database of " + std::to_string(size));
                 store(size);
-                for (const char* variant : {"sog", "gco", "cco"}) {
-                    if (conditions_.stop)
-                        return;
-                    show(std::string(variant) + " from " + std::to_string(size));
-                    target.grown.push_back(grown(variant));
-                }
+                for (const char* variant : {"sog", "gco", "cco"})
+                    if (json row = found(std::string(variant) + "-" + std::to_string(size),
+                                         [&] { return grown(variant); });
+                        !row.is_null())
+                        target.grown.push_back(std::move(row));
             }
-            for (long seed = 0; seed < seeds_ && !conditions_.stop; ++seed) {
-                show("default search, run " + std::to_string(seed + 1));
-                target.by_default.push_back(
-                    default_course(growth_.origin.seed + static_cast<std::uint64_t>(seed)));
+            for (long i = 0; i < seeds_; ++i) {
+                const std::uint64_t seed = law_.seed + static_cast<std::uint64_t>(i);
+                if (json course = found("default-" + std::to_string(seed), [&] { return searched(seed); });
+                    !course.is_null())
+                    target.searched.push_back(std::move(course));
             }
         }
+        return std::move(targets_);
     }
 
   private:
-    void show(const std::string& what) const {
-        conditions_.progress.show(target_->target.name + ": " + what);
+    json found(const std::string& what, const std::function<json()>& find) const {
+        conditions_.progress.show(target_->name + ": " + what);
+        return part_of(conditions_, target_->name + "-" + what, find);
     }
 
     rough::DesignSetup setup() const {
-        return paper_setup(model_, target_->target, max_pressure_, 0.5 * max_pressure_);
+        return paper_setup(model_, *target_, max_pressure_, 0.5 * max_pressure_);
     }
 
     /// Scores the genomes up to `size` that are not yet there.
     void store(std::uint64_t size) {
         const std::size_t from = stored_.size();
-        stored_.resize(size, {1, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}});
-        const rough::DesignSetup own = setup();
-        ga::parallel_for(size - from, growth_.origin.threads, [&](std::size_t i) {
-            if (conditions_.stop)
-                return;
-            auto one = answered({drawn(law_, from + i)}, model_, max_pressure_, 1);
-            stored_[from + i] = {one[0].genome.scale, scores_of(one, own)[0]};
+        const json rows = found("database-" + std::to_string(size), [&] {
+            const rough::DesignSetup own = setup();
+            std::vector<std::array<double, 4>> fresh(size - from);
+            ga::parallel_for(fresh.size(), conditions_.origin.threads, [&](std::size_t i) {
+                if (conditions_.stop)
+                    return;
+                const auto one = answered({drawn(law_, from + i)}, model_, max_pressure_, 1);
+                const Scores scores = scores_of(one, own)[0];
+                fresh[i] = {one[0].genome.scale, scores.all, scores.low, scores.high};
+            });
+            return json(fresh);
         });
+        const auto number = [](const json& value) {
+            return value.is_null() ? -HUGE_VAL : value.get<double>();
+        };
+        for (const json& row : rows) {
+            Stored& one = stored_.emplace_back();
+            one.scale = number(row[0]);
+            one.scores.all = number(row[1]), one.scores.low = number(row[2]),
+            one.scores.high = number(row[3]);
+        }
     }
 
     Genome genome(std::uint64_t number) const {
@@ -129,7 +145,7 @@ class Trial {
 
     /// Cut to the best of each so that no more than `most_pairs` are left, the longer one first.
     void cut(std::vector<std::uint64_t>& low, std::vector<std::uint64_t>& high) const {
-        const std::uint64_t most = growth_.most_pairs;
+        const std::uint64_t most = most_pairs_;
         auto &longer = low.size() > high.size() ? low : high, &other = low.size() > high.size() ? high : low;
         if (low.size() * high.size() <= most)
             return;
@@ -139,66 +155,73 @@ class Trial {
 
     ga::Result<Genome> ran(const rough::Pipeline& pipeline, const rough::DesignProblem& problem,
                            Population start, bool screening) const {
-        ga::RunOptions options;
-        options.seed = growth_.origin.seed;
-        options.threads = growth_.origin.threads;
-        options.budget.stop = &conditions_.stop;
+        ga::RunOptions options = run_options(conditions_);
         options.screening = screening;
         return ga::run(pipeline, problem, std::move(start), options);
     }
 
-    Grown grown(const std::string& variant) const {
+    json grown(const std::string& variant) const {
         const ga::Stopwatch clock;
-        Grown result;
-        result.variant = variant;
-        result.size = stored_.size();
-        result.curves = static_cast<long>(stored_.size());
+        Way way;
         const auto responses = std::make_shared<rough::LoneResponses>(model_);
         const rough::Vocabulary words{std::make_shared<rough::DominanceRule>(
             responses, rough::DominanceReading::same_pressure, rough::dominance_threshold)};
         const rough::DesignProblem problem(setup());
+        const bool alone = variant == "sog";
         const Population candidates =
-            variant == "sog" ? three_best(result) : best_children(variant == "cco", words, problem, result);
+            alone ? three_best(way) : best_children(variant == "cco", words, problem, way);
         const auto phases = words.phases(), dominant = words.dominant(), others = words.others();
         const rough::Pipeline pipeline =
             variant == "cco"
                 ? rough::Pipeline(score() | best(refined) | refine(rough::gcmma(3), phases) | best(1))
-                : rough::Pipeline(score() | best(refined) |
-                                  refine(rough::gcmma(variant == "sog" ? 5 : 3), dominant) |
+                : rough::Pipeline(score() | best(refined) | refine(rough::gcmma(alone ? 5 : 3), dominant) |
                                   refine(rough::gcmma(2), others) | best(1));
         const auto found = ran(pipeline, problem, candidates, false);
-        result.seconds = clock.seconds();
         if (found.population.empty())
-            return result;
-        result.curves += found.counters.evaluations + found.counters.gradients + responses->curves();
+            return {};
         const auto& answer = found.population.front();
-        result.parents.assign(answer.parents.begin(), answer.parents.end());
-        if (variant == "sog")
-            result.parents = {answer.identity};
         const auto judged = rough::Judge(as_reported(setup())).of(answer.genome);
-        result.similarity = judged.similarity;
-        result.worst = judged.worst();
-        return result;
+        std::vector<ga::Identity> parents(answer.parents.begin(), answer.parents.end());
+        if (alone)
+            parents = {answer.identity};
+        json row{{"target", target_->name},
+                 {"stored", stored_.size()},
+                 {"variant", variant},
+                 {"best_child", way.best_child},
+                 {"similarity", judged.similarity},
+                 {"similarity_worst", judged.worst()},
+                 {"curves", static_cast<long>(stored_.size()) + way.curves + found.counters.evaluations +
+                                found.counters.gradients + responses->curves()},
+                 {"seconds", clock.seconds()}};
+        if (!alone)
+            row.update({{"U1", way.u1},
+                        {"U2", way.u2},
+                        {"U3", way.u1 * way.u2},
+                        {"pairs_tried", way.pairs},
+                        {"given_up", way.given_up}});
+        for (std::size_t i = 0; i < parents.size(); ++i)
+            row["parent" + std::to_string(i + 1)] = parents[i];
+        return row;
     }
 
-    Population three_best(Grown& result) const {
+    Population three_best(Way& way) const {
         const auto order = good_in(&Scores::all);
         Population population;
         for (std::size_t i = 0; i < std::min(refined, order.size()); ++i)
             population.push_back({genome(order[i]), order[i], {}, {}, nullptr});
-        result.best_child = stored_[order.front()].scores.all;
+        way.best_child = stored_[order.front()].scores.all;
         return population;
     }
 
     /// Pairs in blocks, each screened against the three best before it.
     Population best_children(bool reduce, const rough::Vocabulary& words, const rough::DesignProblem& problem,
-                             Grown& result) const {
+                             Way& way) const {
         auto low = good_in(&Scores::low), high = good_in(&Scores::high);
-        result.u1 = low.size(), result.u2 = high.size();
+        way.u1 = low.size(), way.u2 = high.size();
         cut(low, high);
         const auto parents_of = [&](const std::vector<std::uint64_t>& numbers) {
             std::vector<Genome> parents(numbers.size());
-            ga::parallel_for(numbers.size(), growth_.origin.threads, [&](std::size_t i) {
+            ga::parallel_for(numbers.size(), conditions_.origin.threads, [&](std::size_t i) {
                 parents[i] = genome(numbers[i]);
                 if (reduce)
                     parents[i] = reduced_by(words, parents[i]);
@@ -209,8 +232,8 @@ class Trial {
         Population population;
         const auto screen = [&] {
             const auto found = ran(score() | best(refined), problem, std::move(population), true);
-            result.curves += found.counters.evaluations + found.counters.given_up;
-            result.given_up += found.counters.given_up;
+            way.curves += found.counters.evaluations + found.counters.given_up;
+            way.given_up += found.counters.given_up;
             population = found.population;
         };
         std::uint64_t identity = stored_.size();
@@ -222,13 +245,13 @@ class Trial {
                 if (twin != high.end() && other != low.end() && other - low.begin() < static_cast<long>(a))
                     continue;
                 population.push_back({sum(left[a], right[b]), identity++, {low[a], high[b]}, {}, nullptr});
-                ++result.pairs;
+                ++way.pairs;
                 if (population.size() >= block)
                     screen();
             }
         screen();
         if (!population.empty())
-            result.best_child = population.front().value();
+            way.best_child = population.front().value();
         return population;
     }
 
@@ -236,79 +259,62 @@ class Trial {
         return reduced(genome, (*words.rule)(genome));
     }
 
-    Course default_course(std::uint64_t seed) const {
+    json searched(std::uint64_t seed) const {
         rough::DesignSetup free;
         free.model = model_;
-        free.targets = {target_->target};
+        free.targets = {*target_};
         free.max_pressure = max_pressure_;
         rough::SearchOptions options;
         options.seed = seed;
-        options.threads = growth_.origin.threads;
+        options.threads = conditions_.origin.threads;
         options.evaluations = budget_;
         options.stop = &conditions_.stop;
-        Course course{seed, {}, 0};
+        std::vector<std::pair<double, double>> course;
         static const ga::Name similarity("similarity");
         const auto watch = [&](const ga::Event<Genome>& event) {
-            double most = course.best.empty() ? -HUGE_VAL : course.best.back().second;
+            double most = course.empty() ? -HUGE_VAL : course.back().second;
             for (const auto& one : event.population)
                 if (one.fitness.known(similarity) && !one.fitness.has_failed())
                     most = std::max(most, one.fitness.value());
             const auto paid = static_cast<double>(event.counters.evaluations + event.counters.gradients);
             if (std::isfinite(most))
-                course.best.emplace_back(std::max(1., paid), most);
+                course.emplace_back(std::max(1., paid), most);
         };
-        course.worst = rough::search(free, options, {watch}).best.judged();
-        return course;
+        const double worst = rough::search(free, options, {watch}).best.judged();
+        return {{"seed", seed}, {"best", course}, {"worst", worst}};
     }
 
     const Conditions& conditions_;
-    Growth& growth_;
     rough::Model model_;
     double max_pressure_;
+    std::uint64_t most_pairs_;
     long seeds_, budget_;
     rough::GenomeLaw law_;
     std::vector<std::uint64_t> sizes_;
-    std::vector<Stored> stored_; ///< under the target at hand
-    GrowthTarget* target_ = nullptr;
+    std::vector<GrowthTarget> targets_;
+    const rough::Target* target_ = nullptr; ///< at hand
+    std::vector<Stored> stored_;            ///< scored on it
 };
 
-void write_growth(const Growth& growth, const std::filesystem::path& folder) {
-    Csv table(
-        "target,stored,variant,U1,U2,pairs_tried,given_up,best_child,similarity,similarity_worst,parent1,"
-        "parent2,curves,seconds");
-    Csv courses("target,seed,curves,similarity");
-    for (const GrowthTarget& target : growth.targets) {
-        for (const Grown& one : target.grown) {
-            const auto parent = [&](std::size_t i) {
-                return i < one.parents.size() ? std::to_string(one.parents[i]) : std::string();
-            };
-            table.row(target.target.name, one.size, one.variant, one.u1, one.u2, one.pairs, one.given_up,
-                      one.best_child, one.similarity, one.worst, parent(0), parent(1), one.curves,
-                      one.seconds);
-        }
-        for (const Course& course : target.by_default)
-            for (const auto& [paid, similarity] : course.best)
-                courses.row(target.target.name, course.seed, paid, similarity);
-    }
-    rough::write_atomically(folder / "growth.csv", table.text());
-    rough::write_atomically(folder / "default.csv", courses.text());
-    nlohmann::json result = origin_json(growth.origin);
-    result["words"] = growth_words(growth);
-    result["rows"] = table.rows();
-    result["seconds"] = growth.seconds;
-    write_json(folder / "result.json", result);
-}
-
 Findings run_growth(const Settings& settings, const Conditions& conditions) {
-    const ga::Stopwatch clock;
-    const auto growth = std::make_shared<Growth>();
-    growth->origin = conditions.origin;
-    Trial(settings, conditions, *growth).run();
-    growth->seconds = clock.seconds();
-    if (growth->targets.front().grown.empty())
+    const std::vector<GrowthTarget> targets = GrowthTrial(settings, conditions).run();
+    if (targets.front().grown.empty())
         return {};
-    return {[growth, folder = conditions.folder] { write_growth(*growth, folder); },
-            [growth] { return growth_page(*growth); }, growth_words(*growth).front()};
+    Csv grown("target,stored,variant,U1,U2,U3,pairs_tried,given_up,best_child,similarity,similarity_worst,"
+              "parent1,parent2,curves,seconds"),
+        courses("target,seed,curves,similarity");
+    for (const GrowthTarget& target : targets) {
+        for (const json& row : target.grown)
+            grown.add(row);
+        for (const json& course : target.searched)
+            for (const json& point : course.at("best"))
+                courses.row(target.target.name, course.at("seed").get<long>(), point[0].get<double>(),
+                            point[1].get<double>());
+    }
+    return findings_of(conditions, "What a larger database is worth",
+                       {.words = growth_words(targets),
+                        .tables = {{"growth.csv", "rows", grown}, {"default.csv", "", courses}}},
+                       [targets](Page& page) { fill_growth_page(page, targets); });
 }
 
 } // namespace
@@ -325,7 +331,8 @@ Experiment growth_experiment() {
                   {"targets.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"}},
                  model_settings("model.")}),
             .files = {"growth.csv", "default.csv"},
-            .run = run_growth};
+            .run = run_growth,
+            .resumes = true};
 }
 
 } // namespace app

@@ -2,15 +2,14 @@
 
 #include "apps/experiments/paper/claims.hpp"
 #include "apps/experiments/paper/variant_runs.hpp"
+#include "apps/experiments/study.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/recorder.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/target/like.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/parallel.hpp"
-#include "ga/stopwatch.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -18,6 +17,8 @@
 namespace app {
 
 namespace {
+
+using nlohmann::json;
 
 constexpr std::array<double, 3> dominant_above{rough::dominance_threshold, 0.9, 0.99};
 constexpr std::array<double, 5> threshold_shares{0.5, 0.31, 0.405, 0.595, 0.69};
@@ -100,14 +101,13 @@ bool is_judged(const Claim& claim) {
            !claim.says.starts_with("p̄ =");
 }
 
-class Trial {
+class ReadingsTrial {
   public:
-    Trial(const Settings& settings, const Conditions& conditions)
+    ReadingsTrial(const Settings& settings, const Conditions& conditions)
         : conditions_(conditions), base_(model_from(settings, "model.")),
           max_pressure_(settings.pressure("readings.max-pressure")) {
         expect_none(settings, {{"model.kernel", "", ""}, {"model.datum", "", ""}, {"model.reach", "", ""}},
                     "given, expected none: the readings try several");
-        cross_.origin = conditions.origin;
         cross_.quick = settings.one_of("readings.quick", {"off", "on"}) == 1;
         cross_.databases = static_cast<std::size_t>(settings.whole("readings.databases", 0, 1000));
         if (cross_.quick)
@@ -115,10 +115,9 @@ class Trial {
     }
 
     ReadingCross run() {
-        const ga::Stopwatch clock;
         for (std::size_t which = 0; which < reading_axes()[body].values.size(); ++which) {
             Pressed pressed{on_body(base_, which), {}, {}};
-            pressed.targets = targets_on(pressed.model, max_pressure_, cross_.origin.threads);
+            pressed.targets = targets_on(pressed.model, max_pressure_, conditions_.origin.threads);
             for (const bool first : {false, true})
                 unit(pressed, {which, 0, 0, 0, 0, first, 0}, 0);
             for (std::size_t number = 1; number <= cross_.databases; ++number)
@@ -132,7 +131,6 @@ class Trial {
                 rough::write_atomically(subfolder(conditions_.folder, "targets") / name, to_csv(target));
             }
         }
-        cross_.seconds = clock.seconds();
         return std::move(cross_);
     }
 
@@ -145,16 +143,17 @@ class Trial {
     void unit(Pressed& pressed, const Reading& base, std::size_t number) {
         const std::string name = std::to_string(base[body]) + "-" + std::to_string(base[first_point]) + "-" +
                                  std::to_string(number);
-        const auto kept = conditions_.folder / "checkpoints" / (name + ".json");
-        if (conditions_.resume && std::filesystem::exists(kept))
-            return take(nlohmann::json::parse(rough::read_whole(kept)));
-        if (conditions_.stop)
-            return;
+        if (const json found = part_of(conditions_, name, [&] { return tried(pressed, base, number); });
+            !found.is_null())
+            take(found);
+    }
+
+    json tried(Pressed& pressed, const Reading& base, std::size_t number) const {
         conditions_.progress.show(reading_axes()[body].values[base[body]] + ", database " +
                                   std::to_string(number) +
                                   (base[first_point] ? " with Sobol's first point" : ""));
         PaperRun run;
-        run.origin = cross_.origin;
+        run.origin = conditions_.origin;
         run.model = run.searched = pressed.model;
         run.max_pressure = max_pressure_;
         run.layout = layout_on(run.model, base[first_point] != 0);
@@ -191,29 +190,28 @@ class Trial {
                                          own});
                 }
         if (parts.empty())
-            return;
+            return {};
         run.origin.threads = 1; // in each part
         std::vector<Found> found(parts.size());
-        ga::parallel_for(parts.size(), cross_.origin.threads,
+        ga::parallel_for(parts.size(), conditions_.origin.threads,
                          [&](std::size_t i) { found[i] = claims_of(parts[i], run, genomes, memory); });
-        if (conditions_.stop)
-            return;
-        nlohmann::json all{{"cells", nlohmann::json::array()}, {"runs", ""}, {"searches", 0}, {"curves", 0}};
-        for (Found& one : found) {
+        Found all;
+        json cells = json::array();
+        for (const Found& one : found) {
             for (const ReadingCell& cell : one.cells)
-                all["cells"].push_back({cell.reading, cell.database, cell.target, cell.holds});
-            all["runs"] = all["runs"].get<std::string>() + one.runs;
-            all["searches"] = all["searches"].get<long>() + one.searches;
-            all["curves"] = all["curves"].get<long>() + one.curves;
+                cells.push_back({cell.reading, cell.database, cell.target, cell.holds});
+            all.runs += one.runs, all.searches += one.searches, all.curves += one.curves;
             if (!one.claims.empty())
-                all["claims"] = one.claims;
+                all.claims = one.claims;
         }
-        std::filesystem::create_directories(kept.parent_path());
-        rough::write_atomically(kept, all.dump());
-        take(all);
+        return {{"cells", std::move(cells)},
+                {"runs", all.runs},
+                {"searches", all.searches},
+                {"curves", all.curves},
+                {"claims", all.claims}};
     }
 
-    void take(const nlohmann::json& unit) {
+    void take(const json& unit) {
         for (const auto& cell : unit.at("cells"))
             cross_.cells.push_back({cell.at(0).get<Reading>(), cell.at(1), cell.at(2), cell.at(3)});
         cross_.runs += unit.at("runs").get<std::string>();
@@ -392,7 +390,7 @@ std::vector<Reading> ReadingCross::ranked() const {
 }
 
 ReadingCross tried_readings(const Settings& settings, const Conditions& conditions) {
-    return Trial(settings, conditions).run();
+    return ReadingsTrial(settings, conditions).run();
 }
 
 } // namespace app

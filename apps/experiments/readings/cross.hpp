@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/experiments/experiment.hpp"
+#include "apps/report/page.hpp"
 
 #include <array>
 
@@ -30,7 +31,6 @@ struct ReadingCell {
 };
 
 struct ReadingCross {
-    Origin origin;
     bool quick = false;
     std::size_t databases = 0;                               ///< with other phases
     std::vector<std::pair<std::string, std::string>> claims; ///< place, what the paper says (HTML)
@@ -38,7 +38,6 @@ struct ReadingCross {
     std::vector<ReadingCell> cells;
     std::string runs;              ///< rows of runs.csv
     long searches = 0, curves = 0; ///< runs of an algorithm, and the curves and gradients they asked for
-    double seconds = 0;
 
     /// Of the cells that `counts` admits and where it can be said, the share in which a claim holds; NaN of
     /// none.
@@ -56,8 +55,8 @@ const std::string& run_columns();
 /// at a time. Keeps each body and database in `checkpoints`.
 ReadingCross tried_readings(const Settings& settings, const Conditions& conditions);
 
-/// The report as a web page.
-std::string readings_page(const ReadingCross& cross);
+/// What follows the words.
+void fill_readings_page(Page& page, const ReadingCross& cross);
 /// What the readings make of a claim, in words.
 std::string claim_words(const ReadingCross& cross, std::size_t claim);
 /// What came out, in sentences (HTML); the page's first screen.

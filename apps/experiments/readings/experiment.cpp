@@ -1,9 +1,7 @@
 #include "apps/experiments/readings/cross.hpp"
+#include "apps/experiments/study.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/csv.hpp"
-#include "apps/report/output.hpp"
-#include "apps/report/result.hpp"
-#include "domain/text/atomic_file.hpp"
+#include "domain/text/json.hpp"
 
 namespace app {
 
@@ -37,9 +35,7 @@ std::string cells_csv(const ReadingCross& cross) {
     return text + "\n";
 }
 
-void write_readings(const ReadingCross& cross, const std::filesystem::path& folder) {
-    rough::write_atomically(folder / "cells.csv", cells_csv(cross));
-    rough::write_atomically(folder / "runs.csv", run_columns() + "\n" + cross.runs);
+Study study_of(const ReadingCross& cross) {
     Csv claims("claim,place,says,choice,value,share_holds");
     for (std::size_t c = 0; c < cross.claims.size(); ++c)
         for (std::size_t axis = 0; axis < reading_axes_count; ++axis)
@@ -48,32 +44,30 @@ void write_readings(const ReadingCross& cross, const std::filesystem::path& fold
                            reading_axes()[axis].values[value], cross.share(c, [&](const ReadingCell& cell) {
                                return cell.database == 0 && cell.reading[axis] == value;
                            }));
-    rough::write_atomically(folder / "claims.csv", claims.text());
-    nlohmann::json result = origin_json(cross.origin);
-    result["words"] = readings_words(cross);
-    result["claims"] = claims.rows();
-    result["searches"] = cross.searches;
-    result["curves"] = cross.curves;
-    result["seconds"] = cross.seconds;
+    Study study{.words = readings_words(cross), .marked_up = true};
+    study.tables.push_back({"claims.csv", "claims", claims});
+    study.result = {{"searches", cross.searches}, {"curves", cross.curves}};
     for (const Reading& reading : cross.ranked()) {
         nlohmann::json one{{"claims_hold", cross.holding(reading)}};
         for (std::size_t axis = 0; axis < reading_axes_count; ++axis)
             one[reading_axes()[axis].name] = reading_axes()[axis].values[reading[axis]];
-        result["readings"].push_back(std::move(one));
+        study.result["readings"].push_back(std::move(one));
     }
-    write_json(folder / "result.json", result);
-    nlohmann::json told{{"command", cross.origin.command}, {"version", cross.origin.version}};
-    for (std::size_t c = 0; c < cross.claims.size(); ++c)
-        told["claims"][cross.claims[c].second] = claim_words(cross, c);
-    write_json(folder / "readings.json", told); // what the paper's page takes
+    study.files = {{"cells.csv", cells_csv(cross)}, {"runs.csv", run_columns() + "\n" + cross.runs}};
+    return study;
 }
 
 Findings run_readings(const Settings& settings, const Conditions& conditions) {
-    const auto cross = std::make_shared<ReadingCross>(tried_readings(settings, conditions));
-    if (cross->cells.empty())
+    const ReadingCross cross = tried_readings(settings, conditions);
+    if (cross.cells.empty())
         return {};
-    return {[cross, folder = conditions.folder] { write_readings(*cross, folder); },
-            [cross] { return readings_page(*cross); }, readings_words(*cross).front()};
+    Study study = study_of(cross);
+    nlohmann::json told{{"command", conditions.origin.command}, {"version", conditions.origin.version}};
+    for (std::size_t c = 0; c < cross.claims.size(); ++c)
+        told["claims"][cross.claims[c].second] = claim_words(cross, c);
+    study.files.emplace_back("readings.json", rough::json_text(told) + "\n"); // what the paper's page takes
+    return findings_of(conditions, "The paper under every reading", std::move(study),
+                       [cross](Page& page) { fill_readings_page(page, cross); });
 }
 
 } // namespace

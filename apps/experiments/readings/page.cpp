@@ -1,6 +1,7 @@
 #include "apps/report/page.hpp"
 
 #include "apps/experiments/readings/cross.hpp"
+#include "apps/experiments/study.hpp"
 #include "apps/report/units.hpp"
 #include "domain/numerics/statistics.hpp"
 
@@ -110,14 +111,8 @@ Plot shares_plot(const ReadingCross& cross) {
     plot.y.from = 0, plot.y.to = row + 1;
     for (std::size_t bin = 0; bin < bins.size(); ++bin) {
         const auto& [label, upper, colour] = bins[bin];
-        Series series{label, {}, {}, colour, Style::points, 2.5};
-        series.x.resize(static_cast<Eigen::Index>(points[bin].size()));
-        series.y.resize(series.x.size());
-        for (std::size_t i = 0; i < points[bin].size(); ++i)
-            series.x[static_cast<Eigen::Index>(i)] = points[bin][i].first,
-            series.y[static_cast<Eigen::Index>(i)] = points[bin][i].second;
-        if (series.x.size() > 0)
-            plot.series.push_back(std::move(series));
+        if (!points[bin].empty())
+            plot.series.push_back(series_of(points[bin], {label, {}, {}, colour, Style::points, 2.5}));
     }
     return plot;
 }
@@ -215,16 +210,7 @@ std::vector<std::string> readings_words(const ReadingCross& cross) {
     return words;
 }
 
-std::string readings_page(const ReadingCross& cross) {
-    const auto words = readings_words(cross);
-    Page page("The paper under every reading", Html::raw(words.front() + "."));
-    page.tiles({{"readings", std::to_string(cross.ranked().size())},
-                {"claims that hang on one", std::to_string(cross.claims.size())},
-                {"hold at best", readable(cross.holding(cross.ranked().front()))},
-                {"hold read as ours", readable(cross.holding({}))},
-                {"databases with other phases", std::to_string(cross.databases)}});
-    for (std::size_t i = 1; i < words.size(); ++i)
-        page.prose(Html::raw(words[i] + "."));
+void fill_readings_page(Page& page, const ReadingCross& cross) {
     page.figure({"claims-by-readings",
                  "Which claim holds under which reading.",
                  "A dot is a claim under one value of a choice, over all values of the other choices and all "
@@ -236,24 +222,12 @@ std::string readings_page(const ReadingCross& cross) {
         "databases with other phases. A claim that cannot be said counts nowhere.");
     page.table(claims_table(cross));
     page.section("The readings");
-    Table best{
-        "The ten that keep most claims", {"Reading (where not ours)", "Claims that hold"}, {}, {false, true}};
-    const auto ranked = cross.ranked();
-    for (std::size_t i = 0; i < std::min<std::size_t>(10, ranked.size()); ++i)
-        best.rows.push_back({named(ranked[i]), readable(cross.holding(ranked[i]))});
-    page.table(best);
-    Table choices{"In the mean", {"Choice", "Value", "Claims that hold"}, {}, {false, false, true}};
-    for (std::size_t axis = 0; axis < reading_axes_count; ++axis)
-        for (std::size_t value = 0; value < reading_axes()[axis].values.size(); ++value) {
-            std::vector<double> counts;
-            for (const ReadingCell& cell : cross.cells)
-                if (from_sobol(cell) && cell.reading[axis] == value)
-                    counts.push_back(
-                        static_cast<double>(std::count(cell.holds.begin(), cell.holds.end(), '1')));
-            choices.rows.push_back({value ? "" : reading_axes()[axis].name,
-                                    reading_axes()[axis].values[value], readable(rough::mean(counts))});
-        }
-    page.table(choices);
+    nlohmann::json best;
+    for (const Reading& reading : cross.ranked())
+        if (best.size() < 10)
+            best.push_back({{"reading", named(reading)}, {"hold", cross.holding(reading)}});
+    page.table(shown(best, {{"reading", "Reading (where not ours)"}, {"hold", "Claims that hold", 3}},
+                     "The ten that keep most claims"));
     page.section("How it was tried");
     page.prose(
         "Targets are made on each body: smoothed quantiles (median, lower and upper quartile) of the Sobol "
@@ -263,10 +237,7 @@ std::string readings_page(const ReadingCross& cross) {
         "step, “raw tangents” the solver's dP/dΔ. CCO reduces the parents before the sum, or the children "
         "after it.");
     page.prose(std::to_string(cross.searches) + " searches asked for " + std::to_string(cross.curves) +
-               " curves and gradients in " + readable(cross.seconds) + " s.");
-    page.code(cross.origin.command);
-    page.links({"cells.csv", "claims.csv", "runs.csv", "result.json"});
-    return page.html();
+               " curves and gradients.");
 }
 
 } // namespace app

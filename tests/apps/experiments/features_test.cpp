@@ -1,18 +1,13 @@
 #include "apps/experiments/features/run.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/problem/problem.hpp"
-#include "tests/apps/program.hpp"
-#include "tests/apps/results.hpp"
-
-#include <catch2/catch.hpp>
+#include "domain/profile/difference.hpp"
+#include "tests/apps/experiments/finished.hpp"
 
 #include <numbers>
 
 using namespace app;
-using app::testing::Ended;
 using app::testing::Folder;
-using app::testing::result_in;
-using app::testing::rugosa;
 using nlohmann::json;
 
 namespace {
@@ -33,7 +28,7 @@ rough::Model coarse() {
 
 FeatureSample sample_with(double feature, double stiffness) {
     FeatureSample sample;
-    sample.features = {{"f", "", feature}, {"waves g", "", std::sin(50 * stiffness)}};
+    sample.features = {feature, std::sin(50 * stiffness)};
     sample.stiffness = {stiffness, stiffness, stiffness};
     return sample;
 }
@@ -75,11 +70,17 @@ TEST_CASE("a regression tells what a linear law leaves out, and nothing of noise
     Eigen::MatrixXd columns(200, 2);
     for (Eigen::Index i = 0; i < columns.size(); ++i)
         columns(i) = random.normal();
-    CHECK(left_out_r2(columns, 3 * columns.col(0) - columns.col(1)) > 0.999);
+    CHECK(left_out(columns, 3 * columns.col(0) - columns.col(1)).error < 0.05); // a little for the ridge
     Eigen::VectorXd noise(200);
     for (double& one : noise)
         one = random.normal();
-    CHECK(left_out_r2(columns, noise) < 0.1);
+    const Foretold nothing = left_out(columns, noise);
+    CHECK(nothing.error > 0.95 * nothing.of_mean);
+    CHECK(nothing.of_mean == Approx(1).epsilon(0.2)); // the noise's own deviation
+    CHECK(std::isnan(left_out(columns.topRows(9), noise.head(9)).error));
+    // A row that its own law has seen would be foretold: as many columns as rows.
+    Eigen::MatrixXd own = Eigen::MatrixXd::Identity(50, 50) * 1e6;
+    CHECK(left_out(own, noise.head(50)).error > 0.9);
     CHECK(rank_correlation({1, 2, 3, 4}, {1, 8, 27, 64}) == Approx(1));
     CHECK(rank_correlation({1, 2, 3}, {3, 2, 1}) == Approx(-1));
 }
@@ -87,29 +88,42 @@ TEST_CASE("a regression tells what a linear law leaves out, and nothing of noise
 TEST_CASE(
     "a feature is shared where answers lie closer than misses, shifted where they lie aside, else open") {
     ga::Stream random(5);
+    FeatureTarget target;
     const auto kind = [&](double at, double spread) {
-        FeatureTarget target;
+        target = {};
+        target.features = {{"f", "", 0}, {"waves g", "", 0}};
         for (int i = 0; i < 300; ++i) {
             target.answers.push_back(sample_with(at + spread * random.normal(), random.normal()));
             target.misses.push_back(sample_with(random.normal(), random.normal()));
         }
         judge_features(target);
-        return target.verdicts[0].kind;
+        for (const json& one : target.verdicts)
+            if (one["feature"] == "f")
+                return one["kind"].get<std::string>();
+        return std::string("none");
     };
-    CHECK(kind(0, 0.1) == FeatureVerdict::Kind::shared);
-    CHECK(kind(2, 1) == FeatureVerdict::Kind::shifted);
-    CHECK(kind(0, 1) == FeatureVerdict::Kind::open);
+    CHECK(kind(0, 0.1) == "shared");
+    CHECK(target.verdicts[0]["feature"] == "f");
+    CHECK(target.laws.size() == 3 * 3); // of all, of the shared one, of waves
+    CHECK(kind(2, 1) == "shifted");
+    CHECK(kind(0, 1) == "open");
+    CHECK(target.laws.size() == 2 * 3); // none is shared
+    // Answers have no part in what misses say of K.
+    const json before = target.laws[0]["error"];
+    for (FeatureSample& answer : target.answers)
+        answer.stiffness.fill(100);
+    judge_features(target);
+    CHECK(target.laws[0]["error"] == before);
 }
 
-TEST_CASE("answers of the features experiment are as similar as they are said to be, and differ") {
+TEST_CASE(
+    "answers of the features experiment are as similar as they are said to be, differ, and are found again") {
     const Folder folder;
     const std::string words =
         "run '" RUGOSA_SOURCE "/experiments/features.ini' --pictures off --nodes 64 --steps 8 --set "
-        "features.answers=6 --set features.similarity=0.9 --set features.held-out=8 --set "
-        "targets.files='" RUGOSA_SOURCE "/experiments/targets/drawn.csv' --out ";
-    const Ended ended = rugosa(words + "r", folder.path());
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
+        "features.answers=40 --set features.similarity=0.9 --set features.held-out=8 --set "
+        "targets.files='" RUGOSA_SOURCE "/experiments/targets/drawn.csv'";
+    const json result = app::testing::finished(words, folder);
     rough::DesignSetup setup;
     setup.model.grid.nodes = 64;
     setup.model.loading.steps = 8;
@@ -117,13 +131,36 @@ TEST_CASE("answers of the features experiment are as similar as they are said to
     setup.targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
     setup.max_pressure = 1.6e-4;
     const json genomes = json::parse(rough::read_whole(folder / "r/genomes.json"));
-    REQUIRE(genomes.size() == 12);
+    REQUIRE(genomes.size() == 80);
+    std::vector<rough::Profile> answers;
     for (const json& one : genomes) {
-        const double s = similarity(setup, rough::genome_from_json(one["genome"], "genome"));
+        const auto genome = rough::genome_from_json(one["genome"], "genome");
+        const double s = similarity(setup, genome);
         CHECK(s == Approx(one["similarity"].get<double>()).margin(1e-9));
         CHECK((s >= 0.9) == (one["group"] == "answer"));
+        if (one["group"] == "answer")
+            answers.push_back(sample(genome, setup.model.grid));
     }
-    CHECK(result_in(folder / "r")["targets"]["drawn"]["answers"] == 6);
-    REQUIRE(rugosa(words + "one --threads 1", folder.path()).code == 0);
-    CHECK(rough::read_whole(folder / "r/surfaces.csv") == rough::read_whole(folder / "one/surfaces.csv"));
+    double least = 2;
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            least = std::min(least, difference(answers[i], answers[j]));
+    CHECK(least >= 0.001);
+    const json& target = result["targets"]["drawn"];
+    CHECK(target["answers"] == 40);
+    std::vector<std::string> controlled;
+    for (const json& one : target["control"])
+        controlled.push_back(one[0]);
+    std::sort(controlled.begin(), controlled.end());
+    CHECK(std::adjacent_find(controlled.begin(), controlled.end()) == controlled.end());
+    // The command on the page: the best answer is brought back by them.
+    const std::string control =
+        target["control"][0][0].get<std::string>() + "," + target["control"][1][0].get<std::string>();
+    CHECK(app::testing::rugosa(
+              "design --from r/best/drawn.json --nodes 64 --steps 8 --control " + control +
+                  " --largest-change 0.05 --max-pressure 1.6e-4 --pictures off --target '" RUGOSA_SOURCE
+                  "/experiments/targets/drawn.csv' --reach-similarity 0.9 --out m",
+              folder.path())
+              .code != 2);
+    app::testing::expect_repeated(words, folder, {"surfaces.csv", "features.csv", "heldout.csv"});
 }

@@ -1,13 +1,8 @@
 #include "domain/database/law.hpp"
 #include "domain/problem/problem.hpp"
-#include "tests/apps/program.hpp"
-#include "tests/apps/results.hpp"
+#include "tests/apps/experiments/finished.hpp"
 
-#include <catch2/catch.hpp>
-
-using app::testing::Ended;
 using app::testing::Folder;
-using app::testing::result_in;
 using app::testing::rugosa;
 using nlohmann::json;
 
@@ -15,17 +10,14 @@ namespace {
 
 const std::string coarse =
     "run '" RUGOSA_SOURCE "/experiments/growth.ini' --pictures off --nodes 48 --steps 8 "
-    "--set growth.seeds=1 --set growth.budget=60 --set growth.sizes=20,60 ";
+    "--set growth.seeds=1 --set growth.budget=60 --set growth.sizes=20,60";
 
 } // namespace
 
 TEST_CASE(
     "a larger database holds the smaller ones: what each stage of growth finds follows from its genomes") {
     const Folder folder;
-    const Ended ended = rugosa(coarse + "--out r", folder.path());
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
-    const json rows = result_in(folder / "r")["rows"];
+    const json rows = app::testing::finished(coarse, folder)["rows"];
     REQUIRE(rows.size() == 2 * 2 * 3);
     rough::Model model;
     model.grid.nodes = 48;
@@ -56,14 +48,17 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("children given up by the exact bound are none of the best, whatever the threads") {
+TEST_CASE("growth finds the same on any number of threads, and after an interruption") {
     const Folder folder;
-    REQUIRE(rugosa(coarse + "--threads 1 --out one", folder.path()).code == 0);
-    REQUIRE(rugosa(coarse + "--threads 3 --out three", folder.path()).code == 0);
-    json one = result_in(folder / "one")["rows"], three = result_in(folder / "three")["rows"];
-    for (json* rows : {&one, &three})
-        for (json& row : *rows)
+    app::testing::finished(coarse, folder);
+    app::testing::expect_repeated(coarse, folder, {"default.csv"});
+    const auto timeless = [&](const std::string& out) {
+        json rows = app::testing::result_in(folder / out)["rows"];
+        for (json& row : rows)
             row.erase("seconds");
-    CHECK(one == three);
-    CHECK(rugosa(coarse + "--set growth.sizes=60,20 --out s", folder.path()).code == 2);
+        return rows;
+    };
+    CHECK(timeless("one") == timeless("r"));
+    CHECK(timeless("s") == timeless("r"));
+    CHECK(rugosa(coarse + " --set growth.sizes=60,20 --out t", folder.path()).code == 2);
 }

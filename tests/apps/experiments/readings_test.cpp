@@ -1,17 +1,11 @@
 #include "apps/experiments/readings/cross.hpp"
-#include "tests/apps/program.hpp"
-#include "tests/apps/results.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/apps/experiments/finished.hpp"
 
 #include <map>
 #include <sstream>
 
 using namespace app;
-using app::testing::Ended;
 using app::testing::Folder;
-using app::testing::result_in;
-using app::testing::rugosa;
 using nlohmann::json;
 
 namespace {
@@ -53,10 +47,7 @@ TEST_CASE(
 TEST_CASE(
     "readings are tried one choice at a time, each on every body's own targets, and goes on where it was") {
     const Folder folder;
-    const Ended ended = rugosa(coarse + " --out r", folder.path());
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
-    const json result = result_in(folder / "r");
+    const json result = app::testing::finished(coarse, folder);
     CHECK(result["readings"].size() == 15); // ours, and each value of each choice that is not
     const auto cells = lines_of(folder / "r/cells.csv");
     // Four targets; the database with other phases has no first point of Sobol's.
@@ -85,14 +76,6 @@ TEST_CASE(
         }
     CHECK(std::filesystem::exists(folder / "r/targets/strip-median.csv"));
     CHECK_FALSE(std::filesystem::exists(folder / "r/checkpoints"));
-
-    REQUIRE(rugosa(coarse + " --threads 1 --out one", folder.path()).code == 0);
-    for (const char* file : {"cells.csv", "runs.csv", "claims.csv"})
-        CHECK(rough::read_whole(folder / "r" / file) == rough::read_whole(folder / "one" / file));
-    app::testing::rugosa_stopped(0.05, "s/checkpoints", coarse + " --out s", folder.path());
-    const Ended again = rugosa(coarse + " --out s --resume", folder.path());
-    INFO(again.err);
-    CHECK(again.code == 0);
-    CHECK(rough::read_whole(folder / "s/cells.csv") == rough::read_whole(folder / "r/cells.csv"));
-    CHECK(rugosa(coarse + " --kernel strip --out t", folder.path()).code == 2);
+    app::testing::expect_repeated(coarse, folder, {"cells.csv", "runs.csv", "claims.csv"});
+    CHECK(app::testing::rugosa(coarse + " --kernel strip --out t", folder.path()).code == 2);
 }

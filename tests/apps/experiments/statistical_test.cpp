@@ -1,7 +1,4 @@
-#include "tests/apps/program.hpp"
-#include "tests/apps/results.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/apps/experiments/finished.hpp"
 
 using app::testing::Folder;
 using app::testing::rugosa;
@@ -11,10 +8,7 @@ TEST_CASE("a design without heights writes parameters, curves and surfaces that 
     const std::string run = "run '" RUGOSA_SOURCE "/experiments/statistical.ini' --pictures off --set "
                             "statistical.nodes=64 --set statistical.realisations=1 --set "
                             "'statistical.pipeline=sample 60 | score | best 1' ";
-    const auto ended = rugosa(run + "--out r", folder.path());
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
-    const auto result = app::testing::result_in(folder / "r");
+    const auto result = app::testing::finished(run, folder);
     CHECK(result["similarity"].get<double>() > 0.5);
     CHECK(result["evaluations"] == 60);
     CHECK(result["parameters"]["longest_mm"] > result["parameters"]["shortest_mm"]);
