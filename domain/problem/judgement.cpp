@@ -2,6 +2,7 @@
 
 #include "domain/contact/full_contact.hpp"
 #include "domain/mwm/sampling.hpp"
+#include "domain/problem/rows.hpp"
 #include "domain/target/similarity.hpp"
 #include "ga/parallel.hpp"
 
@@ -10,16 +11,6 @@
 namespace rough {
 
 namespace {
-
-/// The last of every `part` load steps: the response in so many times fewer. Steps are even, so these are the
-/// same displacements to the bit.
-Response every(Index part, Response response) {
-    const Index steps = response.steps() / part;
-    for (auto* column : {&response.displacement, &response.pressure, &response.contact_fraction,
-                         &response.tangent_stiffness, &response.kkt_residual})
-        *column = Eigen::VectorXd((*column)(Eigen::seqN(part - 1, steps, part)));
-    return response;
-}
 
 /// Of a secant in finer load steps, relative: what reading between steps may change.
 constexpr double reading_accuracy = 2e-3;

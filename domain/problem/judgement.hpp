@@ -26,6 +26,8 @@ struct Judgement {
     std::vector<Response> on_finer; ///< as pressed() has them, on that grid in the set-up's load steps
     /// Each target's, of the four in the order above.
     std::array<std::vector<Eigen::VectorXd>, 4> misfits;
+    /// Each target's in steps that no search has seen; empty where nobody asked (rough::search does).
+    std::vector<Eigen::VectorXd> confirming;
 
     double worst() const; ///< the least of the four
 };
@@ -42,6 +44,7 @@ class Judge {
     /// more than 2e-3 of a secant; the others are read off such cubics. What this changes on the own grid is
     /// taken off `both`. Throws what respond() throws.
     Judgement of(const Genome& genome) const;
+    const DesignSetup& setup() const { return setup_; } ///< as it was given
     /// The set-up in four times the load steps. Where the targets are a measured surface's, its finer
     /// response is solved when it is first asked for: most problems never judge.
     const DesignSetup& finer() const;

@@ -60,6 +60,12 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> 
          [=, judge = judge_](const Outcome& outcome) {
              return limited(std::min(outcome.similarity(), judge->of(outcome.genome).worst()), outcome);
          }},
+        {"stepped",
+         [=, judge = judge_](const Outcome& outcome) {
+             const Genome shape = at_scale_one(outcome.genome, judge->setup());
+             return limited(std::min(outcome.similarity(), rough::similarity(judge->finer(), shape)),
+                            outcome);
+         }},
         {"low", part(false)},
         {"high", part(true)}};
     for (std::size_t t = 0; t < setup_->targets.size(); ++t)
@@ -175,7 +181,8 @@ std::vector<Index> DesignProblem::points_of(const std::string& objective, std::s
     if (objective == "low" || objective == "high")
         return target == 0 ? points_of_half(*setup_, objective == "high") : std::vector<Index>();
     std::vector<Index> points;
-    if (objective == "similarity" || objective == "judged" || objective == target_objective(target)) {
+    if (objective == "similarity" || objective == "judged" || objective == "stepped" ||
+        objective == target_objective(target)) {
         points.resize(static_cast<std::size_t>(setup_->targets[target].points()));
         std::iota(points.begin(), points.end(), Index{0});
     }
@@ -184,25 +191,32 @@ std::vector<Index> DesignProblem::points_of(const std::string& objective, std::s
 
 ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::string& objective) const {
     Genome shape = at_scale_one(genome, *setup_);
-    const Rows coarse = misfit_rows(*setup_, shape, setup_->model);
+    // As Judgement has them: in four times the steps, too, then on the finer grid.
+    std::vector<Rows> all;
+    const auto solve_stepped = [&](Index refine) {
+        auto [fine, own] = stepped_rows(*setup_, judge_->finer(), shape, refine);
+        all.insert(all.end(), {std::move(own), std::move(fine)});
+    };
+    if (objective == "judged" || objective == "stepped")
+        solve_stepped(1);
+    else
+        all.push_back(misfit_rows(*setup_, shape, setup_->model));
+    if (objective == "judged")
+        solve_stepped(judged_refinement);
     std::vector<Index> chosen;
     Index first = 0;
     for (std::size_t t = 0; t < setup_->targets.size(); first += setup_->targets[t++].points())
         for (const Index k : points_of(objective, t))
             chosen.push_back(first + k);
-    ga::Sensitivity rows{Eigen::VectorXd(coarse.misfits.residuals(chosen)),
-                         Eigen::MatrixXd(coarse.misfits.jacobian(chosen, Eigen::all))};
-    if (objective == "judged") { // as Judgement has it
-        const DesignSetup& finer = judge_->finer();
-        rows = stacked(rows, misfit_rows(*setup_, shape, refined(setup_->model, judged_refinement)).misfits);
-        for (const Index refine : {1, judged_refinement})
-            rows = stacked(rows, misfit_rows(finer, shape, refined(finer.model, refine)).misfits);
-    }
+    ga::Sensitivity rows{Eigen::VectorXd(all[0].misfits.residuals(chosen)),
+                         Eigen::MatrixXd(all[0].misfits.jacobian(chosen, Eigen::all))};
+    for (std::size_t i = 1; i < all.size(); ++i)
+        rows = stacked(rows, all[i].misfits);
     if (setup_->limits.any_shape()) {
         if (setup_->max_pressure)
-            shape.scale = coarse.factor;
+            shape.scale = all[0].factor;
         const LimitRows limits =
-            limit_rows(shape, setup_->model.grid, setup_->limits, limit_guard, coarse.d_factor);
+            limit_rows(shape, setup_->model.grid, setup_->limits, limit_guard, all[0].d_factor);
         rows = stacked(rows, {limit_weight * limits.residuals, limit_weight * limits.jacobian});
     }
     return rows;

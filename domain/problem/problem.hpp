@@ -21,9 +21,9 @@ struct DesignOutcome {
 };
 
 /// Find the genome that answers as asked, within limits. Objectives: `similarity`; `judged`, the least of
-/// it and the same on a finer grid and in finer load steps (Judgement::worst); `low` and `high`, on the first
-/// target's points up to and from the threshold; `goal1`, `goal2` and on, on each target alone. A genome over
-/// the limits is ranked below every one within them.
+/// it and the same on a finer grid and in finer load steps (Judgement::worst); `stepped`, of it and the same
+/// in finer load steps; `low` and `high`, on the first target's points up to and from the threshold; `goal1`,
+/// `goal2` and on, on each target alone. A genome over the limits is ranked below every one within them.
 class DesignProblem {
   public:
     using Genome = rough::Genome;  ///< what is designed

@@ -30,36 +30,36 @@ CurveJacobian curve_jacobian(Quantity quantity, const Response& response, const 
     return result;
 }
 
-} // namespace
-
-ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& below) {
-    ga::Sensitivity both{
-        Eigen::VectorXd(above.residuals.size() + below.residuals.size()),
-        Eigen::MatrixXd(above.jacobian.rows() + below.jacobian.rows(), above.jacobian.cols())};
-    both.residuals << above.residuals, below.residuals;
-    both.jacobian << above.jacobian, below.jacobian;
-    return both;
-}
-
-Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model) {
-    const Loadings loadings = loadings_of(setup, model.loading);
-    const Profile profile = sample(genome, model.grid);
-    Rows result;
+/// Each way of loading's response and its derivatives in genes.
+struct Pressed {
     std::vector<Response> responses;
     std::vector<ResponseJacobian> jacobians;
+};
+
+Pressed pressed_with_jacobian(const DesignSetup& setup, const Genome& genome, const Model& model) {
+    const Loadings loadings = loadings_of(setup, model.loading);
+    const Profile profile = sample(genome, model.grid);
+    Pressed result;
     for (std::size_t way = 0; way < loadings.each.size(); ++way) {
         bool with_area = false;
         for (std::size_t t = 0; t < setup.targets.size(); ++t)
             with_area |= loadings.of_target[t] == way && is_area(setup.targets[t].quantity);
         auto [response, gradient, area] =
             respond_with_gradient(profile, model.body, loadings.each[way], model.contact, with_area);
-        jacobians.push_back(in_genes(
+        result.jacobians.push_back(in_genes(
             gradient, [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); },
             area));
         if (with_area)
             response.contact_fraction = area.fraction;
-        responses.push_back(std::move(response));
+        result.responses.push_back(std::move(response));
     }
+    return result;
+}
+
+Rows rows_of(const DesignSetup& setup, const Pressed& pressed) {
+    const Loadings loadings = loadings_of(setup, setup.model.loading);
+    const auto& [responses, jacobians] = pressed;
+    Rows result;
     if (setup.max_pressure) {
         const Index last = responses[0].steps() - 1;
         result.factor = eq_11(setup, responses[0]);
@@ -79,6 +79,45 @@ Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& mo
         result.misfits = t == 0 ? rows : stacked(result.misfits, rows);
     }
     return result;
+}
+
+Pressed every(Index part, Pressed pressed) {
+    for (Response& response : pressed.responses)
+        response = every(part, std::move(response));
+    for (ResponseJacobian& jacobian : pressed.jacobians)
+        for (auto* rows : {&jacobian.pressure, &jacobian.contact_fraction})
+            *rows = Eigen::MatrixXd((*rows)(Eigen::seqN(part - 1, rows->rows() / part, part), Eigen::all));
+    return pressed;
+}
+
+} // namespace
+
+Response every(Index part, Response response) {
+    const Index steps = response.steps() / part;
+    for (auto* column : {&response.displacement, &response.pressure, &response.contact_fraction,
+                         &response.tangent_stiffness, &response.kkt_residual})
+        *column = Eigen::VectorXd((*column)(Eigen::seqN(part - 1, steps, part)));
+    return response;
+}
+
+ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& below) {
+    ga::Sensitivity both{
+        Eigen::VectorXd(above.residuals.size() + below.residuals.size()),
+        Eigen::MatrixXd(above.jacobian.rows() + below.jacobian.rows(), above.jacobian.cols())};
+    both.residuals << above.residuals, below.residuals;
+    both.jacobian << above.jacobian, below.jacobian;
+    return both;
+}
+
+Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model) {
+    return rows_of(setup, pressed_with_jacobian(setup, genome, model));
+}
+
+std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& finer, const Genome& genome,
+                                 Index refine) {
+    Pressed fine = pressed_with_jacobian(finer, genome, refined(finer.model, refine));
+    Rows all = rows_of(finer, fine);
+    return {std::move(all), rows_of(setup, every(judged_refinement, std::move(fine)))};
 }
 
 } // namespace rough

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/problem/response.hpp"
+#include "domain/problem/judgement.hpp"
 #include "ga/refinement/sensitivity.hpp"
 
 namespace rough {
@@ -15,6 +15,14 @@ struct Rows {
 
 /// Of a genome at scale 1 where Eq. 11 applies. Throws what respond() throws.
 Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model);
+/// The same in the load steps of `finer` on a grid `refine` times finer, then in every fourth of them, which
+/// are the set-up's own: one solution gives both (in_finer_steps).
+std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& finer, const Genome& genome,
+                                 Index refine);
+
+/// The last of every `part` load steps: the response in so many times fewer. Steps are even, so these are
+/// the same displacements to the bit.
+Response every(Index part, Response response);
 
 /// One's rows above the other's.
 ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& below);

@@ -38,11 +38,14 @@ inline std::vector<double> corners(const DesignSetup& setup, const Genome& genom
 inline std::vector<double> corners(const DesignSetup& setup, const Genome& genome,
                                    const std::string& objective) {
     std::vector<double> marks = corners(setup, genome, 1);
+    std::vector<std::pair<DesignSetup, Index>> finer;
+    if (objective == "judged" || objective == "stepped")
+        finer.emplace_back(in_finer_steps(setup), 1);
     if (objective == "judged")
-        for (const auto& [steps, refine] :
-             {std::pair(setup, 4), std::pair(in_finer_steps(setup), 1), std::pair(in_finer_steps(setup), 4)})
-            for (const double mark : corners(steps, genome, refine))
-                marks.push_back(mark);
+        finer.insert(finer.end(), {{setup, 4}, {in_finer_steps(setup), 4}});
+    for (const auto& [steps, refine] : finer)
+        for (const double mark : corners(steps, genome, refine))
+            marks.push_back(mark);
     return marks;
 }
 
