@@ -4,6 +4,7 @@
 #include "ga/stopwatch.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rough {
 
@@ -71,16 +72,30 @@ CoarseToFine coarse_to_fine(const DesignSetup& setup, const ga::RunOptions& run,
     return result;
 }
 
+namespace {
+
+/// The middle of what some curves are off by at one point of one target.
+double middle(std::initializer_list<const std::vector<Eigen::VectorXd>*> curves, std::size_t t, Index k) {
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const auto* misfits : curves)
+        if (!misfits->empty()) {
+            least = std::min(least, (*misfits)[t][k]);
+            most = std::max(most, (*misfits)[t][k]);
+        }
+    return 0.5 * (least + most);
+}
+
+} // namespace
+
 DesignSetup allowing_for(DesignSetup setup, const Judgement& judged) {
+    const auto& [own, refined, stepped, both] = judged.misfits;
     for (std::size_t t = 0; t < setup.targets.size(); ++t) {
         Target& target = setup.targets[t];
         for (Index k = 0; k < target.points(); ++k) {
-            double least = judged.misfits[0][t][k], most = least;
-            for (const auto& misfits : judged.misfits) {
-                least = std::min(least, misfits[t][k]);
-                most = std::max(most, misfits[t][k]);
-            }
-            const double factor = 1 + (judged.misfits[0][t][k] - 0.5 * (least + most)) / target.weight;
+            const double searched = setup.model.grid.is_area() ? own[t][k] : middle({&own, &stepped}, t, k);
+            const double factor =
+                1 + (searched - middle({&own, &refined, &stepped, &both, &judged.confirming}, t, k)) /
+                        target.weight;
             target.y[k] *= factor;
             if (target.has_band())
                 target.lower[k] *= factor, target.upper[k] *= factor;

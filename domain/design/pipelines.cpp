@@ -61,8 +61,16 @@ Pipeline design_variant(const DesignSetup& setup, const std::string& name) {
     return ga::Parser<DesignProblem>(design_registry(setup), design_variants()).variant(name);
 }
 
+namespace {
+const std::string polish = " | best 2 | score judged | refine lm 16 sharpen=4";
+}
+
+std::string without_polish(const std::string& variant) {
+    const std::string& text = design_variants().at(variant);
+    return text.substr(0, text.size() - polish.size());
+}
+
 const ga::Variants& design_variants() {
-    static const std::string polish = " | best 2 | score judged | refine lm 16 sharpen=4";
     static const ga::Variants variants{
         // Starts near the target; the best are brought down the squares, then towards the maximum norm. While
         // that is not enough, fresh ones join and length scales of good ones cross. Both grids at the end.

@@ -60,5 +60,7 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup);
 Pipeline design_pipeline(const DesignSetup& setup, const std::string& text);
 /// The pipeline of one of design_variants, by its name.
 Pipeline design_variant(const DesignSetup& setup, const std::string& name);
+/// The text of a variant that ends in refining what an answer is judged by, without that end.
+std::string without_polish(const std::string& variant);
 
 } // namespace rough

@@ -1,5 +1,6 @@
 #include "domain/design/search.hpp"
 
+#include "domain/design/aimed_again.hpp"
 #include "domain/design/archive.hpp"
 #include "domain/design/coarse_to_fine.hpp"
 #include "domain/design/pipelines.hpp"
@@ -28,20 +29,10 @@ constexpr int attempts = 8;
 constexpr double share_for_limits = 0.1;
 constexpr std::size_t shown_compromises = 24;
 
-/// A likeness that falls by more than this in finer load steps is not settled.
-constexpr double settled = 0.005;
-/// Steps that no search has seen, which are to confirm an answer, and up to how many nodes a finer grid, too.
-constexpr int confirming = 16;
-constexpr Index confirmed_on_finer = 1024;
 /// So often the steps may be refined, and the way to go on from what was found in coarser ones.
 constexpr int most_refinements = 2;
-/// So often an area's search aims again.
-constexpr int most_corrections = 2;
-const char* const settling = "score | refine lm 40 sharpen=8 | best 2 | refine lm 40 sharpen=5 | "
-                             "score judged | refine lm 16 sharpen=4";
-/// The same where the answer falls in steps beyond those it was judged in alone.
-const char* const confirming_way =
-    "score | best 2 | refine lm 16 sharpen=8 | score judged | refine lm 6 sharpen=3";
+const char* const settling =
+    "score | best 3 | refine lm 16 sharpen=8 | score stepped | refine lm 30 sharpen=5";
 /// The way to go on with a scan's own waves, while there is time.
 const char* const going_on =
     "score judged | until fitness 0.99 generations 1000 { parents | mutate 0.1 gaussian "
@@ -49,23 +40,10 @@ const char* const going_on =
 /// Share of the time for the first search, where another may follow; the least that one is begun for.
 constexpr double first_share = 0.5, least_share = 0.05;
 
-Answer answer_of(const Judge& judge, const DesignSetup& setup, const Genome& genome) {
-    Answer answer{folded(in_final_form(setup, genome))};
-    const Judgement judged = judge.of(genome);
-    answer.similarity = judged.similarity;
-    answer.similarity_refined = judged.refined;
-    answer.similarity_stepped = judged.stepped;
-    answer.similarity_worst = judged.worst();
-    answer.within_limits = holds_limits(setup, answer.genome);
-    answer.judgement = judged;
-    return answer;
-}
-
-std::vector<Answer> answers_of(const Judge& judge, const DesignSetup& setup,
-                               const std::vector<Genome>& genomes, int threads) {
+std::vector<Answer> answers_of(const Judge& judge, const std::vector<Genome>& genomes, int threads) {
     std::vector<Answer> answers(genomes.size());
     ga::parallel_for(answers.size(), ga::thread_count(threads),
-                     [&](std::size_t i) { answers[i] = answer_of(judge, setup, genomes[i]); });
+                     [&](std::size_t i) { answers[i] = judged_answer(judge, genomes[i]); });
     return answers;
 }
 
@@ -94,7 +72,7 @@ std::vector<Answer> alternatives(const DesignProblem& problem, const Judge& judg
         differences.push_back(least);
         profiles.push_back(profile);
     }
-    std::vector<Answer> all = answers_of(judge, setup, others, options.threads);
+    std::vector<Answer> all = answers_of(judge, others, options.threads);
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i].difference = differences[i];
     all.insert(all.begin(), best);
@@ -159,8 +137,20 @@ bool makes_its_own_starts(const std::string& pipeline) {
 
 } // namespace
 
+Answer judged_answer(const Judge& judge, const Genome& genome) {
+    Answer answer{folded(in_final_form(judge.setup(), genome))};
+    const Judgement judged = judge.of(genome);
+    answer.similarity = judged.similarity;
+    answer.similarity_refined = judged.refined;
+    answer.similarity_stepped = judged.stepped;
+    answer.similarity_worst = judged.worst();
+    answer.within_limits = holds_limits(judge.setup(), answer.genome);
+    answer.judgement = judged;
+    return answer;
+}
+
 Answer judged_answer(const DesignSetup& reported, const Genome& genome) {
-    return answer_of(Judge(reported), reported, genome);
+    return judged_answer(Judge(reported), genome);
 }
 
 bool holds_limits(const DesignSetup& setup, const Genome& genome) {
@@ -201,7 +191,7 @@ SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked,
         if (!options.reach || archive.best.empty() || archive.best.front().value < judged_from ||
             setup.model.grid.is_area())
             return;
-        const Answer best = answer_of(judge, reported, archive.best.front().genome);
+        const Answer best = judged_answer(judge, archive.best.front().genome);
         // Where steps may be refined, that is done from what is met in these.
         const double reached =
             options.settles_steps ? std::min(best.similarity, best.similarity_refined) : best.judged();
@@ -276,11 +266,11 @@ SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked,
                                 nullptr});
 
     const std::vector<Genome> candidates = candidates_of(problem, population, archive, options);
-    std::vector<Answer> answers = answers_of(judge, reported, candidates, options.threads);
+    std::vector<Answer> answers = answers_of(judge, candidates, options.threads);
     if (std::none_of(answers.begin(), answers.end(), [](const Answer& a) { return a.within_limits; })) {
         run.budget = {std::numeric_limits<long>::max(), share_for_limits * options.seconds, options.stop};
         if (const auto genome = brought_within(problem, candidates, run, result.counters)) {
-            answers.push_back(answer_of(judge, reported, *genome));
+            answers.push_back(judged_answer(judge, *genome));
             result.notes.push_back("no answer of the pipeline held every limit; one was brought within them, "
                                    "without its shortest waves where these were at fault");
         }
@@ -292,22 +282,8 @@ SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked,
     return result;
 }
 
-/// Whether an answer's similarity falls from the set-up's load steps to four times as many.
-bool falls(const Answer& best) {
-    return std::min(best.similarity, best.similarity_refined) - best.judged() > settled;
-}
-
-/// Whether it falls on from there: a search may fit the curve to both.
-bool is_unconfirmed(const SearchResult& result) {
-    const Answer& best = result.best;
-    try {
-        const DesignSetup finest = in_finer_steps(as_reported(result.setup), confirming);
-        const Index refine = finest.model.grid.nodes <= confirmed_on_finer ? judged_refinement : 1;
-        return best.judged() - similarity(finest, best.genome, refine) > settled;
-    } catch (const std::exception&) { // no answer in so many steps: those there are stand
-        return false;
-    }
-}
+/// By how much an answer's similarity falls from the set-up's load steps to four times as many.
+double fall(const Answer& best) { return std::min(best.similarity, best.similarity_refined) - best.judged(); }
 
 /// The earlier result with what a later search found and took. One in finer steps replaces it: it has
 /// judged the earlier answers anew.
@@ -345,7 +321,7 @@ SearchResult searched_area(const DesignSetup& given, const SearchOptions& option
     CoarseToFine found{options.starts, {}, ""};
     if (found.starts.empty())
         found = coarse_to_fine(setup, run, observers);
-    double begun = clock.seconds();
+    const double begun = clock.seconds();
     SearchOptions last = options;
     last.starts = found.starts;
     last.pipeline = on_own_grid;
@@ -354,32 +330,11 @@ SearchResult searched_area(const DesignSetup& given, const SearchOptions& option
     SearchResult result = searched_once(given, last, name, observers);
     result.counters = sum(found.counters, result.counters);
     result.pipeline = found.pipeline + result.pipeline;
-    const double wanted = options.reach.value_or(worth_the_name);
-    const Judge judge(reported, ga::thread_count(options.threads));
-    for (int round = 1; round <= most_corrections; ++round) {
-        // A round takes about as long as the search and the judgement before it.
-        const double now = clock.seconds(), took = now - begun;
-        if (result.best.judged() >= wanted || !result.stopped.empty() || now + took > options.seconds)
-            break;
-        begun = now;
-        run.variant = name + "-" + std::to_string(round + 1);
-        run.budget.seconds = options.seconds - now;
-        run.budget.evaluations = std::max(1L, options.evaluations - result.counters.asked);
-        const DesignSetup aimed = allowing_for(setup, result.best.judgement);
-        const auto better_aimed =
-            ga::run(design_pipeline(aimed, on_own_grid), DesignProblem(aimed),
-                    ga::population(std::vector<Genome>{result.best.genome}), run, observers);
-        result.counters = sum(result.counters, better_aimed.counters);
-        result.pipeline += std::string("\n") + on_own_grid;
-        if (!better_aimed.best)
-            break;
-        const Answer answer = answer_of(judge, reported, better_aimed.best->genome);
-        if (!better(answer, result.best))
-            break;
-        result.best = result.alternatives.front() = answer;
-        result.notes.push_back("the grid's and the load steps' errors were allowed for in the aim");
-    }
-    return result;
+    // A round takes about as long as the search and the judgement before it.
+    SearchOptions rest = options;
+    take_what_is_left(rest, options, result, clock.seconds());
+    return aimed_again(std::move(result), rest, name, observers, options.reach.value_or(worth_the_name),
+                       clock.seconds() - begun);
 }
 
 /// With a remark on what similarity_worst rests on, where it is read between load steps.
@@ -404,13 +359,27 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     const bool makes_starts = (name == "default" || name == "multistart") && !area;
     const bool goes_on = name == "like";
     const bool again = options.begins_anew && (makes_starts || goes_on) && timed;
-    SearchOptions first = options;
-    first.settles_steps =
+    const bool settles =
         options.settles_steps && (makes_starts || name == "in-line") && !given.phases && !area;
-    if (timed && (again || first.settles_steps))
+    SearchOptions first = options;
+    first.settles_steps = settles;
+    if (settles)
+        first.pipeline = without_polish(name);
+    if (timed && (again || settles))
         first.seconds *= first_share;
-    SearchResult result = searched_once(given, first, name, observers);
-    int refinements = first.settles_steps ? most_refinements : 0;
+    // One search, in steps that settle aimed again; not where more steps than these are needed.
+    const auto searched = [&](const DesignSetup& setup, const SearchOptions& next, const std::string& path) {
+        SearchResult result = searched_once(setup, next, path, observers);
+        const double enough = options.reach.value_or(HUGE_VAL);
+        if (!settles ||
+            (next.settles_steps && fall(result.best) > 2 * settled && result.best.judged() < enough))
+            return result;
+        SearchOptions rest = options;
+        take_what_is_left(rest, options, result, clock.seconds());
+        return aimed_again(std::move(result), rest, path, observers, enough, 0);
+    };
+    SearchResult result = searched(given, first, name);
+    int refinements = settles ? most_refinements : 0;
     for (int round = 2; refinements > 0 || again; ++round) {
         const Answer& best = result.best;
         SearchOptions next = first;
@@ -421,8 +390,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
             break;
         const bool enough = best.within_limits && best.judged() >= options.reach.value_or(worth_the_name);
         const bool reached = options.reach && enough;
-        const bool fallen = refinements > 0 && !reached && falls(best);
-        const bool unsettled = fallen || (refinements > 0 && is_unconfirmed(result));
+        const bool unsettled = refinements > 0 && ((!reached && fall(best) > settled) || !is_confirmed(best));
         if (!unsettled && (enough || !again))
             break;
         DesignSetup setup = result.setup;
@@ -431,7 +399,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
                 --refinements;
                 setup = in_finer_steps(std::move(setup));
             }
-            next.pipeline = fallen ? settling : unsettled ? confirming_way : going_on;
+            next.pipeline = unsettled ? settling : going_on;
             next.starts.clear();
             for (const Answer& answer : result.alternatives)
                 next.starts.push_back(answer.genome);
@@ -439,9 +407,8 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
         next.settles_steps = refinements > 0;
         next.seed = ga::fold(options.seed, static_cast<std::uint64_t>(round));
         try {
-            result =
-                joined(std::move(result),
-                       searched_once(setup, next, name + "-" + std::to_string(round), observers), unsettled);
+            result = joined(std::move(result), searched(setup, next, name + "-" + std::to_string(round)),
+                            unsettled);
         } catch (const NotConverged& nothing) {
             result.notes.push_back(nothing.what());
             break;

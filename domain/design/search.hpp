@@ -41,9 +41,10 @@ struct SearchOptions {
     /// Ends when an answer's worst similarity (Judgement) is this; a pipeline that makes its own starts is
     /// begun up to eight times for it.
     std::optional<double> reach = {};
-    /// Where 4 times the load steps, or 16 times, lower the answer's similarity by more than 0.005, the
-    /// search goes on in 4 times as many (in_finer_steps, twice at most). `default`, `in-line`, `multistart`
-    /// only.
+    /// Searches in the set-up's load steps, then aims again at the targets less what finer steps and grids
+    /// change (aimed_again). Where 4 times the steps, or 16 times, still lower the answer's similarity by
+    /// more than 0.005, that is done in 4 times as many (in_finer_steps, twice at most). `default`,
+    /// `in-line`, `multistart` only; their own last stages, which refine what is judged, are left out.
     bool settles_steps = false;
     /// Begins anew from other starts while there are seconds left and nothing is worth the name: `default`
     /// and `multistart`. `like` goes on from what it has.
@@ -75,6 +76,8 @@ struct Answer {
 /// A genome as an answer, in final amplitude, judged under a set-up as answers are reported (as_reported).
 /// Throws what respond() throws.
 Answer judged_answer(const DesignSetup& reported, const Genome& genome);
+/// The same by a judge of that set-up.
+Answer judged_answer(const Judge& judge, const Genome& genome);
 
 /// The similarity from which on an answer is called found, where none is asked for.
 constexpr double worth_the_name = 0.99;
