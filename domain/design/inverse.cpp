@@ -113,4 +113,18 @@ InverseProfile with_range_at_last(InverseProfile inverse) {
     return inverse;
 }
 
+InverseProfile with_mean_at_full_approach(InverseProfile inverse, double reach) {
+    Eigen::VectorXd& z = inverse.profile.heights;
+    const Eigen::VectorXd below = (inverse.lowest_free - z).cwiseMax(0.0);
+    if (!(below.sum() > 1e-9 * inverse.last_displacement))
+        return inverse;
+    // The body's mean plane does not move: lowest_free has the mean -last_displacement.
+    const double factor =
+        (1 / reach - 1) * inverse.last_displacement * static_cast<double>(z.size()) / below.sum();
+    for (Index i = 0; i < z.size(); ++i)
+        if (below[i] > 0)
+            z[i] = inverse.lowest_free[i] - factor * below[i];
+    return inverse;
+}
+
 } // namespace rough

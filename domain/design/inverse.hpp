@@ -41,4 +41,8 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
 /// has no such node is returned as it is.
 InverseProfile with_range_at_last(InverseProfile inverse);
 
+/// The same of a periodic profile, whose full contact is at the mean plane: with these heights moved so that
+/// last_displacement is `reach` (> 0, < 1) times the highest node's height over it.
+InverseProfile with_mean_at_full_approach(InverseProfile inverse, double reach);
+
 } // namespace rough

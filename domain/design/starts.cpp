@@ -77,6 +77,9 @@ std::vector<int> drawn_order(Index nodes, bool wraps, ga::Stream& random) {
 }
 
 constexpr Index shaping_nodes = 256, shaping_side = 24;
+/// Of a start on a periodic body in free amplitude: how far under contact its valleys end, over the last
+/// displacement.
+constexpr double deepest_free = 0.5;
 
 } // namespace
 
@@ -101,8 +104,15 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
                                                             : drawn_order(grid.nodes, grid.wraps, random),
                                              advance_for(target, surface.nodes()), last_pressure,
                                              target.against_pressure() ? infinity : target.last());
-    if (setup.max_pressure)
+    if (grid.wraps && !grid.is_area() && setup.max_pressure)
+        inverse =
+            with_mean_at_full_approach(std::move(inverse), completed(setup.model.loading, body.kernel).reach);
+    else if (setup.max_pressure)
         inverse = with_range_at_last(std::move(inverse));
+    else if (grid.wraps &&
+             !grid.is_area()) // as its stiffness has no end, neither have valleys beyond the load
+        inverse.profile.heights = inverse.profile.heights.cwiseMax(
+            (inverse.lowest_free.array() - deepest_free * inverse.last_displacement).matrix());
     const Eigen::VectorXd& heights = inverse.profile.heights;
     if (!(heights.maxCoeff() - heights.minCoeff() > 1e-9 * inverse.last_displacement))
         return drawn_start(setup, random); // all of the target is above full contact: flat answers best
