@@ -57,7 +57,8 @@ SearchResult aimed_again(SearchResult result, const SearchOptions& options, cons
     const Judge judge(as_reported(setup), ga::thread_count(options.threads));
     const Confirmation confirmation(setup);
     result.best.judgement.confirming = confirmation.of(result.best.genome);
-    took = std::max(took, 2 * clock.seconds()); // to judge and to confirm
+    const double judging = area ? 0 : 2 * clock.seconds(); // and confirming, after each search
+    took = std::max(took, judging);
     ga::RunOptions run;
     run.seed = options.seed;
     run.threads = options.threads;
@@ -71,7 +72,7 @@ SearchResult aimed_again(SearchResult result, const SearchOptions& options, cons
             now + took > options.seconds || (options.stop && options.stop->load()))
             break;
         run.variant = name + "-" + std::to_string(round + 1);
-        run.budget = {left, options.seconds - now, options.stop};
+        run.budget = {left, options.seconds - now - judging, options.stop};
         const DesignSetup aimed = allowing_for(setup, latest.judgement);
         try {
             const auto found = ga::run(design_pipeline(aimed, way), DesignProblem(aimed),

@@ -407,6 +407,14 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
         next.settles_steps = refinements > 0;
         next.seed = ga::fold(options.seed, static_cast<std::uint64_t>(round));
         try {
+            if (unsettled && timed) { // the answers are judged after the search, in more steps than so far
+                const ga::Stopwatch own;
+                judged_answer(as_reported(setup), best.genome);
+                const double judgements = static_cast<double>(2 * options.compared + options.alternatives);
+                next.seconds -= own.seconds() * (1 + judgements / ga::thread_count(options.threads));
+                if (next.seconds < least_share * options.seconds)
+                    break;
+            }
             result = joined(std::move(result), searched(setup, next, name + "-" + std::to_string(round)),
                             unsettled);
         } catch (const NotConverged& nothing) {
