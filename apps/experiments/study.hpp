@@ -32,7 +32,7 @@ struct StudyTable {
 struct Study {
     std::vector<std::string> words; ///< sentences without their last stop; the page begins with them
     bool marked_up = false;         ///< the words are HTML
-    std::vector<StudyTable> tables;
+    std::vector<StudyTable> tables = {};
     nlohmann::json result = nlohmann::json::object();            ///< what else result.json says
     std::vector<std::pair<std::string, std::string>> files = {}; ///< others: path in the folder, content
 };

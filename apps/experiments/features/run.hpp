@@ -26,19 +26,20 @@ struct FeatureTarget {
     rough::Target target;
     double max_pressure = 0; ///< MPa, of Eq. 11
     long starts = 0;
-    std::vector<SurfaceFeature> features; ///< their names
-    std::vector<FeatureSample> answers, misses;
+    std::vector<SurfaceFeature> features = {}; ///< their names
+    std::vector<FeatureSample> answers = {}, misses = {};
     std::size_t found_blindly = 0; ///< of the answers: from starts that know nothing of the target
     std::size_t far_apart = 0;     ///< of the answers: differ from each other by rough::different
-    nlohmann::json verdicts, laws; ///< rows of features.csv, the most shared first, and of regression.csv
+    /// Rows of features.csv, the most shared first, and of regression.csv.
+    nlohmann::json verdicts = {}, laws = {};
     /// Of the answers' misfits, rms per rad of a phase, by octave: median over the answers; NaN without
     /// waves.
     std::array<double, wave_octaves> phase_sensitivity{};
     std::array<bool, wave_octaves> needed{};
     /// Similarities of new starts refined by phases of needed waves, of all, of the others.
-    std::vector<std::pair<std::string, std::vector<double>>> held_out;
-    std::vector<std::pair<std::string, double>>
-        control;                       ///< the best answer's chromosomes, the most felt first
+    std::vector<std::pair<std::string, std::vector<double>>> held_out = {};
+    /// The best answer's chromosomes, the most felt first.
+    std::vector<std::pair<std::string, double>> control = {};
     const FeatureSample& best() const; ///< answer
 };
 
