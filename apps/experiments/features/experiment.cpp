@@ -26,7 +26,7 @@ using rough::Genome;
 
 constexpr std::size_t batch = 128; ///< starts at a time
 /// An octave is needed whose waves are felt more than this share of the most felt.
-constexpr double felt = 0.25;
+constexpr double felt = 0.1;
 
 /// A part of a descent: gradients, after how many of them great misfits weigh more, and how far under an
 /// answer's similarity a surface is given up after it.

@@ -154,7 +154,7 @@ void fill_features_page(Page& page, const std::vector<FeatureTarget>& targets) {
          "Which waves are felt.",
          "Root mean square change of the misfits per rad of a phase, by exact derivatives; in each octave "
          "the "
-         "most felt wave, the median over the answers. Needed are those above a quarter of the largest.",
+         "most felt wave, the median over the answers. Needed are those above a tenth of the largest.",
          {octaves_plot(targets)}});
     page.prose(
         "Shared: the answers' quartiles lie closer than two thirds of the misses'. Shifted: not so, but the "
