@@ -127,13 +127,14 @@ std::vector<std::string> feature_words(const std::vector<FeatureTarget>& targets
         for (std::size_t k = 0; k < 3 && k < target.laws.size(); ++k)
             append(laws, readable(target.laws[k]["error"], 2) + " (" +
                              readable(target.laws[k]["error_of_mean"], 2) + ")");
-        words.push_back("For the target " + target.target.name + " these waves matter: " + waves +
-                        ". Held out: with their phases alone new surfaces reach " + readable(reached, 4) +
-                        " in the median, with all phases " + readable(freely, 4) +
-                        ", with the others alone " + readable(rough::median(target.held_out[2].second), 4) +
-                        ": the waves named are " +
-                        (reached >= freely || p >= 0.05 ? "enough" : "not quite enough") +
-                        " (p = " + readable(p, 2) + ")");
+        words.push_back(
+            "For the target " + target.target.name + " these waves matter: " + waves +
+            ". Held out: with their phases alone new surfaces reach " + readable(reached, 4) +
+            " in the median, with all phases " + readable(freely, 4) + ", with the others alone " +
+            readable(rough::median(target.held_out[2].second), 4) + ": " +
+            (reached < freely && p < 0.05 ? "the waves named are not enough"
+                                          : std::to_string(needed.size()) + " starts show no difference") +
+            " (p = " + readable(p, 2) + ")");
         words.push_back("Its " + std::to_string(target.answers.size()) +
                         " answers share: " + names_of(target, "shared") +
                         ". They lean to one side, but vary, in: " + names_of(target, "shifted") +
