@@ -102,7 +102,9 @@ std::vector<Setting> design_settings() {
          "scan's "
          "area: like]"},
         {"pipeline", "", "how to search: a pipeline as text, in place of a variant"},
-        {"seconds", "", "wall time of the whole program [until the pipeline ends]"},
+        {"seconds", "",
+         "wall time of the whole program; on an area of the search, which judging follows [until the "
+         "pipeline ends]"},
         {"reach-similarity", "",
          "end as soon as an answer has this similarity at its worst, begin anew up to 8 times for it; exit "
          "3 if none has"},
