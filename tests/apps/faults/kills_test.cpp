@@ -122,8 +122,10 @@ TEST_CASE("a thousand kills without warning, over design, run, optimise and data
                 REQUIRE(whole_or_none(folder / "o/result.json"));
                 ended = run_for(seconds * (0.05 + random.uniform()), work.again, folder.path());
             }
-            INFO(rough::read_whole(folder / "log") << rough::read_whole(folder / "err"));
-            REQUIRE(ended == code);
+            const std::string said = rough::read_whole(folder / "log") + rough::read_whole(folder / "err");
+            INFO(said);
+            // Killed between its last file and its end, it has nothing to go on with.
+            REQUIRE((ended == code || (ended == 0 && said.find("is finished") != std::string::npos)));
             REQUIRE(work.result(folder.path()) == expected);
             ++results;
         }
