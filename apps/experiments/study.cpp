@@ -5,6 +5,7 @@
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "domain/text/json.hpp"
 #include "ga/run.hpp"
 
 namespace app {
@@ -14,10 +15,12 @@ using nlohmann::json;
 json part_of(const Conditions& conditions, const std::string& name, const std::function<json()>& find) {
     const auto file = conditions.folder / "checkpoints" / (name + ".json");
     if (conditions.resume && std::filesystem::exists(file)) {
-        json kept = json::parse(rough::read_whole(file));
-        if (kept.at("settings") != conditions.settings)
+        json kept = rough::parsed_json(rough::read_whole(file), "--resume: " + file.string());
+        if (!kept.is_object() || !kept.contains("found") ||
+            kept.value("settings", json()) != conditions.settings)
             throw rough::InputError("--resume: " + file.string() +
-                                    " was kept under other settings, expected those of the interrupted run");
+                                    " is damaged or was kept under other settings, expected those of the "
+                                    "interrupted run");
         return std::move(kept.at("found"));
     }
     if (conditions.stop)

@@ -13,7 +13,7 @@ namespace app {
 
 /// What one part of a run finds: as an interrupted run has kept it in `checkpoints`, where this one goes on
 /// from there, else as `find` gives it, kept at once. Null where the run is to stop. Throws rough::InputError
-/// on a part that was kept under other settings.
+/// on a part that is damaged or was kept under other settings.
 nlohmann::json part_of(const Conditions& conditions, const std::string& name,
                        const std::function<nlohmann::json()>& find);
 
