@@ -353,12 +353,13 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     const ga::Stopwatch clock;
     const std::string name = options.pipeline.empty() ? options.variant : "pipeline";
     const bool timed = std::isfinite(options.seconds);
+    const bool budgeted = timed || options.evaluations < SearchOptions{}.evaluations;
     const bool area = given.model.grid.is_area();
     if (area && name == "default")
         return with_reading_error(searched_area(given, options, name, observers));
     const bool makes_starts = (name == "default" || name == "multistart") && !area;
     const bool goes_on = name == "like";
-    const bool again = options.begins_anew && (makes_starts || goes_on) && timed;
+    const bool again = options.begins_anew && (makes_starts || goes_on) && budgeted;
     const bool settles =
         options.settles_steps && (makes_starts || name == "in-line") && !given.phases && !area;
     SearchOptions first = options;

@@ -46,8 +46,8 @@ struct SearchOptions {
     /// more than 0.005, that is done in 4 times as many (in_finer_steps, twice at most). `default`,
     /// `in-line`, `multistart` only; their own last stages, which refine what is judged, are left out.
     bool settles_steps = false;
-    /// Begins anew from other starts while there are seconds left and nothing is worth the name: `default`
-    /// and `multistart`. `like` goes on from what it has.
+    /// Begins anew from other starts while the seconds or evaluations given are not spent and nothing is worth
+    /// the name: `default` and `multistart`. `like` goes on from what it has.
     bool begins_anew = false;
     std::size_t alternatives = 3; ///< different answers to return, the best among them
     /// Answers of the pipeline, and best ones of its way, compared on the finer grid at the end. On an area,

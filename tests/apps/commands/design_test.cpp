@@ -158,7 +158,7 @@ TEST_CASE("however short the time, and when interrupted, the best so far is a va
         CHECK(result_in(folder / "r")["variants"]["multistart"]["genome"]["series"].size() >= 1);
     }
     const Ended drawn_too =
-        rugosa(drawn + " --nodes 128 --seconds 6 --reach-similarity 0.9 --out pictured", folder.path());
+        rugosa(drawn + " --nodes 128 --reach-similarity 0.9 --out pictured", folder.path());
     CHECK(drawn_too.code == 0);
     CHECK_THAT(rough::read_whole(folder / "pictured/report.html"),
                Catch::Contains("<svg") && Catch::Contains("answer 1"));

@@ -82,6 +82,21 @@ TEST_CASE("refined, a scan's own waves answer as it does in stiffness and area t
     CHECK(answer.within_limits);
 }
 
+TEST_CASE("a design like a scan goes on from what it has until its evaluations are spent") {
+    const DesignSetup setup = like(ten_scans::walk(9), 256, ten_scans::grid.length);
+    SearchOptions options;
+    options.variant = "like";
+    options.alternatives = 1;
+    const SearchResult once = search(setup, options);
+    REQUIRE(once.best.judged() < worth_the_name);
+    options.begins_anew = true;
+    options.evaluations = once.counters.asked + 60;
+    const SearchResult longer = search(setup, options);
+    CHECK(longer.counters.asked > once.counters.asked);
+    CHECK(longer.counters.asked <= options.evaluations);
+    CHECK(longer.best.judged() > once.best.judged());
+}
+
 TEST_CASE("of ten scans at least six are met to 0.9 at their worst in stiffness and area together",
           "[long]") {
     int met = 0;
@@ -89,6 +104,8 @@ TEST_CASE("of ten scans at least six are met to 0.9 at their worst in stiffness 
         const DesignSetup setup = like(scan.profile, 2048, ten_scans::grid.length);
         SearchOptions options;
         options.variant = "like";
+        options.begins_anew = true;
+        options.evaluations = 200; // about 50 s on two cores
         const SearchResult found = search(setup, options);
         WARN(scan.name << ": " << found.best.judged());
         met += found.best.judged() >= 0.9;
