@@ -25,8 +25,9 @@ using rough::GenePlace;
 using rough::Genome;
 
 constexpr std::size_t batch = 128; ///< starts at a time
-/// An octave is needed whose waves are felt more than this share of the most felt.
-constexpr double felt = 0.1;
+/// An octave is needed whose waves are felt more than this share of the most felt (fill_features_page says
+/// so).
+constexpr double felt = 0.05;
 
 /// A part of a descent: gradients, after how many of them great misfits weigh more, and how far under an
 /// answer's similarity a surface is given up after it.
@@ -251,11 +252,11 @@ class FeatureTrial {
                 }};
             conditions_.progress.show(target.target.name + ": held out, " + name);
             const json found = part_of(conditions_, target.target.name + "-" + name, [&] {
-                json similarity = json::array();
+                std::vector<double> similarity(tried_); // by start
                 for (const auto& one :
                      ran(score() | refine(lm(50, 8), genes), problem, starts(problem, "held out", 0, tried_)))
-                    similarity.push_back(one.value());
-                return similarity;
+                    similarity[one.identity] = one.value();
+                return json(similarity);
             });
             if (found.is_null())
                 return false;
@@ -353,7 +354,7 @@ Experiment features_experiment() {
                   {"features.difference", "0.001",
                    "of two answers, at least: 1 less the correlation of their heights"},
                   {"features.starts", "30000", "most starts for them"},
-                  {"features.held-out", "64", "starts of the held-out check"},
+                  {"features.held-out", "128", "starts of the held-out check"},
                   {"targets.files", "", "target curves (CSV), with commas between"},
                   {"targets.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"}},
                  model_settings("model.")}),

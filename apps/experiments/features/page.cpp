@@ -3,7 +3,6 @@
 #include "apps/experiments/features/run.hpp"
 #include "apps/experiments/study.hpp"
 #include "apps/report/units.hpp"
-#include "domain/numerics/rank_tests.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/profile/difference.hpp"
 
@@ -118,8 +117,9 @@ std::vector<std::string> feature_words(const std::vector<FeatureTarget>& targets
         if (target.verdicts.empty())
             continue;
         const auto &needed = target.held_out[0].second, &all = target.held_out[1].second;
-        const double reached = rough::median(needed), freely = rough::median(all),
-                     p = rough::rank_sum_p(needed, all);
+        std::vector<double> lost(all.size());
+        std::transform(all.begin(), all.end(), needed.begin(), lost.begin(), std::minus<>());
+        const rough::Interval loss = rough::median_interval(lost);
         std::string waves, laws;
         for (std::size_t octave = 0; octave < wave_octaves; ++octave)
             if (target.needed[octave])
@@ -127,14 +127,15 @@ std::vector<std::string> feature_words(const std::vector<FeatureTarget>& targets
         for (std::size_t k = 0; k < 3 && k < target.laws.size(); ++k)
             append(laws, readable(target.laws[k]["error"], 2) + " (" +
                              readable(target.laws[k]["error_of_mean"], 2) + ")");
-        words.push_back(
-            "For the target " + target.target.name + " these waves matter: " + waves +
-            ". Held out: with their phases alone new surfaces reach " + readable(reached, 4) +
-            " in the median, with all phases " + readable(freely, 4) + ", with the others alone " +
-            readable(rough::median(target.held_out[2].second), 4) + ": " +
-            (reached < freely && p < 0.05 ? "the waves named are not enough"
-                                          : std::to_string(needed.size()) + " starts show no difference") +
-            " (p = " + readable(p, 2) + ")");
+        words.push_back("For the target " + target.target.name + " these waves matter: " + waves +
+                        ". Held out: with their phases alone new surfaces reach " +
+                        readable(rough::median(needed), 4) + " in the median, with all phases " +
+                        readable(rough::median(all), 4) + ", with the others alone " +
+                        readable(rough::median(target.held_out[2].second), 4) + ". Start by start, of " +
+                        std::to_string(lost.size()) + ", they lose " + readable(rough::median(lost), 2) +
+                        " in the median (" + percent(loss.coverage, 2) +
+                        " interval: " + readable(loss.lower, 2) + " to " + readable(loss.upper, 2) +
+                        "): " + whether_enough(loss));
         words.push_back("Its " + std::to_string(target.answers.size()) +
                         " answers share: " + names_of(target, "shared") +
                         ". They lean to one side, but vary, in: " + names_of(target, "shifted") +
@@ -155,7 +156,7 @@ void fill_features_page(Page& page, const std::vector<FeatureTarget>& targets) {
          "Which waves are felt.",
          "Root mean square change of the misfits per rad of a phase, by exact derivatives; in each octave "
          "the "
-         "most felt wave, the median over the answers. Needed are those above a tenth of the largest.",
+         "most felt wave, the median over the answers. Needed are those above a twentieth of the largest.",
          {octaves_plot(targets)}});
     page.prose(
         "Shared: the answers' quartiles lie closer than two thirds of the misses'. Shifted: not so, but the "

@@ -2,6 +2,7 @@
 
 #include "apps/experiments/features/surface_features.hpp"
 #include "apps/report/page.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "domain/target/target.hpp"
 
 #include <nlohmann/json.hpp>
@@ -52,6 +53,9 @@ Foretold left_out(const Eigen::MatrixXd& columns, const Eigen::VectorXd& wanted)
 /// The rank correlation (Spearman) of two series.
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
+/// Whether the waves named are enough, by the interval of what a start loses without the others: of an
+/// answer's similarity of 0.99 at most half of what it misses.
+std::string whether_enough(const rough::Interval& loss);
 /// What came out, in sentences; the page's first screen.
 std::vector<std::string> feature_words(const std::vector<FeatureTarget>& targets);
 void fill_features_page(Page& page, const std::vector<FeatureTarget>& targets);

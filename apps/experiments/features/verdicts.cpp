@@ -15,8 +15,9 @@ using Eigen::Index;
 using nlohmann::json;
 
 const std::array<std::string, 3> levels{"low", "middle", "high"};
-constexpr double sure = 0.01;   ///< chance of a difference by chance
-constexpr double narrow = 0.67; ///< answers' quartiles over misses'
+constexpr double sure = 0.01;       ///< chance of a difference by chance
+constexpr double narrow = 0.67;     ///< answers' quartiles over misses'
+constexpr double tolerated = 0.005; ///< loss of similarity: half of what an answer of 0.99 misses
 
 std::vector<double> values_of(const std::vector<FeatureSample>& samples, std::size_t feature) {
     return rough::column(samples, [&](const FeatureSample& one) { return one.features[feature]; });
@@ -164,6 +165,13 @@ void judge_features(FeatureTarget& target) {
 const FeatureSample& FeatureTarget::best() const {
     return *std::max_element(answers.begin(), answers.end(),
                              [](const auto& a, const auto& b) { return a.similarity < b.similarity; });
+}
+
+std::string whether_enough(const rough::Interval& loss) {
+    if (loss.upper <= tolerated)
+        return "the waves named are enough";
+    return loss.lower > tolerated ? "the waves named are not enough"
+                                  : "so few starts do not decide whether the waves named are enough";
 }
 
 } // namespace app

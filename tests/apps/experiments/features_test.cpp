@@ -116,6 +116,12 @@ TEST_CASE(
     CHECK(target.laws[0]["error"] == before);
 }
 
+TEST_CASE("waves are enough where a start loses little for sure, not enough where much, else it is open") {
+    CHECK(whether_enough({-0.001, 0.004, 0.95}) == "the waves named are enough");
+    CHECK(whether_enough({0.006, 0.02, 0.95}) == "the waves named are not enough");
+    CHECK(whether_enough({-0.02, 0.02, 0.95}).find("so few starts do not decide") == 0);
+}
+
 TEST_CASE(
     "answers of the features experiment are as similar as they are said to be, differ, and are found again") {
     const Folder folder;
