@@ -14,6 +14,7 @@
 #include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "domain/text/json.hpp"
 #include "ga/checkpoint.hpp"
 #include "ga/parallel.hpp"
 #include "ga/stopwatch.hpp"
@@ -29,6 +30,15 @@ int exit_code(const DesignRun& run) {
     if (run.interrupted)
         return exit_interrupted;
     return run.summary.found ? 0 : 3;
+}
+
+/// Says what the design found that a folder holds, and gives its exit code.
+int told_again(const std::filesystem::path& result) {
+    const auto before = rough::parsed_json(rough::read_whole(result), result.string());
+    const nlohmann::json::json_pointer found("/summary/found"), verdict("/verdict");
+    if (before.contains(verdict) && before.at(verdict).is_string())
+        say(before.at(verdict).get<std::string>());
+    return before.contains(found) && before.at(found) == false ? 3 : 0;
 }
 
 /// The least change of what is controlled, and what it gives.
@@ -84,7 +94,7 @@ int design(const Words& words) {
                                resume});
     const auto& folder = output.path();
     if (resume && says_finished(folder, "checkpoint.cbor"))
-        return 0;
+        return told_again(folder / "result.json");
     const bool pictures = settings.one_of("pictures", {"on", "off"}) == 0;
     for (const auto& account : run.accounts)
         say(account);

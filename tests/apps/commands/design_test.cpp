@@ -145,7 +145,15 @@ TEST_CASE("a similarity that was asked for and missed ends with 3, and what was 
                                folder.path());
     CHECK(ended.code == 3);
     CHECK(ended.err.empty());
-    CHECK(result_in(folder / "r")["verdict"].get<std::string>().find("not found within the budget") == 0);
+    const auto verdict = result_in(folder / "r")["verdict"].get<std::string>();
+    CHECK(verdict.find("not found within the budget") == 0);
+    // Nothing is left to resume; what it found stands.
+    const Ended again = rugosa(drawn + " --nodes 64 --pictures off --pipeline 'sample 4 | score | best 1' "
+                                       "--reach-similarity 0.9999 --resume --out r",
+                               folder.path());
+    CHECK(again.code == 3);
+    CHECK(again.out.find("is finished") != std::string::npos);
+    CHECK(again.out.find(verdict) != std::string::npos);
 }
 
 TEST_CASE("however short the time, and when interrupted, the best so far is a valid result") {
