@@ -25,10 +25,6 @@ using rough::GenePlace;
 using rough::Genome;
 
 constexpr std::size_t batch = 128; ///< starts at a time
-/// An octave is needed whose waves are felt more than this share of the most felt (fill_features_page says
-/// so).
-constexpr double felt = 0.05;
-
 /// A part of a descent: gradients, after how many of them great misfits weigh more, and how far under an
 /// answer's similarity a surface is given up after it.
 struct Leg {
@@ -78,7 +74,7 @@ class FeatureTrial {
                 break;
             target.features = features_of(target.answers[0].genome, setup_.model);
             feel(problem, target);
-            if (!hold_out(problem, target))
+            if (!choose_waves(problem, target) || !hold_out(problem, target))
                 break;
             judge_features(target);
         }
@@ -214,53 +210,92 @@ class FeatureTrial {
             target.control.emplace_back(chromosome, std::sqrt(square));
         std::stable_sort(target.control.begin(), target.control.end(),
                          [](const auto& a, const auto& b) { return a.second > b.second; });
-        double most = 0;
-        for (std::size_t octave = 0; octave < wave_octaves; ++octave) {
+        for (std::size_t octave = 0; octave < wave_octaves; ++octave)
             target.phase_sensitivity[octave] =
                 rough::median(rough::column(each, [&](const auto& one) { return one[octave]; }));
-            most = std::fmax(most, target.phase_sensitivity[octave]);
-        }
-        for (std::size_t octave = 0; octave < wave_octaves; ++octave)
-            target.needed[octave] = target.phase_sensitivity[octave] > felt * most;
     }
 
     static double rms_of(const Eigen::VectorXd& values) {
         return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
     }
 
+    /// Similarities of starts drawn by that name, in their order, refined by the phases of some octaves'
+    /// waves alone; none where the run is stopped.
+    std::optional<std::vector<double>> refined(const DesignProblem& problem, const FeatureTarget& target,
+                                               const std::string& drawn, const std::string& genes,
+                                               const Octaves& octaves) const {
+        using ga::lm, ga::refine, ga::score;
+        const double length = setup_.model.grid.length;
+        const ga::Variables<Genome> phases{
+            genes, [&](const Genome& genome) {
+                const auto places = rough::gene_places(genome);
+                std::vector<ga::Variable> some = problem.bounds(genome);
+                std::erase_if(some, [&](const ga::Variable& variable) {
+                    const GenePlace& place = places[variable.gene];
+                    if (place.kind != GenePlace::Kind::phase)
+                        return true;
+                    const rough::Series& series = genome.series[place.series];
+                    return !octaves[wave_octave(wave_length(series, series.chromosomes[place.chromosome].n),
+                                                length)];
+                });
+                return some;
+            }};
+        conditions_.progress.show(target.target.name + ": " + drawn + ", " + genes);
+        const json found = part_of(conditions_, target.target.name + "-" + drawn + "-" + genes, [&] {
+            std::vector<double> similarity(tried_);
+            for (const auto& one :
+                 ran(score() | refine(lm(50, 8), phases), problem, starts(problem, drawn, 0, tried_)))
+                similarity[one.identity] = one.value();
+            return json(similarity);
+        });
+        return found.is_null() ? std::nullopt : std::optional(found.get<std::vector<double>>());
+    }
+
+    static Octaves every_octave() {
+        Octaves all;
+        all.fill(true);
+        return all;
+    }
+
+    /// Octaves, the most felt first, until their phases alone are enough for starts of their own. Whether it
+    /// came to its end.
+    bool choose_waves(const DesignProblem& problem, FeatureTarget& target) const {
+        const auto freely = refined(problem, target, "chosen on", "all phases", every_octave());
+        std::vector<std::size_t> order;
+        for (std::size_t octave = 0; octave < wave_octaves; ++octave)
+            if (!std::isnan(target.phase_sensitivity[octave]))
+                order.push_back(octave);
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return target.phase_sensitivity[a] > target.phase_sensitivity[b];
+        });
+        for (const std::size_t octave : order) {
+            if (!freely)
+                return false;
+            target.needed[octave] = true;
+            const auto some =
+                refined(problem, target, "chosen on",
+                        "phases of " + octave_name(octave) + " and the more felt", target.needed);
+            if (!some)
+                return false;
+            if (are_enough(loss_of(*freely, *some)))
+                break;
+        }
+        return true;
+    }
+
     /// New starts refined by the phases of needed waves, of all, of the others alone. Whether it came to its
     /// end.
     bool hold_out(const DesignProblem& problem, FeatureTarget& target) const {
-        using ga::lm, ga::refine, ga::score;
-        const double length = setup_.model.grid.length;
-        for (const auto& [name, needed] : {std::pair("phases of the needed waves", std::optional(true)),
-                                           std::pair("all phases", std::optional<bool>()),
-                                           std::pair("phases of the other waves", std::optional(false))}) {
-            const ga::Variables<Genome> genes{
-                name, [&, needed = needed](const Genome& genome) {
-                    const auto places = rough::gene_places(genome);
-                    std::vector<ga::Variable> some = problem.bounds(genome);
-                    std::erase_if(some, [&](const ga::Variable& variable) {
-                        const GenePlace& place = places[variable.gene];
-                        if (place.kind != GenePlace::Kind::phase)
-                            return true;
-                        const rough::Series& series = genome.series[place.series];
-                        const double wave = wave_length(series, series.chromosomes[place.chromosome].n);
-                        return needed && target.needed[wave_octave(wave, length)] != *needed;
-                    });
-                    return some;
-                }};
-            conditions_.progress.show(target.target.name + ": held out, " + name);
-            const json found = part_of(conditions_, target.target.name + "-" + name, [&] {
-                std::vector<double> similarity(tried_); // by start
-                for (const auto& one :
-                     ran(score() | refine(lm(50, 8), genes), problem, starts(problem, "held out", 0, tried_)))
-                    similarity[one.identity] = one.value();
-                return json(similarity);
-            });
-            if (found.is_null())
+        Octaves others = target.needed;
+        for (bool& one : others)
+            one = !one;
+        for (const auto& [name, octaves] :
+             {std::pair("phases of the needed waves", target.needed), std::pair("all phases", every_octave()),
+              std::pair("phases of the other waves", others)}) {
+            auto found = refined(problem, target, "held out", name, octaves);
+            if (!found)
                 return false;
-            target.held_out.emplace_back(name, found);
+            target.held_out.emplace_back(name, std::move(*found));
         }
         return true;
     }

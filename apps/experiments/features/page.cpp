@@ -117,9 +117,7 @@ std::vector<std::string> feature_words(const std::vector<FeatureTarget>& targets
         if (target.verdicts.empty())
             continue;
         const auto &needed = target.held_out[0].second, &all = target.held_out[1].second;
-        std::vector<double> lost(all.size());
-        std::transform(all.begin(), all.end(), needed.begin(), lost.begin(), std::minus<>());
-        const rough::Interval loss = rough::median_interval(lost);
+        const rough::Interval loss = loss_of(all, needed);
         std::string waves, laws;
         for (std::size_t octave = 0; octave < wave_octaves; ++octave)
             if (target.needed[octave])
@@ -131,11 +129,10 @@ std::vector<std::string> feature_words(const std::vector<FeatureTarget>& targets
                         ". Held out: with their phases alone new surfaces reach " +
                         readable(rough::median(needed), 4) + " in the median, with all phases " +
                         readable(rough::median(all), 4) + ", with the others alone " +
-                        readable(rough::median(target.held_out[2].second), 4) + ". Start by start, of " +
-                        std::to_string(lost.size()) + ", they lose " + readable(rough::median(lost), 2) +
-                        " in the median (" + percent(loss.coverage, 2) +
-                        " interval: " + readable(loss.lower, 2) + " to " + readable(loss.upper, 2) +
-                        "): " + whether_enough(loss));
+                        readable(rough::median(target.held_out[2].second), 4) + ". The loss of " +
+                        std::to_string(all.size()) + " starts, each by itself, is " +
+                        readable(loss.lower, 2) + " to " + readable(loss.upper, 2) + " in the median (" +
+                        percent(loss.coverage, 2) + " interval): " + whether_enough(loss));
         words.push_back("Its " + std::to_string(target.answers.size()) +
                         " answers share: " + names_of(target, "shared") +
                         ". They lean to one side, but vary, in: " + names_of(target, "shifted") +
@@ -156,7 +153,8 @@ void fill_features_page(Page& page, const std::vector<FeatureTarget>& targets) {
          "Which waves are felt.",
          "Root mean square change of the misfits per rad of a phase, by exact derivatives; in each octave "
          "the "
-         "most felt wave, the median over the answers. Needed are those above a twentieth of the largest.",
+         "most felt wave, the median over the answers. Needed are as many, the most felt first, as are "
+         "enough for starts of their own.",
          {octaves_plot(targets)}});
     page.prose(
         "Shared: the answers' quartiles lie closer than two thirds of the misses'. Shifted: not so, but the "

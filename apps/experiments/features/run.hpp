@@ -23,6 +23,8 @@ struct Foretold {
     double error = unset, of_mean = unset;
 };
 
+using Octaves = std::array<bool, wave_octaves>;
+
 struct FeatureTarget {
     rough::Target target;
     double max_pressure = 0; ///< MPa, of Eq. 11
@@ -36,7 +38,7 @@ struct FeatureTarget {
     /// Of the answers' misfits, rms per rad of a phase, by octave: median over the answers; NaN without
     /// waves.
     std::array<double, wave_octaves> phase_sensitivity{};
-    std::array<bool, wave_octaves> needed{};
+    Octaves needed{};
     /// Similarities of new starts refined by phases of needed waves, of all, of the others.
     std::vector<std::pair<std::string, std::vector<double>>> held_out = {};
     /// The best answer's chromosomes, the most felt first.
@@ -53,8 +55,10 @@ Foretold left_out(const Eigen::MatrixXd& columns, const Eigen::VectorXd& wanted)
 /// The rank correlation (Spearman) of two series.
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Whether the waves named are enough, by the interval of what a start loses without the others: of an
-/// answer's similarity of 0.99 at most half of what it misses.
+/// What a start loses, start by start, where only some phases may move: the median's interval.
+rough::Interval loss_of(const std::vector<double>& all, const std::vector<double>& some);
+/// Whether that is at most half of what an answer of similarity 0.99 misses, for sure; and in words.
+bool are_enough(const rough::Interval& loss);
 std::string whether_enough(const rough::Interval& loss);
 /// What came out, in sentences; the page's first screen.
 std::vector<std::string> feature_words(const std::vector<FeatureTarget>& targets);

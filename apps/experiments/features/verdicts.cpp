@@ -167,8 +167,17 @@ const FeatureSample& FeatureTarget::best() const {
                              [](const auto& a, const auto& b) { return a.similarity < b.similarity; });
 }
 
+rough::Interval loss_of(const std::vector<double>& all, const std::vector<double>& some) {
+    std::vector<double> lost(all);
+    for (std::size_t i = 0; i < lost.size(); ++i)
+        lost[i] -= some.at(i);
+    return rough::median_interval(std::move(lost));
+}
+
+bool are_enough(const rough::Interval& loss) { return loss.upper <= tolerated; }
+
 std::string whether_enough(const rough::Interval& loss) {
-    if (loss.upper <= tolerated)
+    if (are_enough(loss))
         return "the waves named are enough";
     return loss.lower > tolerated ? "the waves named are not enough"
                                   : "so few starts do not decide whether the waves named are enough";

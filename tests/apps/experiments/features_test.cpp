@@ -117,9 +117,12 @@ TEST_CASE(
 }
 
 TEST_CASE("waves are enough where a start loses little for sure, not enough where much, else it is open") {
-    CHECK(whether_enough({-0.001, 0.004, 0.95}) == "the waves named are enough");
+    CHECK(whether_enough({-0.001, 0.005, 0.95}) == "the waves named are enough");
     CHECK(whether_enough({0.006, 0.02, 0.95}) == "the waves named are not enough");
     CHECK(whether_enough({-0.02, 0.02, 0.95}).find("so few starts do not decide") == 0);
+    const rough::Interval loss = loss_of({0.9, 0.8, 0.99, 0.97}, {0.8, 0.9, 0.9, 0.9});
+    CHECK(loss.lower == Approx(-0.1));
+    CHECK(loss.upper == Approx(0.1));
 }
 
 TEST_CASE(
