@@ -35,9 +35,8 @@ std::vector<DesignSetup> coarser_grids(const DesignSetup& setup) {
         Grid& grid = next.model.grid;
         grid.nodes /= 2;
         grid.rows /= 2;
-        const double spacing = std::max(grid.spacing(), grid.row_spacing());
         if (std::min(grid.nodes, grid.rows) < coarsest_side ||
-            setup.limits.shortest_wave < coarsest_wave * spacing)
+            setup.limits.shortest_wave < coarsest_wave * grid.widest_spacing())
             break;
         all.insert(all.begin(), next);
     }

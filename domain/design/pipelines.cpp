@@ -62,15 +62,12 @@ Pipeline design_variant(const DesignSetup& setup, const std::string& name) {
 }
 
 namespace {
+
+/// What an answer is judged by, refined: the end of some variants.
 const std::string polish = " | best 2 | score judged | refine lm 16 sharpen=4";
-}
 
-std::string without_polish(const std::string& variant) {
-    const std::string& text = design_variants().at(variant);
-    return text.substr(0, text.size() - polish.size());
-}
-
-const ga::Variants& design_variants() {
+/// Those variants without that end.
+const ga::Variants& unpolished() {
     static const ga::Variants variants{
         // Starts near the target; the best are brought down the squares, then towards the maximum norm. While
         // that is not enough, fresh ones join and length scales of good ones cross. Both grids at the end.
@@ -78,18 +75,21 @@ const ga::Variants& design_variants() {
          "shape 24 | score | best 8 | refine lm 15 | best 5 | refine lm 25 sharpen=8 | "
          "until fitness 0.9995 generations 10 { shape 8 | score | best 2 | refine lm 20 | parents | "
          "tournament 2 size=6 | cross uniform rate=0.7 | mutate 0.05 gaussian 0.02 | score | "
-         "refine lm 25 sharpen=10 | plus 5 }" +
-             polish},
+         "refine lm 25 sharpen=10 | plus 5 }"},
         // Stored genomes that are near already, brought nearer at once: the paper's in-line control.
         {"in-line",
-         "score | refine lm 12 | best 4 | refine lm 30 sharpen=8 | best 2 | refine lm 200 sharpen=5" +
-             polish},
+         "score | refine lm 12 | best 4 | refine lm 30 sharpen=8 | best 2 | refine lm 200 sharpen=5"},
         // The same effort without a target's shape in the starts and without cross-over: what chance brings.
         {"multistart", "sample 60 | score | best 12 | refine lm 12 | best 4 | refine lm 60 sharpen=1 | until "
                        "fitness 0.9995 "
                        "generations 8 { sample 60 | score | best 12 | refine lm 12 | best 4 | refine lm 60 "
-                       "sharpen=1 | plus 4 }" +
-                           polish},
+                       "sharpen=1 | plus 4 }"},
+    };
+    return variants;
+}
+
+const ga::Variants& other_variants() {
+    static const ga::Variants variants{
         // A scan's own waves, brought back to what the scan answers: stiffness and area together.
         {"like", "own 2 | fit | score | refine lm 30 sharpen=8 | score judged | refine lm 30 sharpen=4"},
         // Selection, cross-over of length scales and mutation, no derivative.
@@ -122,6 +122,20 @@ const ga::Variants& design_variants() {
         {"esch", "score | best 1 | refine nlopt GN_ESCH 5000"},
         {"crs2", "score | best 1 | refine nlopt GN_CRS2_LM 5000"},
     };
+    return variants;
+}
+
+} // namespace
+
+std::string without_polish(const std::string& variant) { return unpolished().at(variant); }
+
+const ga::Variants& design_variants() {
+    static const ga::Variants variants = [] {
+        ga::Variants all = other_variants();
+        for (const auto& [name, text] : unpolished())
+            all.emplace(name, text + polish);
+        return all;
+    }();
     return variants;
 }
 

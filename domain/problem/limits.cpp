@@ -51,8 +51,6 @@ double between_nodes(const std::vector<PlaneWave>& waves, int order, double h) {
 /// The grid that extremes are looked for on; of an area, whose nodes grow by the square, a coarser one.
 Grid looked_at(const Grid& grid) { return refined(grid, grid.is_area() ? 4 : 8); }
 
-double spacing_of(const Grid& fine) { return std::max(fine.spacing(), fine.row_spacing()); }
-
 struct Extremes {
     double least, greatest;      ///< at the nodes
     Place at_least, at_greatest; ///< where
@@ -72,7 +70,7 @@ Extremes extremes_on_area(const std::vector<PlaneWave>& waves, const Grid& fine,
         return sampled(each, fine);
     };
     const Eigen::VectorXd x = field(order), y = order > 0 ? field(0) : x, xy = order > 1 ? field(1) : x;
-    Extremes result{HUGE_VAL, -HUGE_VAL, {}, {}, between_nodes(waves, order, spacing_of(fine))};
+    Extremes result{HUGE_VAL, -HUGE_VAL, {}, {}, between_nodes(waves, order, fine.widest_spacing())};
     const auto consider = [&](Index node, double value, double angle) {
         const Place at{fine.from + fine.spacing() * static_cast<double>(node % fine.nodes),
                        fine.row_spacing() * static_cast<double>(node / fine.nodes), std::cos(angle),
@@ -159,7 +157,7 @@ std::vector<ShapeLimit> shape_limits(const Genome& genome, const Grid& grid, con
 
 double value_at(const Genome& genome, const ShapeLimit& limit, const Grid& fine) {
     const auto all = waves_on(fine, genome);
-    const double between = between_nodes(all, limit.order, spacing_of(fine));
+    const double between = between_nodes(all, limit.order, fine.widest_spacing());
     double value = 0;
     for (const auto& [weight, at] : limit.places)
         value += weight * derivative(all, limit.order, at) + std::abs(weight) * between;

@@ -46,7 +46,7 @@ DesignSetup completed(DesignSetup setup) {
         return setup;
     setup.bounds = completed(setup.bounds, grid.length);
     double& shortest = setup.limits.shortest_wave;
-    const double spacing = std::max(grid.spacing(), grid.row_spacing());
+    const double spacing = grid.widest_spacing();
     if (shortest == 0)
         shortest = 8 * spacing;
     if (shortest < spacing)
