@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ga/budget.hpp"
+#include "ga/errors.hpp"
 #include "ga/memory.hpp"
 #include "ga/parallel.hpp"
 #include "ga/problem.hpp"
@@ -28,11 +29,14 @@ struct Slope {
     Reason failure;                                 ///< why there is none
 };
 
-/// The outcome or the reason that there is none: an evaluation with its failure caught.
+/// The outcome or the reason that there is none: an evaluation with its failure caught. Pending where the
+/// problem itself ended it, by throwing Stopped.
 template <Problem P>
 Evaluation<typename P::Outcome> evaluated(const P& problem, const typename P::Genome& genome) {
     try {
         return problem.evaluate(genome);
+    } catch (const Stopped&) {
+        return Pending{};
     } catch (const std::exception& error) {
         return reason(error.what());
     } catch (...) {

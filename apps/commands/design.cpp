@@ -65,8 +65,9 @@ int design(const Words& words) {
             "nothing "
             "is searched: the named chromosomes' phases of a surface in production are changed as little as "
             "brings it back to the target, on the set-up's own grid. Exit codes: 0 "
-            "found; 2 wrong use; 3 similarity or limits missed, or the target is out of "
-            "reach; 130 interrupted. The best so far is written in every case but wrong use.",
+            "found; 2 wrong use; 3 similarity or limits missed, an area not judged in time, or "
+            "the target is out of reach; 130 interrupted. The best so far is written in every case but wrong "
+            "use.",
             design_settings(),
             {"design --target target.csv", "design --target target.csv --max-pressure 1.6e-4 --seconds 5",
              "design --like scan.txt --unit um --reach-similarity 0.99",
@@ -133,7 +134,9 @@ int design(const Words& words) {
     run.setup = exactly(run.found.setup);
     run.searched = run.found.setup;
     run.interrupted = interrupt.asked();
-    run.response = respond(run.setup, run.found.best.genome, run.setup.model).responses.front();
+    run.own = response_of(run.setup, run.found.best);
+    if (!run.setup.model.grid.is_area() || (run.found.best.is_judged() && !run.interrupted))
+        run.not_asked = off_unasked(run);
     run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
     run.summary = summary_of(run);
     run.seconds = schedule.spent();
@@ -142,10 +145,14 @@ int design(const Words& words) {
     if (!run.interrupted) {
         progress.show("verifying");
         run.trust_options.seconds = schedule.for_trust();
-        run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best);
+        run.trust_options.stop = run.options.stop;
+        run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best, &run.own);
+        run.interrupted = interrupt.asked();
         run.summary = summary_of(run);
         run.seconds = schedule.spent();
         write_design_result(run, folder);
+    }
+    if (!run.interrupted) {
         if (pictures && schedule.has_time_for_page())
             rough::write_atomically(folder / "report.html", design_page(run, schedule.for_drawing()));
         else if (pictures)

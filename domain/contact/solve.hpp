@@ -21,6 +21,9 @@ struct ContactOptions {
     std::function<bool()> stop; ///< asked now and then where set; true ends the solution with NotConverged
 };
 
+/// Whether somebody asks a solution to end.
+inline bool is_stopped(const ContactOptions& options) { return options.stop && options.stop(); }
+
 /// One load step's answer. Pressures are means over the length, MPa; lengths in mm.
 struct LoadStep {
     double displacement =

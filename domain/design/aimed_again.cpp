@@ -1,6 +1,7 @@
 #include "domain/design/aimed_again.hpp"
 
 #include "domain/design/coarse_to_fine.hpp"
+#include "domain/design/judging.hpp"
 #include "domain/design/pipelines.hpp"
 #include "ga/stopwatch.hpp"
 
@@ -54,10 +55,12 @@ SearchResult aimed_again(SearchResult result, const SearchOptions& options, cons
     const DesignSetup& setup = result.setup;
     const bool area = setup.model.grid.is_area();
     const char* const way = area ? on_own_grid : on_own_line;
-    const Judge judge(as_reported(setup), ga::thread_count(options.threads));
+    const Judge judge(as_reported(ending(setup, options.seconds, options.stop)),
+                      ga::thread_count(options.threads));
     const Confirmation confirmation(setup);
     result.best.judgement.confirming = confirmation.of(result.best.genome);
-    const double judging = area ? 0 : 2 * clock.seconds(); // and confirming, after each search
+    // And on a line confirming, after each search.
+    const double judging = area ? result.best.judgement.seconds : 2 * clock.seconds();
     took = std::max(took, judging);
     ga::RunOptions run;
     run.seed = options.seed;
@@ -68,12 +71,13 @@ SearchResult aimed_again(SearchResult result, const SearchOptions& options, cons
     for (int round = 1; round <= (area ? most_on_area : most_on_line); ++round) {
         const double now = clock.seconds();
         const long left = options.evaluations - result.counters.asked;
-        if ((result.best.judged() >= enough && is_confirmed(result.best)) || left < 1 ||
-            now + took > options.seconds || (options.stop && options.stop->load()))
+        if (!result.best.is_judged() || (result.best.judged() >= enough && is_confirmed(result.best)) ||
+            left < 1 || now + took > options.seconds || (options.stop && options.stop->load()))
             break;
         run.variant = name + "-" + std::to_string(round + 1);
         run.budget = {left, options.seconds - now - judging, options.stop};
-        const DesignSetup aimed = allowing_for(setup, latest.judgement);
+        const DesignSetup aimed =
+            allowing_for(ending(setup, run.budget.seconds, options.stop), latest.judgement);
         try {
             const auto found = ga::run(design_pipeline(aimed, way), DesignProblem(aimed),
                                        ga::population(std::vector<Genome>{latest.genome}), run, observers);
@@ -83,6 +87,8 @@ SearchResult aimed_again(SearchResult result, const SearchOptions& options, cons
         } catch (const std::exception&) { // no curve: the answer before stands
             break;
         }
+        if (!latest.is_judged())
+            break;
         latest.judgement.confirming = confirmation.of(latest.genome);
         const auto rank = [](const Answer& a) {
             return std::tuple(a.within_limits, is_confirmed(a), a.judged());

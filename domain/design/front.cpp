@@ -1,9 +1,11 @@
 #include "domain/design/front.hpp"
 
 #include "domain/design/search.hpp"
+#include "domain/errors.hpp"
 #include "ga/comparison.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace rough {
 
@@ -21,7 +23,14 @@ std::vector<Compromise> compromises(const DesignSetup& searched, const std::vect
                                     std::size_t most, int threads) {
     const DesignSetup setup = as_reported(searched);
     const auto each = [&](std::vector<Compromise>& all, auto work) {
-        ga::parallel_for(all.size(), ga::thread_count(threads), [&](std::size_t i) { work(all[i]); });
+        ga::parallel_for(all.size(), ga::thread_count(threads), [&](std::size_t i) {
+            try {
+                work(all[i]);
+            } catch (const NotConverged&) {
+                if (!is_stopped(setup.model.contact))
+                    throw;
+            }
+        });
     };
     std::vector<Compromise> all;
     for (const Genome& genome : genomes)
@@ -33,7 +42,9 @@ std::vector<Compromise> compromises(const DesignSetup& searched, const std::vect
             one.genome.scale = response.scale;
         one.genome = folded(one.genome);
     });
-    std::erase_if(all, [&](const Compromise& one) { return !holds_limits(setup, one.genome); });
+    std::erase_if(all, [&](const Compromise& one) {
+        return one.similarity.empty() || !holds_limits(setup, one.genome);
+    });
     std::vector<ga::Point> points;
     for (const Compromise& one : all)
         points.push_back(one.similarity);
@@ -55,6 +66,7 @@ std::vector<Compromise> compromises(const DesignSetup& searched, const std::vect
         front = std::move(spread);
     }
     each(front, [&](Compromise& one) {
+        one.similarity_refined.assign(setup.targets.size(), std::numeric_limits<double>::quiet_NaN());
         one.similarity_refined = similarities(setup, respond(setup, one.genome, refined(setup.model, 4)));
     });
     return front;

@@ -3,6 +3,7 @@
 #include "domain/design/aimed_again.hpp"
 #include "domain/design/archive.hpp"
 #include "domain/design/coarse_to_fine.hpp"
+#include "domain/design/judging.hpp"
 #include "domain/design/pipelines.hpp"
 #include "domain/design/within_limits.hpp"
 #include "domain/errors.hpp"
@@ -135,41 +136,20 @@ bool makes_its_own_starts(const std::string& pipeline) {
     return false;
 }
 
-} // namespace
-
-Answer judged_answer(const Judge& judge, const Genome& genome) {
-    Answer answer{folded(in_final_form(judge.setup(), genome))};
-    const Judgement judged = judge.of(genome);
-    answer.similarity = judged.similarity;
-    answer.similarity_refined = judged.refined;
-    answer.similarity_stepped = judged.stepped;
-    answer.similarity_worst = judged.worst();
-    answer.within_limits = holds_limits(judge.setup(), answer.genome);
-    answer.judgement = judged;
-    return answer;
-}
-
-Answer judged_answer(const DesignSetup& reported, const Genome& genome) {
-    return judged_answer(Judge(reported), genome);
-}
-
-bool holds_limits(const DesignSetup& setup, const Genome& genome) {
-    const auto all = margins(genome, setup.model.grid, setup.limits);
-    return std::all_of(all.begin(), all.end(), [](const Margin& margin) { return margin.holds(); });
-}
-
-namespace {
-
 bool better(const Answer& a, const Answer& b) {
-    return std::pair(a.within_limits, a.judged()) > std::pair(b.within_limits, b.judged());
+    const auto rank = [](const Answer& one) { // what is not judged is after what is
+        return std::tuple(one.within_limits, one.is_judged() ? one.judged() : -HUGE_VAL,
+                          one.is_judged() ? 0 : one.similarity);
+    };
+    return rank(a) > rank(b);
 }
 
-/// One run of a pipeline whose paths begin with `name`.
+/// One run of a pipeline whose paths begin with `name`; of its seconds so many are kept back.
 SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked, const std::string& name,
-                           std::vector<ga::Observer<Genome>> observers) {
-    const DesignProblem problem(given, asked.memory);
-    const DesignSetup& setup = problem.setup();
-    const DesignSetup reported = as_reported(setup);
+                           std::vector<ga::Observer<Genome>> observers, double kept_back) {
+    const DesignSetup setup = completed(given);
+    const DesignProblem problem(ending(setup, asked.seconds - kept_back, asked.stop), asked.memory);
+    const DesignSetup reported = as_reported(ending(setup, asked.seconds, asked.stop));
     const Judge judge(reported, ga::thread_count(asked.threads));
     SearchOptions options = asked;
     if (takes_harmonics(setup))
@@ -204,7 +184,7 @@ SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked,
     run.variant = name;
     run.seed = options.seed;
     run.threads = options.threads;
-    run.budget = {options.evaluations, options.seconds, options.stop};
+    run.budget = {options.evaluations, std::max(0.0, options.seconds - kept_back), options.stop};
     if (setup.limits.any_shape())
         run.budget.seconds *= 1 - share_for_limits;
     const std::string text = stage.text();
@@ -247,7 +227,7 @@ SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked,
     if (!front.empty()) {
         for (const auto& kept : archive.best)
             front.push_back(kept.genome);
-        result.front = compromises(setup, front, shown_compromises, options.threads);
+        result.front = compromises(reported, front, shown_compromises, options.threads);
     }
     const ga::Name by_similarity("similarity");
     for (const Compromise& one : result.front)
@@ -267,9 +247,11 @@ SearchResult searched_once(const DesignSetup& given, const SearchOptions& asked,
 
     const std::vector<Genome> candidates = candidates_of(problem, population, archive, options);
     std::vector<Answer> answers = answers_of(judge, candidates, options.threads);
-    if (std::none_of(answers.begin(), answers.end(), [](const Answer& a) { return a.within_limits; })) {
+    if (std::none_of(answers.begin(), answers.end(), [](const Answer& a) { return a.within_limits; }) &&
+        !is_stopped(reported.model.contact)) {
         run.budget = {std::numeric_limits<long>::max(), share_for_limits * options.seconds, options.stop};
-        if (const auto genome = brought_within(problem, candidates, run, result.counters)) {
+        const DesignProblem last(ending(setup, asked.seconds, asked.stop), asked.memory);
+        if (const auto genome = brought_within(last, candidates, run, result.counters)) {
             answers.push_back(judged_answer(judge, *genome));
             result.notes.push_back("no answer of the pipeline held every limit; one was brought within them, "
                                    "without its shortest waves where these were at fault");
@@ -308,26 +290,27 @@ void take_what_is_left(SearchOptions& next, const SearchOptions& whole, const Se
 }
 
 /// By coarser grids, then with the errors of the grid and the steps allowed for.
-SearchResult searched_area(const DesignSetup& given, const SearchOptions& options, const std::string& name,
-                           const std::vector<ga::Observer<Genome>>& observers) {
+SearchResult searched_by_grids(const DesignSetup& setup, const SearchOptions& options,
+                               const std::string& name, const std::vector<ga::Observer<Genome>>& observers,
+                               double kept_back) {
     const ga::Stopwatch clock;
-    const DesignSetup setup = completed(given), reported = as_reported(setup);
-    validate(setup);
     ga::RunOptions run;
     run.variant = name;
     run.seed = options.seed;
     run.threads = options.threads;
-    run.budget = {options.evaluations, options.seconds, options.stop};
+    run.budget = {options.evaluations, std::max(0.0, options.seconds - kept_back), options.stop};
     CoarseToFine found{options.starts, {}, ""};
     if (found.starts.empty())
-        found = coarse_to_fine(setup, run, observers);
+        found = coarse_to_fine(ending(setup, run.budget.seconds, options.stop), run, observers);
+    if (found.starts.empty()) // stopped before the first curve
+        found.starts = {shaped_start(setup, ga::Stream(options.seed))};
     const double begun = clock.seconds();
     SearchOptions last = options;
     last.starts = found.starts;
     last.pipeline = on_own_grid;
     last.seconds = std::max(0.0, options.seconds - begun);
     last.evaluations = std::max(1L, options.evaluations - found.counters.asked);
-    SearchResult result = searched_once(given, last, name, observers);
+    SearchResult result = searched_once(setup, last, name, observers, kept_back);
     result.counters = sum(found.counters, result.counters);
     result.pipeline = found.pipeline + result.pipeline;
     // A round takes about as long as the search and the judgement before it.
@@ -339,11 +322,39 @@ SearchResult searched_area(const DesignSetup& given, const SearchOptions& option
 
 /// With a remark on what similarity_worst rests on, where it is read between load steps.
 SearchResult with_reading_error(SearchResult result) {
-    if (const double off = result.best.judgement.reading_error; off > 0)
+    if (const double off = result.best.judgement.reading_error; off > 0 && result.best.is_judged())
         result.notes.push_back(line_of("of the finer grid's load steps some are read between solved ones; "
                                        "similarity_worst is lower by what that is off by on the own grid, ",
                                        off));
     return result;
+}
+
+/// An area's search, with time kept back for judging.
+SearchResult searched_area(const DesignSetup& given, const SearchOptions& options, const std::string& name,
+                           const std::vector<ga::Observer<Genome>>& observers) {
+    const ga::Stopwatch clock;
+    const DesignSetup setup = completed(given);
+    validate(setup);
+    const double curve = std::isfinite(options.seconds) ? time_of_curve(setup, options) : 0,
+                 judging = curve * curves_to_judge(options.threads);
+    SearchOptions left = options;
+    left.seconds = std::max(0.0, options.seconds - clock.seconds());
+    const auto all = [&] {
+        return judging * static_cast<double>(std::max<std::size_t>(1, left.alternatives));
+    };
+    const double most = most_for_judging * left.seconds;
+    if (all() > most)
+        left.alternatives = 1;
+    // The answer's own curve is solved in any case.
+    const double kept_back = all() <= most ? all() : std::isinf(curve) ? 0 : 2 * curve;
+    SearchResult result = name == "default" ? searched_by_grids(setup, left, name, observers, kept_back)
+                                            : searched_once(setup, left, name, observers, kept_back);
+    if (!result.best.is_judged() && !(options.stop && options.stop->load()))
+        result.notes.push_back("judging takes " +
+                               (std::isinf(judging) ? std::string("far longer than all of the time")
+                                                    : line_of("about ", std::ceil(judging), " s")) +
+                               " on this grid and the finer one; there was no time for it");
+    return with_reading_error(std::move(result));
 }
 
 } // namespace
@@ -354,14 +365,12 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
     const std::string name = options.pipeline.empty() ? options.variant : "pipeline";
     const bool timed = std::isfinite(options.seconds);
     const bool budgeted = timed || options.evaluations < SearchOptions{}.evaluations;
-    const bool area = given.model.grid.is_area();
-    if (area && name == "default")
-        return with_reading_error(searched_area(given, options, name, observers));
-    const bool makes_starts = (name == "default" || name == "multistart") && !area;
+    if (given.model.grid.is_area())
+        return searched_area(given, options, name, observers);
+    const bool makes_starts = name == "default" || name == "multistart";
     const bool goes_on = name == "like";
     const bool again = options.begins_anew && (makes_starts || goes_on) && budgeted;
-    const bool settles =
-        options.settles_steps && (makes_starts || name == "in-line") && !given.phases && !area;
+    const bool settles = options.settles_steps && (makes_starts || name == "in-line") && !given.phases;
     SearchOptions first = options;
     first.settles_steps = settles;
     if (settles)
@@ -370,7 +379,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
         first.seconds *= first_share;
     // One search, in steps that settle aimed again; not where more steps than these are needed.
     const auto searched = [&](const DesignSetup& setup, const SearchOptions& next, const std::string& path) {
-        SearchResult result = searched_once(setup, next, path, observers);
+        SearchResult result = searched_once(setup, next, path, observers, 0);
         const double enough = options.reach.value_or(HUGE_VAL);
         if (!settles ||
             (next.settles_steps && fall(result.best) > 2 * settled && result.best.judged() < enough))
@@ -408,11 +417,10 @@ SearchResult search(const DesignSetup& given, const SearchOptions& options,
         next.settles_steps = refinements > 0;
         next.seed = ga::fold(options.seed, static_cast<std::uint64_t>(round));
         try {
-            if (unsettled && timed) { // the answers are judged after the search, in more steps than so far
-                const ga::Stopwatch own;
-                judged_answer(as_reported(setup), best.genome);
+            if (unsettled && timed) { // the answers are judged after the search, in so many times the steps
                 const double judgements = static_cast<double>(2 * options.compared + options.alternatives);
-                next.seconds -= own.seconds() * (1 + judgements / ga::thread_count(options.threads));
+                next.seconds -= judged_refinement * best.judgement.seconds * judgements /
+                                ga::thread_count(options.threads);
                 if (next.seconds < least_share * options.seconds)
                     break;
             }

@@ -5,6 +5,7 @@
 #include "ga/context.hpp"
 
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -34,10 +35,12 @@ struct SearchOptions {
         {}; ///< the population to begin with; empty: the pipeline's own, or the Sobol database
     std::uint64_t seed = 1; ///< same seed, same answer, unless `seconds` or `stop` ends the search
     int threads = 0;        ///< 0: as many as OpenMP has
-    ga::Evaluator<DesignProblem>* evaluator = nullptr;        ///< makes the paid calls; none: threads do
-    double seconds = std::numeric_limits<double>::infinity(); ///< of wall time, from the call
-    long evaluations = std::numeric_limits<long>::max();      ///< curves and gradients
-    const std::atomic<bool>* stop = nullptr;                  ///< somebody asks the search to end
+    ga::Evaluator<DesignProblem>* evaluator = nullptr; ///< makes the paid calls; none: threads do
+    /// Of wall time, from the call. On an area, where judging takes longer than searching, that is within it:
+    /// the search keeps time back for it, as long as a quarter is left for the search.
+    double seconds = std::numeric_limits<double>::infinity();
+    long evaluations = std::numeric_limits<long>::max(); ///< curves and gradients
+    const std::atomic<bool>* stop = nullptr;             ///< somebody asks the search to end, judging too
     /// Ends when an answer's worst similarity (Judgement) is this; a pipeline that makes its own starts is
     /// begun up to eight times for it.
     std::optional<double> reach = {};
@@ -58,7 +61,8 @@ struct SearchOptions {
     std::shared_ptr<ResponseMemory> memory = nullptr;
 };
 
-/// A genome in final amplitude and how well it answers.
+/// A genome in final amplitude and how well it answers. Of an area that was not judged in time the
+/// similarities but the first are NaN.
 struct Answer {
     Genome genome;                 ///< amplitude final
     double similarity = 0;         ///< on the set-up's grid
@@ -71,13 +75,19 @@ struct Answer {
 
     /// What an answer is judged by: it must survive finer grids and load steps.
     double judged() const { return similarity_worst; }
+    /// Whether all of that is known.
+    bool is_judged() const { return !std::isnan(similarity_worst); }
 };
 
 /// A genome as an answer, in final amplitude, judged under a set-up as answers are reported (as_reported).
 /// Throws what respond() throws.
 Answer judged_answer(const DesignSetup& reported, const Genome& genome);
-/// The same by a judge of that set-up.
+/// The same by a judge of that set-up. Where that is stopped the similarity on the set-up's own grid is found
+/// all the same.
 Answer judged_answer(const Judge& judge, const Genome& genome);
+/// The answer's own response, as the set-up that was searched asks, solved throughout: of one that was not
+/// judged that which it has.
+DesignResponse response_of(const DesignSetup& setup, const Answer& answer);
 
 /// The similarity from which on an answer is called found, where none is asked for.
 constexpr double worth_the_name = 0.99;

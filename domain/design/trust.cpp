@@ -7,8 +7,8 @@
 #include "domain/plain_stream.hpp"
 #include "domain/problem/setup.hpp"
 #include "domain/problem/surface_descriptors.hpp"
+#include "ga/budget.hpp"
 #include "ga/parallel.hpp"
-#include "ga/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,21 +53,28 @@ void flag(Trust& trust, const Parts&... parts) {
     trust.flags.push_back(line.str());
 }
 
+/// Of an area: the root mean square gradient.
+double gradient_of(const Genome& genome, const Grid& grid) {
+    const auto all = surface_descriptors(grid);
+    return std::pow(10, std::find_if(all.begin(), all.end(), [](const auto& each) {
+                            return each.name == "slope";
+                        })->of(genome));
+}
+
 void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
-                   Trust& trust) {
+                   const DesignResponse& response, Trust& trust) {
     const Profile profile = sample(genome, setup.model.grid);
     const Index n = profile.nodes();
-    trust.rms_slope = profile.is_area() ? std::pow(10, surface_descriptors(setup.model.grid)[1].of(genome))
+    trust.rms_slope = profile.is_area() ? gradient_of(genome, setup.model.grid)
                                         : (profile.heights.tail(n - 1) - profile.heights.head(n - 1)).norm() /
                                               (profile.spacing * std::sqrt(static_cast<double>(n - 1)));
-    const DesignResponse response = respond(setup, genome, setup.model);
     double displacement = 0;
     for (const Response& one : response.responses)
         displacement = std::max(displacement, one.displacement.tail(1)[0]);
     ContactOptions contact = setup.model.contact;
     contact.states = true;
-    const ContactCurve curve = solve_contact(profile, setup.model.body, {displacement}, contact);
-    const ContactState& state = curve.states.front();
+    trust.last = solve_contact(profile, setup.model.body, {displacement}, contact).states.front();
+    const ContactState& state = trust.last;
     trust.peak_pressure = state.pressure.maxCoeff();
     const auto [columns, rows] = profile.shape();
     trust.contact_at_ends =
@@ -76,8 +83,7 @@ void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOp
             const Index i = node % columns, j = node / columns;
             return i == 0 || i == columns - 1 || (rows > 1 && (j == 0 || j == rows - 1));
         });
-    trust.shortest_wave_nodes = shortest_wave(genome) * (1 + 1e-12) /
-                                std::max(setup.model.grid.spacing(), setup.model.grid.row_spacing());
+    trust.shortest_wave_nodes = shortest_wave(genome) * (1 + 1e-12) / setup.model.grid.widest_spacing();
 
     if (trust.rms_slope > 0.1)
         flag(trust, "rms slope ", trust.rms_slope,
@@ -114,10 +120,12 @@ Job under(const DesignSetup& setup, const Genome& genome, const std::string& nam
 }
 
 std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
-                           const Trust& trust, const Answer* judged) {
+                           Trust& trust, const Answer* judged) {
     std::vector<Job> jobs;
     const auto ask = [&](const std::string& name, const Model& model, double Answer::*known) {
-        if (judged && known && setup.model.grid.is_area())
+        if (judged && known && setup.model.grid.is_area() && std::isnan(judged->*known))
+            trust.left_out.push_back(name);
+        else if (judged && known && setup.model.grid.is_area())
             jobs.push_back({name, [=] { return judged->*known; }});
         else
             jobs.push_back(under(setup, genome, name, model));
@@ -220,13 +228,14 @@ std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& 
 }
 
 Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOptions& options,
-               const Answer* judged) {
+               const Answer* judged, const DesignResponse* own) {
     Trust trust;
     DesignSetup setup = completed(given);
-    judge_strains(setup, genome, options, trust);
-    const auto late = [clock = ga::Stopwatch(), limit = options.seconds] { return clock.seconds() > limit; };
-    if (std::isfinite(options.seconds))
-        setup.model.contact.stop = late;
+    judge_strains(setup, genome, options, own ? *own : respond(setup, genome, setup.model), trust);
+    const auto late = [watch = ga::Watch({std::numeric_limits<long>::max(), options.seconds, options.stop})] {
+        return watch.expired();
+    };
+    setup.model.contact.stop = late;
     std::vector<Job> jobs = checks_of(setup, genome, options, trust, judged);
     const std::size_t checks = jobs.size();
     for (Job& job : kernels_of(setup, genome))

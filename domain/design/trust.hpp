@@ -2,6 +2,7 @@
 
 #include "domain/design/search.hpp"
 
+#include <atomic>
 #include <limits>
 #include <optional>
 
@@ -16,6 +17,7 @@ struct TrustOptions {
     std::uint64_t seed = 1; ///< of noise and redrawn phases
     int threads = 0;        ///< 0: all
     double seconds = std::numeric_limits<double>::infinity(); ///< what is not done by then is left out
+    const std::atomic<bool>* stop = nullptr; ///< somebody asks it to end, as if the seconds were over
 };
 
 /// One way to ask the same again, and the similarity it gives; NaN where it has no answer.
@@ -46,17 +48,19 @@ struct Trust {
     double peak_pressure = 0;          ///< highest node pressure at the last load step, MPa
     double shortest_wave_nodes = 0;    ///< in units of the grid's spacing
     bool contact_at_ends = false;      ///< of a free or strip profile, at the last load step
+    ContactState last;                 ///< what touches at the last load step
     std::vector<std::string> flags;    ///< where the model strains, a line each
     std::vector<std::string> left_out; ///< what there was no time for
 };
 
-/// Re-verifies a genome in final amplitude. On an area what the search has judged already is taken from its
-/// answer, where that is given: a fine area's curve costs a minute. The datum's change is exact on the target
+/// Re-verifies a genome in final amplitude, whose response as designed may be given (response_of). On an area
+/// what the search has judged already is taken from its answer, where that is given: a fine area's curve
+/// costs a minute; what it had no time for is left out. The datum's change is exact on the target
 /// side: 1/K(4 d) = 1/K(d)
 /// + (2 L/(pi E*)) ln 4 at the same load, displacements grow by (2 P L/(pi E*)) ln 4, areas and interface
 /// stiffness stay.
 Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
-               const Answer* judged = nullptr);
+               const Answer* judged = nullptr, const DesignResponse* own = nullptr);
 
 /// The targets as they read with the datum `factor` times farther; free kernel only. A target against
 /// displacement has no reading of its own where the load at its points is not known, and is left out.

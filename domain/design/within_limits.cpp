@@ -49,9 +49,13 @@ std::optional<Genome> brought_within(const DesignProblem& problem, const std::ve
                                      const ga::RunOptions& run, ga::Counters& spent) {
     std::vector<Genome> starts = genomes;
     starts.resize(2 * genomes.size());
-    ga::parallel_for(genomes.size(), ga::thread_count(run.threads), [&](std::size_t i) {
-        starts[genomes.size() + i] = least_in_excess(problem, genomes[i]);
-    });
+    try {
+        ga::parallel_for(genomes.size(), ga::thread_count(run.threads), [&](std::size_t i) {
+            starts[genomes.size() + i] = least_in_excess(problem, genomes[i]);
+        });
+    } catch (const ga::Stopped&) { // no time is left
+        return std::nullopt;
+    }
     const auto found =
         ga::run(design_pipeline(problem.setup(), to_limits), problem, ga::population(starts), run);
     spent.evaluations += found.counters.evaluations;

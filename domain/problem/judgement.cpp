@@ -1,12 +1,16 @@
 #include "domain/problem/judgement.hpp"
 
 #include "domain/contact/full_contact.hpp"
+#include "domain/errors.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/problem/rows.hpp"
 #include "domain/target/similarity.hpp"
 #include "ga/parallel.hpp"
+#include "ga/stopwatch.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace rough {
 
@@ -69,7 +73,10 @@ DesignSetup in_finer_steps(DesignSetup setup, int times) {
     return setup;
 }
 
-double Judgement::worst() const { return std::min({similarity, refined, stepped, both}); }
+double Judgement::worst() const {
+    return std::isnan(similarity + refined + stepped + both) ? std::numeric_limits<double>::quiet_NaN()
+                                                             : std::min({similarity, refined, stepped, both});
+}
 
 const DesignSetup& Judge::finer() const {
     std::call_once(asked_, [&] { finer_ = in_finer_steps(setup_); });
@@ -109,11 +116,10 @@ std::vector<Response> Judge::on_fine_area(const Genome& genome,
     return responses;
 }
 
-Judgement Judge::of(const Genome& genome) const {
+void Judge::judge(const Genome& genome, Judgement& result) const {
     const bool area = setup_.model.grid.is_area();
-    Judgement result;
-    // On the finer side the misfits in all steps, then in every fourth.
-    const auto judge = [&](std::vector<Response> fine, std::size_t own_steps, std::size_t all_steps) {
+    // The misfits in all steps, then in every fourth, which are the set-up's own.
+    const auto misfits_in = [&](std::vector<Response> fine, std::size_t own_steps, std::size_t all_steps) {
         std::vector<Response> own;
         for (const Response& response : fine)
             own.push_back(every(judged_refinement, response));
@@ -134,14 +140,30 @@ Judgement Judge::of(const Genome& genome) const {
         for (std::size_t t = 0; t < off.size(); ++t)
             result.reading_error = std::max(result.reading_error, (off[t] - exact[t]).cwiseAbs().maxCoeff());
     }
-    judge(std::move(fine), 0, 2);
-    result.on_finer = judge(area ? on_fine_area(genome, to_solve)
-                                 : pressed(finer(), genome, refined(finer().model, judged_refinement)),
-                            1, 3);
-    result.similarity = least_similarity(result.misfits[0]);
-    result.refined = least_similarity(result.misfits[1]);
-    result.stepped = least_similarity(result.misfits[2]);
-    result.both = least_similarity(result.misfits[3]) - result.reading_error;
+    result.on_own = misfits_in(std::move(fine), 0, 2);
+    result.on_finer = misfits_in(area ? on_fine_area(genome, to_solve)
+                                      : pressed(finer(), genome, refined(finer().model, judged_refinement)),
+                                 1, 3);
+}
+
+Judgement Judge::of(const Genome& genome) const {
+    const ga::Stopwatch clock;
+    Judgement result;
+    try {
+        judge(genome, result);
+    } catch (const NotConverged&) {
+        if (!is_stopped(setup_.model.contact))
+            throw;
+    }
+    const auto likeness = [&](std::size_t which) {
+        return result.misfits[which].empty() ? std::numeric_limits<double>::quiet_NaN()
+                                             : least_similarity(result.misfits[which]);
+    };
+    result.similarity = likeness(0);
+    result.refined = likeness(1);
+    result.stepped = likeness(2);
+    result.both = likeness(3) - result.reading_error;
+    result.seconds = clock.seconds();
     return result;
 }
 

@@ -15,7 +15,7 @@ constexpr int judged_refinement = 4;
 DesignSetup in_finer_steps(DesignSetup setup, int times = judged_refinement);
 
 /// A genome's similarity as it is asked for, and under finer grids and load steps; Eq. 11 anew each time
-/// where it applies.
+/// where it applies. NaN: not judged, as the judge was stopped before.
 struct Judgement {
     double similarity = 0; ///< on the set-up's grid, in its load steps
     double refined = 0;    ///< on a grid of 4(N - 1) + 1 nodes (periodic: 4 N), along both axes of an area
@@ -23,13 +23,16 @@ struct Judgement {
     double both = 0;       ///< on that grid in those steps
     /// Of an area `both` is less than what it was read as by so much (Judge::of).
     double reading_error = 0;
-    std::vector<Response> on_finer; ///< as pressed() has them, on that grid in the set-up's load steps
+    std::vector<Response> on_own;   ///< as pressed() has them, on the set-up's grid in its load steps
+    std::vector<Response> on_finer; ///< the same on the finer grid
+    double seconds = 0;             ///< of wall time that judging took
     /// Each target's, of the four in the order above.
     std::array<std::vector<Eigen::VectorXd>, 4> misfits;
     /// Each target's in steps that no search has seen; empty where nobody asked (rough::search does).
     std::vector<Eigen::VectorXd> confirming;
 
-    double worst() const; ///< the least of the four
+    /// The least of the four, NaN where not all are known.
+    double worst() const;
 };
 
 /// Judges the genomes of one set-up.
@@ -42,7 +45,8 @@ class Judge {
     /// four. On a fine area every fourth of the finer steps is solved, and those between where on the
     /// set-up's own grid, which solves all, a cubic through the pressures and tangents beside them is off by
     /// more than 2e-3 of a secant; the others are read off such cubics. What this changes on the own grid is
-    /// taken off `both`. Throws what respond() throws.
+    /// taken off `both`. Where the set-up's ContactOptions::stop ends it, what was not judged by then is left
+    /// at NaN, its misfits and responses empty. Otherwise throws what respond() throws.
     Judgement of(const Genome& genome) const;
     const DesignSetup& setup() const { return setup_; } ///< as it was given
     /// The set-up in four times the load steps. Where the targets are a measured surface's, its finer
@@ -50,6 +54,7 @@ class Judge {
     const DesignSetup& finer() const;
 
   private:
+    void judge(const Genome& genome, Judgement& result) const;
     std::vector<Response> on_fine_area(const Genome& genome,
                                        const std::vector<std::vector<char>>& to_solve) const;
 

@@ -1,5 +1,6 @@
 #include "domain/problem/problem.hpp"
 
+#include "domain/errors.hpp"
 #include "domain/mwm/cross.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/problem/appraisal.hpp"
@@ -33,6 +34,18 @@ double stiffest_of(Model model) {
     return stiffness_limits(model).most;
 }
 
+/// The work's result; that it was stopped says nothing about a genome.
+template <class Work>
+auto unless_stopped(const ContactOptions& contact, Work work) {
+    try {
+        return work();
+    } catch (const NotConverged&) {
+        if (is_stopped(contact))
+            throw ga::Stopped{"stop requested"};
+        throw;
+    }
+}
+
 std::string target_objective(std::size_t target) { return "goal" + std::to_string(target + 1); }
 
 } // namespace
@@ -58,13 +71,17 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> 
         {"similarity", [=](const Outcome& outcome) { return limited(outcome.similarity(), outcome); }},
         {"judged",
          [=, judge = judge_](const Outcome& outcome) {
-             return limited(std::min(outcome.similarity(), judge->of(outcome.genome).worst()), outcome);
+             const double worst = judge->of(outcome.genome).worst();
+             if (std::isnan(worst))
+                 throw ga::Stopped{"stop requested"};
+             return limited(std::min(outcome.similarity(), worst), outcome);
          }},
         {"stepped",
          [=, judge = judge_](const Outcome& outcome) {
              const Genome shape = at_scale_one(outcome.genome, judge->setup());
-             return limited(std::min(outcome.similarity(), rough::similarity(judge->finer(), shape)),
-                            outcome);
+             const double finer = unless_stopped(judge->setup().model.contact,
+                                                 [&] { return rough::similarity(judge->finer(), shape); });
+             return limited(std::min(outcome.similarity(), finer), outcome);
          }},
         {"low", part(false)},
         {"high", part(true)}};
@@ -78,7 +95,8 @@ DesignOutcome DesignProblem::evaluate(const Genome& genome) const {
     if (memory_)
         if (auto known = memory_->find(key(genome)))
             return of_responses(genome, std::move(*known));
-    return of_responses(genome, pressed(*setup_, genome, setup_->model));
+    return of_responses(genome, unless_stopped(setup_->model.contact,
+                                               [&] { return pressed(*setup_, genome, setup_->model); }));
 }
 
 DesignOutcome DesignProblem::of_responses(const Genome& genome, std::vector<Response> responses) const {
@@ -108,7 +126,9 @@ Genome DesignProblem::settled(Genome genome, const Outcome& outcome) const {
 }
 
 Genome DesignProblem::sample(ga::Stream& random) const {
-    return with_fitting_amplitude(*setup_, drawn_start(*setup_, ga::Stream(random())));
+    return unless_stopped(setup_->model.contact, [&] {
+        return with_fitting_amplitude(*setup_, drawn_start(*setup_, ga::Stream(random())));
+    });
 }
 
 void DesignProblem::cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const {

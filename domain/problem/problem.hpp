@@ -33,7 +33,8 @@ class DesignProblem {
     /// targets under Eq. 11 or in the threshold alone may share a memory.
     explicit DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory = nullptr);
 
-    /// The genome's misfit to every target. Throws InputError or NotConverged where it has no answer.
+    /// The genome's misfit to every target. Throws InputError or NotConverged where it has no answer,
+    /// ga::Stopped where the set-up's ContactOptions::stop ends it, as `judged` and `stepped` do.
     Outcome evaluate(const Genome& genome) const;
     /// The outcome of a genome whose responses to each way of loading, as pressed() has them, these are.
     Outcome of_responses(const Genome& genome, std::vector<Response> responses) const;

@@ -4,7 +4,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <atomic>
 #include <chrono>
+#include <memory>
 #include <set>
 #include <thread>
 
@@ -147,4 +149,42 @@ TEST_CASE("uneven evaluations are spread over four threads at three and a half t
         return clock.seconds();
     };
     CHECK(seconds(1) > 3.5 * seconds(4));
+}
+
+namespace {
+
+/// Vectors whose evaluation ends itself once somebody asks for it, as a long one does.
+struct Endable : Vectors {
+    const std::atomic<bool>* stop = nullptr;
+    mutable std::shared_ptr<std::atomic<long>> begun = std::make_shared<std::atomic<long>>(0);
+    std::atomic<bool>* raised_by_the_tenth = nullptr;
+
+    Outcome evaluate(const Genome& x) const {
+        if (++*begun == 10)
+            *raised_by_the_tenth = true;
+        if (stop->load())
+            throw Stopped{"asked"};
+        return x;
+    }
+};
+
+} // namespace
+
+TEST_CASE("an evaluation that ends itself when the run is to stop is no failure, and is not counted") {
+    for (const bool patient : {false, true}) {
+        std::atomic<bool> stop = false;
+        Endable problem;
+        problem.stop = problem.raised_by_the_tenth = &stop;
+        RunOptions options{.threads = 1, .budget = {.stop = &stop}};
+        const auto result = patient
+                                ? run(sample(6) | score() | refine(nlopt_method("LN_COBYLA", 20)) | score(),
+                                      problem, nobody, options)
+                                : run(sample(40) | score(), problem, nobody, options);
+        CHECK(result.stopped == "stop requested");
+        CHECK(result.counters.failures == 0);
+        CHECK(result.counters.evaluations == 9);
+        CHECK(*problem.begun == 10); // none is begun after it
+        for (const auto& each : result.population)
+            CHECK_FALSE(each.fitness.has_failed());
+    }
 }

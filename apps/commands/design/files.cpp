@@ -89,7 +89,7 @@ json morph_json(const DesignRun& run) {
 
 json design_json(const DesignRun& run) {
     VariantRun variant = variant_run(run.options.variant, run.found, run.stages, run.seconds);
-    variant.answer.response = run.response;
+    variant.answer.response = run.own.responses.front();
     json result = result_json({run.origin,
                                run.searched.model,
                                loaded_models(run.searched),
@@ -100,7 +100,7 @@ json design_json(const DesignRun& run) {
     for (const rough::Target& goal : run.setup.targets)
         result["targets"].push_back(weighted_json(goal));
     result["verdict"] = run.summary.verdict;
-    result["summary"] = summary_json(run.summary);
+    result["summary"] = summary_json(run);
     result["interrupted"] = run.interrupted;
     result["out_of_reach"] = json::array();
     for (const auto& reason : run.out_of_reach)
@@ -145,7 +145,7 @@ void write_design_result(const DesignRun& run, const std::filesystem::path& fold
 }
 
 void write_design_tables(const DesignRun& run, const std::filesystem::path& folder) {
-    rough::write_atomically(folder / "answer.csv", csv(run.response));
+    rough::write_atomically(folder / "answer.csv", csv(run.own.responses.front()));
     rough::write_atomically(folder / "genome.json",
                             rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
     if (run.setup.model.grid.is_area())

@@ -35,12 +35,23 @@ Shown shown_as(const rough::Target& goal) {
     }
 }
 
-/// The answer's.
-struct Curves {
-    rough::DesignResponse own, finer; ///< on the set-up's grid and on one four times finer
+/// One of the answer's responses, as it is drawn.
+struct ResponseLine {
+    rough::DesignResponse response;
+    std::string label;
+    Colour colour;
+    Dash dash;
 };
 
-Plot goal_plot(const DesignRun& run, const Curves& curves, std::size_t g) {
+/// On the set-up's grid and, where it was judged there, on one four times finer.
+std::vector<ResponseLine> drawn_responses(const DesignRun& run) {
+    std::vector<ResponseLine> all{{run.own, "answer", Colour::blue, Dash::solid}};
+    if (const auto& finer = run.found.best.judgement.on_finer; !finer.empty())
+        all.push_back({scored(run.setup, finer), "on a grid four times finer", Colour::orange, Dash::dashed});
+    return all;
+}
+
+Plot goal_plot(const DesignRun& run, const std::vector<ResponseLine>& answers, std::size_t g) {
     const rough::Target& goal = run.setup.targets[g];
     const Shown shown = shown_as(goal);
     Plot plot;
@@ -48,10 +59,8 @@ Plot goal_plot(const DesignRun& run, const Curves& curves, std::size_t g) {
     plot.title = std::filesystem::path(goal.name).filename().string();
     plot.x = {shown.x, false, 0, unset};
     plot.y = {shown.y, false, 0, unset};
-    for (const auto& [response, label, colour, dash] :
-         {std::tuple(&curves.own, "answer", Colour::blue, Dash::solid),
-          std::tuple(&curves.finer, "on a grid four times finer", Colour::orange, Dash::dashed)}) {
-        const rough::Curve curve = to_its_end(response->curves[g]);
+    for (const auto& [response, label, colour, dash] : answers) {
+        const rough::Curve curve = to_its_end(response.curves[g]);
         plot.series.push_back({label, shown.unit.factor * curve.x, curve.y, colour, Style::line, 2, dash});
     }
     if (run.from) {
@@ -68,7 +77,7 @@ Plot goal_plot(const DesignRun& run, const Curves& curves, std::size_t g) {
     return plot;
 }
 
-Plot misfit_plot(const DesignRun& run, const Curves& curves, std::size_t g) {
+Plot misfit_plot(const DesignRun& run, const std::vector<ResponseLine>& answers, std::size_t g) {
     const rough::Target& goal = run.setup.targets[g];
     const Shown shown = shown_as(goal);
     Plot plot;
@@ -77,20 +86,11 @@ Plot misfit_plot(const DesignRun& run, const Curves& curves, std::size_t g) {
     plot.x = {shown.x, false, 0, unset};
     plot.y = {"Misfit (%)"};
     plot.guides = {{0, true}};
-    for (const auto& [response, label, colour] :
-         {std::tuple(&curves.own, "answer", Colour::blue),
-          std::tuple(&curves.finer, "on a grid four times finer", Colour::orange)})
+    for (const auto& [response, label, colour, dash] : answers)
         plot.series.push_back({label, shown.unit.factor * goal.x,
-                               100 / goal.weight * misfit(goal, response->curves[g]), colour,
+                               100 / goal.weight * misfit(goal, response.curves[g]), colour,
                                Style::line_points, 1.5});
     return plot;
-}
-
-/// At the end of the load.
-Plot last_pressure(const DesignRun& run) {
-    const rough::Model& model = run.setup.model;
-    return pressure_plot(model, sample(run.found.best.genome, model.grid),
-                         run.response.displacement.tail(1)[0], "Where it touches at the last load");
 }
 
 Plot scan_plot(const rough::Profile& scan) {
@@ -135,15 +135,18 @@ Plot profile_plot(const DesignRun& run) {
 
 void add_answer(Page& page, const DesignRun& run) {
     page.section("The answer");
-    const Curves curves{respond(run.setup, run.found.best.genome, run.setup.model),
-                        scored(run.setup, run.found.best.judgement.on_finer)};
+    const std::vector<ResponseLine> answers = drawn_responses(run);
     for (std::size_t g = 0; g < run.setup.targets.size(); ++g)
         page.figure(
             {"goal-" + std::to_string(g + 1),
              "Figure " + std::to_string(g + 1) + ". Asked and found.",
-             "Points are the target; the answer is judged by its worst similarity: on its own grid, on one "
-             "four times finer, in four times the load steps, and both.",
-             {goal_plot(run, curves, g), misfit_plot(run, curves, g)}});
+             run.found.best.is_judged()
+                 ? "Points are the target; the answer is judged by its worst similarity: on its own grid, on "
+                   "one four times finer, in four times the load steps, and both."
+                 : "Points are the target. There was no time to judge the answer by its worst similarity, "
+                   "over "
+                   "finer grids and load steps.",
+             {goal_plot(run, answers, g), misfit_plot(run, answers, g)}});
     Table limits{
         "What can be made", {"Quantity", "Limit", "Of the answer", "Margin"}, {}, {false, true, true, true}};
     const auto in_words = [](const std::string& name) -> std::string {
@@ -219,7 +222,10 @@ void add_alternatives(Page& page, const DesignRun& run) {
             surfaces.panels.push_back(heights_plot(
                 run.setup.model.grid, sample(run.found.alternatives[i].genome, run.setup.model.grid).heights,
                 "Answer " + std::to_string(i + 1)));
-        surfaces.panels.insert(surfaces.panels.begin() + 1, last_pressure(run));
+        if (run.trust)
+            surfaces.panels.insert(
+                surfaces.panels.begin() + 1,
+                pressure_plot(run.setup.model.grid, run.trust->last, "Where it touches at the last load"));
     } else {
         surfaces.panels.push_back(profile_plot(run));
     }

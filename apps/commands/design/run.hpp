@@ -30,11 +30,10 @@ struct Production {
 /// lines on the terminal are this.
 struct Summary {
     bool found = false;
-    double judged = 0;   ///< the answer's worst similarity, under noise and hardness where these are given
+    /// The answer's worst similarity, under noise and hardness where these are given; NaN: not judged.
+    double judged = 0;
     std::string verdict; ///< in one line
     std::vector<Fact> facts;
-    /// Quantities that were not asked for, how far the answer is off from the scan's at most.
-    std::vector<std::pair<std::string, double>> not_asked = {};
 };
 
 struct DesignRun {
@@ -51,7 +50,10 @@ struct DesignRun {
 
     rough::SearchResult found;
     std::optional<rough::Morphed> morphed;
-    rough::Response response; ///< of the answer, as the first target is loaded
+    rough::DesignResponse own; ///< the answer's own
+    /// Quantities that were not asked for, how far the answer is off from the scan's at most; none where
+    /// there was no time for it.
+    std::optional<std::vector<std::pair<std::string, double>>> not_asked;
     std::vector<StageRecord> stages;
     std::vector<rough::Margin> margins;
     std::optional<rough::Trust> trust; ///< none where there was no time for it

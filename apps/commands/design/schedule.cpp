@@ -14,11 +14,10 @@ namespace {
 /// What a search's answer may take longer than the start that was measured, on a machine that may have become
 /// busier since.
 constexpr double longer = 2.5;
-/// The same of an area, whose answer is judged in minutes, not in milliseconds; what judging takes there, and
-/// verifying, in curves on its own grid by one thread; judging has two runs to share.
-constexpr double longer_on_area = 1.3, judging_area = 60, verifying_area = 40, area_runs = 2;
 /// No part but the search gets more than this share of the whole.
 constexpr double largest_share = 0.25;
+/// Of the whole, for verifying an area, whose search keeps back what judging takes.
+constexpr double verifying_area = 0.08;
 
 /// Of the whole, for what nobody measured.
 constexpr double slack = 0.02;
@@ -41,27 +40,28 @@ Schedule::Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& 
     : clock_(clock), limit_(limit), threads_(ga::thread_count(threads)), area_(setup.model.grid.is_area()) {
     if (std::isinf(limit))
         return;
-    const rough::Genome genome = start ? *start : shaped_start(setup, ga::Stream(0));
     const double look = 0.05 * limit;
-    const double coarse = seconds_of(look, [&] { similarity(setup, genome); });
-    // Where there is no time to look: a direct solver's cost grows with the square.
-    both_ = area_                       ? judging_area * coarse / std::min<double>(threads_, area_runs)
-            : 16 * coarse > 0.2 * limit ? 34 * coarse
-                                        : coarse + seconds_of(look, [&] { rough::Judge(setup).of(genome); });
-    // Finer grids, more load steps and kernels take about six such answers, phases drawn anew thirty curves.
-    trust_ =
-        (area_ ? longer_on_area * verifying_area * coarse : longer * (6 * both_ + 60 * coarse)) / threads_;
+    if (area_) {
+        trust_ = verifying_area * limit;
+    } else {
+        const rough::Genome genome = start ? *start : shaped_start(setup, ga::Stream(0));
+        const double coarse = seconds_of(look, [&] { similarity(setup, genome); });
+        // Where there is no time to look: a direct solver's cost grows with the square.
+        both_ = 16 * coarse > 0.2 * limit
+                    ? 34 * coarse
+                    : coarse + seconds_of(look, [&] { rough::Judge(setup).of(genome); });
+        // Finer grids, more load steps and kernels take about six such answers, phases drawn anew thirty
+        // curves.
+        trust_ = longer * (6 * both_ + 60 * coarse) / threads_;
+    }
     if (pictures && limit >= 5) {
         Plot target;
         target.series.push_back({"", setup.targets[0].x, setup.targets[0].y, Colour::text, Style::points, 2});
-        page_ =
-            4 * seconds_of(0, [&] { draw({target}, "plot", look); }) + longer * 2 * (area_ ? coarse : both_);
+        page_ = 4 * seconds_of(0, [&] { draw({target}, "plot", look); }) + longer * 2 * both_;
     }
 }
 
 double Schedule::picking() const {
-    if (area_)
-        return longer_on_area * both_;
     // The search's last piece of work is one that may need both grids.
     return longer * both_ * (1 + std::ceil(2.0 * static_cast<double>(compared()) / threads_));
 }

@@ -8,7 +8,8 @@
 namespace app {
 
 /// How a design shares out its wall time: the search gets what picking an answer, verifying it and drawing
-/// the report leave. What these take is measured on a first start of the design itself.
+/// the report leave. What these take is measured on a first start of the design itself. An area's search
+/// judges its answer within its own time.
 class Schedule {
   public:
     /// `limit` seconds by the clock, infinite for no limit (nothing is measured then); `start` is what the

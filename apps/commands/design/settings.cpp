@@ -103,8 +103,8 @@ std::vector<Setting> design_settings() {
          "area: like]"},
         {"pipeline", "", "how to search: a pipeline as text, in place of a variant"},
         {"seconds", "",
-         "wall time of the whole program; on an area of the search, which judging follows [until the "
-         "pipeline ends]"},
+         "wall time of the whole program; an area that there is no time to judge is said to be not judged "
+         "[until the pipeline ends]"},
         {"reach-similarity", "",
          "end as soon as an answer has this similarity at its worst, begin anew up to 8 times for it; exit "
          "3 if none has"},

@@ -75,9 +75,16 @@ std::string conditions(const DesignRun& run) {
 
 std::string verdict_of(const DesignRun& run, double judged) {
     std::string line;
+    const double own = run.found.best.similarity;
     if (!run.out_of_reach.empty())
         line = run.out_of_reach.front().verdict() + "; no similarity is above " + readable(run.bound, 4) +
-               ", the nearest found has " + readable(judged, 4);
+               ", the nearest found has " +
+               (std::isnan(judged) ? readable(own, 4) + " as designed" : readable(judged, 4));
+    else if (std::isnan(judged))
+        line = "not judged: similarity " + readable(own, 4) + " as designed, wanted is " +
+               brief(run.wanted, 15) + " at worst; " +
+               (run.interrupted ? "it was stopped before finer grids and load steps"
+                                : "there was no time for finer grids and load steps");
     else if (run.morphed)
         line = (judged >= run.wanted ? "brought back: similarity " + readable(judged, 5)
                                      : "not brought back: similarity " + below(judged, run.wanted)) +
@@ -107,35 +114,14 @@ std::string matched(const DesignRun& run, const rough::DesignResponse& response)
     return all;
 }
 
-/// How far the answer is off in what the scan answers and nobody asked.
-std::vector<std::pair<std::string, double>> off_unasked(const DesignRun& run) {
-    std::vector<std::pair<std::string, double>> all;
-    const auto& asked = run.setup.targets;
-    if (!run.setup.like || !asked.front().against_pressure())
-        return all;
-    rough::DesignSetup setup = run.setup;
-    setup.targets.clear();
-    for (const Quantity quantity :
-         {Quantity::stiffness, Quantity::area_at_pressure, Quantity::interface_stiffness}) {
-        if (std::any_of(asked.begin(), asked.end(),
-                        [&](const rough::Target& target) { return target.quantity == quantity; }))
-            continue;
-        setup.targets.push_back(asked.front());
-        setup.targets.back().quantity = quantity;
-    }
-    setup = rough::in_finer_steps(std::move(setup), 1); // values of the scan's own curve
-    const std::vector<double> each = similarities(setup, respond(setup, run.found.best.genome, setup.model));
-    for (std::size_t t = 0; t < each.size(); ++t)
-        if (setup.targets[t].y.maxCoeff() < nearly_rigid * run.setup.model.body.effective_modulus)
-            all.emplace_back(in_words(setup.targets[t].quantity), 1 - each[t]);
-    return all;
-}
-
 std::string worst_case(const DesignRun& run) {
     const rough::Answer& best = run.found.best;
-    std::string all = readable(best.similarity, 4) + " as designed, " + readable(best.similarity_refined, 4) +
-                      " on a grid 4 times finer, " + readable(best.similarity_stepped, 4) +
-                      " in 4 times the load steps, " + readable(best.similarity_worst, 4) +
+    const auto known = [](double similarity) {
+        return std::isnan(similarity) ? "not judged" : readable(similarity, 4);
+    };
+    std::string all = known(best.similarity) + " as designed, " + known(best.similarity_refined) +
+                      " on a grid 4 times finer, " + known(best.similarity_stepped) +
+                      " in 4 times the load steps, " + known(best.similarity_worst) +
                       " at worst (the least of these and of both together)";
     if (!run.trust)
         return all + "; there was no time to verify more";
@@ -266,12 +252,37 @@ std::string in_the_way(const DesignRun& run) {
         join(all, left_off(run));
         return all;
     }
+    if (!run.found.best.is_judged() && !run.interrupted)
+        join(all, "there was no time to judge the answer: expected more --seconds, or fewer --nodes");
     join(all, run.found.stopped.empty() ? "the search ended by itself: another --seed, or --seconds for more"
                                         : "the search was ended early: " + run.found.stopped);
     return all;
 }
 
 } // namespace
+
+std::vector<std::pair<std::string, double>> off_unasked(const DesignRun& run) {
+    std::vector<std::pair<std::string, double>> all;
+    const auto& asked = run.setup.targets;
+    if (!run.setup.like || !asked.front().against_pressure())
+        return all;
+    rough::DesignSetup setup = run.setup;
+    setup.targets.clear();
+    for (const Quantity quantity :
+         {Quantity::stiffness, Quantity::area_at_pressure, Quantity::interface_stiffness}) {
+        if (std::any_of(asked.begin(), asked.end(),
+                        [&](const rough::Target& target) { return target.quantity == quantity; }))
+            continue;
+        setup.targets.push_back(asked.front());
+        setup.targets.back().quantity = quantity;
+    }
+    setup = rough::in_finer_steps(std::move(setup), 1); // values of the scan's own curve
+    const std::vector<double> each = similarities(setup, respond(setup, run.found.best.genome, setup.model));
+    for (std::size_t t = 0; t < each.size(); ++t)
+        if (setup.targets[t].y.maxCoeff() < nearly_rigid * run.setup.model.body.effective_modulus)
+            all.emplace_back(in_words(setup.targets[t].quantity), 1 - each[t]);
+    return all;
+}
 
 Summary summary_of(const DesignRun& run) {
     Summary summary;
@@ -280,20 +291,19 @@ Summary summary_of(const DesignRun& run) {
     summary.found = summary.judged >= run.wanted && is_verified(run) && run.out_of_reach.empty() &&
                     run.found.best.within_limits;
     summary.verdict = verdict_of(run, summary.judged);
-    summary.not_asked = off_unasked(run);
     const auto add = [&](const char* key, const char* name, const std::string& text) {
         if (!text.empty())
             summary.facts.push_back({key, name, text});
     };
     if (run.morphed)
         add("moved", "Moved", moved(*run.morphed));
-    add("matched", "Matched", matched(run, respond(run.setup, run.found.best.genome, run.setup.model)));
-    std::string off;
-    for (const auto& [name, share] : summary.not_asked)
+    add("matched", "Matched", matched(run, run.own));
+    std::string off = run.not_asked ? "" : "not judged: there was no time";
+    for (const auto& [name, share] : run.not_asked.value_or(std::vector<std::pair<std::string, double>>()))
         join(off, name + " was not asked for and is off by up to " + percent(share));
     if (!run.setup.like)
         off = "everything but the target's quantities; at the last load " +
-              percent(run.response.contact_fraction.tail(1)[0]) + " of the nodes touch";
+              percent(run.own.responses.front().contact_fraction.tail(1)[0]) + " of the nodes touch";
     add("not_asked_for", "Not asked for", off);
     add("worst_case", "At worst", worst_case(run));
     add("yielding", "Elastic", yielding(run));
@@ -304,10 +314,11 @@ Summary summary_of(const DesignRun& run) {
     return summary;
 }
 
-nlohmann::json summary_json(const Summary& summary) {
+nlohmann::json summary_json(const DesignRun& run) {
+    const Summary& summary = run.summary;
     nlohmann::json result{{"found", summary.found}, {"not_asked", nlohmann::json::object()}};
     result["judged"] = std::isfinite(summary.judged) ? nlohmann::json(summary.judged) : nlohmann::json();
-    for (const auto& [name, share] : summary.not_asked)
+    for (const auto& [name, share] : run.not_asked.value_or(std::vector<std::pair<std::string, double>>()))
         result["not_asked"][name] = share;
     for (const Fact& fact : summary.facts)
         result[fact.key] = fact.text;

@@ -25,6 +25,11 @@ struct Design {
     }
 };
 
+/// None where it was not judged.
+std::optional<double> if_judged(double similarity) {
+    return std::isnan(similarity) ? std::nullopt : std::optional(similarity);
+}
+
 std::vector<rough::Target> targets_from(const py::object& given) {
     if (py::isinstance<rough::Target>(given))
         return {given.cast<rough::Target>()};
@@ -144,7 +149,7 @@ Design designed(const std::optional<Eigen::VectorXd>& pressure,
         const py::gil_scoped_release unlocked;
         design.found = search(setup, options, observers);
         setup = exactly(design.found.setup);
-        design.curve.response = respond(setup, design.found.best.genome, setup.model).responses.front();
+        design.curve.response = response_of(setup, design.found.best).responses.front();
     }
     callback.rethrow();
     design.interrupted = interrupt.asked();
@@ -189,9 +194,12 @@ void add_design(py::module_& module) {
     py::class_<Answer>(module, "Answer", "A genome in final amplitude and how well it answers.")
         .def_readonly("genome", &Answer::genome)
         .def_readonly("similarity", &Answer::similarity, "On the grid of the design (Eq. 12).")
-        .def_readonly("similarity_refined", &Answer::similarity_refined, "On a grid four times finer.")
-        .def_readonly("similarity_worst", &Answer::similarity_worst,
-                      "The least over that grid, four times the load steps and both.")
+        .def_property_readonly(
+            "similarity_refined", [](const Answer& a) { return if_judged(a.similarity_refined); },
+            "On a grid four times finer; None of an area that there was no time to judge.")
+        .def_property_readonly(
+            "similarity_worst", [](const Answer& a) { return if_judged(a.similarity_worst); },
+            "The least over that grid, four times the load steps and both; None as similarity_refined.")
         .def_readonly("within_limits", &Answer::within_limits, "It holds every limit of making.");
     py::class_<Design>(module, "Design", "What design() found.")
         .def_property_readonly(
@@ -210,9 +218,9 @@ void add_design(py::module_& module) {
             "Distance of the nodes, mm; of an area along x and y.")
         .def_property_readonly("similarity", [](const Design& d) { return d.found.best.similarity; })
         .def_property_readonly("similarity_refined",
-                               [](const Design& d) { return d.found.best.similarity_refined; })
+                               [](const Design& d) { return if_judged(d.found.best.similarity_refined); })
         .def_property_readonly("similarity_worst",
-                               [](const Design& d) { return d.found.best.similarity_worst; })
+                               [](const Design& d) { return if_judged(d.found.best.similarity_worst); })
         .def_property_readonly("found", &Design::is_found,
                                "similarity_worst is what was asked for, 0.99 by default.")
         .def_property_readonly(
@@ -247,8 +255,11 @@ void add_design(py::module_& module) {
             "Asks the same again on finer grids, in more load steps, with another datum, under height noise\n"
             "(mm, standard deviation) and on other bodies; a dictionary of similarities and flags.")
         .def("__repr__", [](const Design& d) {
-            return "<rugosa.Design, " + std::string(d.is_found() ? "found" : "not found") + ": similarity " +
-                   rough::line_of(d.found.best.judged()) + " at worst>";
+            return d.found.best.is_judged()
+                       ? "<rugosa.Design, " + std::string(d.is_found() ? "found" : "not found") +
+                             ": similarity " + rough::line_of(d.found.best.judged()) + " at worst>"
+                       : "<rugosa.Design, not judged: similarity " + rough::line_of(d.found.best.similarity) +
+                             " as designed>";
         });
     module.def(
         "design", &designed, py::arg("target_pressure") = py::none(),

@@ -81,8 +81,8 @@ class Target:
 class Answer:
     genome: Genome
     similarity: float
-    similarity_refined: float
-    similarity_worst: float
+    similarity_refined: Optional[float]
+    similarity_worst: Optional[float]
     within_limits: bool
 
 class Design:
@@ -91,8 +91,8 @@ class Design:
     heights: Array
     spacing: Pair
     similarity: float
-    similarity_refined: float
-    similarity_worst: float
+    similarity_refined: Optional[float]
+    similarity_worst: Optional[float]
     found: bool
     bound: float
     out_of_reach: List[str]

@@ -98,9 +98,12 @@ def _curve_picture(curve):
 
 
 def _design_box(design):
-    verdict = "found" if design.found else "; ".join(design.out_of_reach) or "not found"
+    worst = design.similarity_worst
+    verdict = ("found" if design.found else "; ".join(design.out_of_reach)
+               or ("not judged" if worst is None else "not found"))
+    worst = "none" if worst is None else f"{worst:.4f}"
     return (f'<div style="border:1px solid #888;padding:8px"><b>{escape(verdict)}</b>: similarity '
-            f"{design.similarity_worst:.4f} at worst, {design.similarity:.4f} on the grid of the design<br>"
+            f"{worst} at worst, {design.similarity:.4f} on the grid of the design<br>"
             f"{design.profile._repr_html_()}{_curve_picture(design.curve)}</div>")
 
 

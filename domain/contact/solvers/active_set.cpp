@@ -167,8 +167,9 @@ class ActiveSet {
     void improve(double& approach, double target) {
         double level = 0;
         solver_.improve(
-            set_, [&](Index i) { return approach - problem_.gap[i]; }, load_, Enough{target * approach},
-            most_iterations, problem_.is_area() ? &product_ : nullptr, sum_ ? &level : nullptr);
+            set_, [&](Index i) { return approach - problem_.gap[i]; }, load_,
+            Enough{target * approach, [&](double) { return check_stop(options_), false; }}, most_iterations,
+            problem_.is_area() ? &product_ : nullptr, sum_ ? &level : nullptr);
         approach -= level;
         stale_ = !problem_.is_area();
     }

@@ -144,7 +144,7 @@ LoadStep load_step(const ContactProblem& problem, double displacement, const Ste
 }
 
 void check_stop(const ContactOptions& options) {
-    if (options.stop && options.stop())
+    if (is_stopped(options))
         throw NotConverged("stopped before the contact was solved");
 }
 

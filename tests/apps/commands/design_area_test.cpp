@@ -1,3 +1,5 @@
+#include "apps/commands/design/page.hpp"
+#include "apps/commands/design/summary.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/problem/judgement.hpp"
 #include "domain/profile/solid.hpp"
@@ -89,6 +91,60 @@ TEST_CASE("a design like a map answers for the map's own stiffness and contact a
     CHECK(result["length_mm"][1].get<double>() == Approx(0.765));
     CHECK(result["targets"].size() == 2);
     CHECK(rough::read_whole(folder / "r" / "report.html").find("The map") != std::string::npos);
+}
+
+TEST_CASE("a design on an area that there is no time to judge is said to be not judged, without a number",
+          "[areas]") {
+    const Folder folder;
+    const Ended ended =
+        rugosa(drawn + "--nodes 24x24 --length 0.84942 --seconds 1e-3 --out r", folder.path());
+    INFO(ended.err << ended.out);
+    REQUIRE(ended.code == 3);
+    const json result = result_in(folder / "r");
+    const json& variant = result["variants"]["default"];
+    CHECK(variant["similarity"].is_number());
+    CHECK(variant["similarity_refined"].is_null());
+    CHECK(variant["similarity_worst"].is_null());
+    CHECK(variant["alternatives"][0]["similarity_worst"].is_null());
+    CHECK(result["summary"]["judged"].is_null());
+    CHECK(result["summary"]["found"] == false);
+    CHECK(result["verdict"].get<std::string>().rfind("not judged: similarity ", 0) == 0);
+    CHECK_THAT(result["summary"]["worst_case"].get<std::string>(),
+               Catch::Contains("not judged on a grid 4 times finer"));
+    CHECK_THAT(ended.out + ended.err, Catch::Contains("there was no time"));
+    CHECK((ended.out + ended.err).find("nan") == std::string::npos);
+    const auto rows = rows_of(folder / "r" / "answer.csv");
+    REQUIRE(rows.size() == 20);
+    // The similarity on its own grid is that of the curve that is written.
+    CHECK(rows.back()[1] == Approx(1.6e-4));
+    CHECK(variant["similarity"].get<double>() ==
+          Approx(similarity(setup_of(result), rough::genome_from_json(variant["genome"], "genome")))
+              .margin(1e-5));
+}
+
+TEST_CASE("the page of an area that was not judged draws its own curve alone and says so", "[areas]") {
+    app::DesignRun run;
+    run.setup.model.grid.nodes = run.setup.model.grid.rows = 20;
+    run.setup.model.grid.width = run.setup.model.grid.length;
+    run.setup.targets = {rough::read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    run.setup.max_pressure = 1.6e-4;
+    run.setup = run.searched = completed(run.setup);
+    run.options.seconds = 0;
+    run.options.alternatives = 1;
+    run.wanted = rough::worth_the_name;
+    run.found = search(run.setup, run.options);
+    run.own = response_of(run.setup, run.found.best);
+    run.trust_options.phase_draws = 0;
+    run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best, &run.own);
+    run.summary = app::summary_of(run);
+    CHECK_FALSE(run.summary.found);
+    const std::string page = app::design_page(run, 60);
+    CHECK(page.find("not judged: similarity ") != std::string::npos);
+    CHECK(page.find("There was no time to judge the answer") != std::string::npos);
+    CHECK(page.find("There was no time for: 4 times the nodes; 4 times the load steps") != std::string::npos);
+    CHECK(page.find("Where it touches at the last load") != std::string::npos);
+    CHECK(page.find("on a grid four times finer, ") == std::string::npos);
+    CHECK(page.find("nan") == std::string::npos);
 }
 
 TEST_CASE("a design on an area is the same on one thread and on two", "[areas]") {

@@ -51,6 +51,16 @@ class Design(WithFolder):
         with self.assertRaisesRegex(ZeroDivisionError, "mine"):
             rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=64, progress=fail)
 
+    def test_an_area_without_time_for_judging_has_no_worst_similarity(self):
+        design = rugosa.design(PRESSURE, STIFFNESS, nodes=(20, 20), seconds=1e-3)
+        self.assertIsNone(design.similarity_worst)
+        self.assertIsNone(design.alternatives[0].similarity_refined)
+        self.assertFalse(design.found)
+        self.assertLess(design.similarity, 1)
+        self.assertIn("not judged", repr(design))
+        self.assertIn("not judged", design._repr_html_())
+        self.assertEqual(len(design.curve), 20)
+
     def test_interrupt_gives_the_best_so_far(self):
         begun = threading.Event()
         threading.Thread(target=lambda: (begun.wait(), os.kill(os.getpid(), signal.SIGINT))).start()

@@ -5,6 +5,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
 using namespace rough;
 
 namespace {
@@ -88,4 +92,68 @@ TEST_CASE("the default search meets the drawn target on a small area and on one 
     CHECK(verified.checks[1].similarity ==
           Approx(similarity(setup, respond(setup, found.best.genome, refined(setup.model, 2)))));
     CHECK(verified.kernels.size() == 1); // no strip
+}
+
+TEST_CASE("an area's search without time for judging says that, with the answer's own curve all the same",
+          "[areas]") {
+    DesignSetup setup = drawn_area(24);
+    for (const char* pipeline : {"", "shape 2 | score | best 1", "shape 1 | score judged"}) {
+        SearchOptions options;
+        options.pipeline = pipeline;
+        options.alternatives = 2;
+        options.seconds = 0;
+        const SearchResult found = search(setup, options);
+        const Answer& best = found.best;
+        CHECK_FALSE(best.is_judged());
+        CHECK(std::isnan(best.similarity_refined));
+        CHECK(best.judgement.on_finer.empty());
+        CHECK_FALSE(found.setup.model.contact.stop);
+        const DesignResponse own = response_of(found.setup, best);
+        CHECK(best.similarity == similarity(found.setup, own));
+        CHECK(best.similarity == Approx(similarity(found.setup, best.genome)).margin(1e-5));
+        CHECK(own.responses[0].pressure.tail(1)[0] == Approx(1.6e-4));
+        CHECK(std::any_of(found.notes.begin(), found.notes.end(),
+                          [](const std::string& note) { return note.find("no time") != std::string::npos; }));
+        TrustOptions trust;
+        trust.phase_draws = 0;
+        const Trust verified = trust_in(found.setup, best.genome, trust, &best, &own);
+        CHECK(verified.left_out == std::vector<std::string>{"4 times the nodes", "4 times the load steps"});
+        CHECK(std::all_of(verified.checks.begin(), verified.checks.end(),
+                          [](const Check& check) { return std::isfinite(check.similarity); }));
+        CHECK(verified.peak_pressure == verified.last.pressure.maxCoeff());
+    }
+}
+
+TEST_CASE("an area's search that is asked to stop judges nothing more, and takes no failure from it",
+          "[areas]") {
+    const DesignSetup setup = drawn_area(24);
+    std::atomic<bool> stop = false;
+    SearchOptions options;
+    options.alternatives = 1;
+    options.stop = &stop;
+    long asked = 0;
+    const SearchResult found =
+        search(setup, options, {[&](const ga::Event<Genome>& event) {
+                   stop = stop || (event.path.rfind("default/refine", 0) == 0); // on the area's own grid
+                   asked = event.counters.asked;
+               }});
+    CHECK(stop);
+    CHECK_FALSE(found.best.is_judged());
+    CHECK(found.best.judgement.on_finer.empty());
+    CHECK(found.best.similarity > 0.9);
+    CHECK(found.counters.failures == 0);
+    CHECK(found.stopped == "stop requested");
+    CHECK(found.pipeline.find('\n') == found.pipeline.rfind('\n')); // it aims no second time
+}
+
+TEST_CASE("time that suffices changes nothing of an area's answer", "[areas]") {
+    const DesignSetup setup = drawn_area(20);
+    SearchOptions options;
+    options.alternatives = 1;
+    const SearchResult endless = search(setup, options);
+    options.seconds = 1e6;
+    const SearchResult timed = search(setup, options);
+    CHECK(timed.best.judged() == endless.best.judged());
+    CHECK(timed.best.is_judged());
+    CHECK(timed.notes == endless.notes);
 }

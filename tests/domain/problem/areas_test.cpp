@@ -91,6 +91,63 @@ TEST_CASE("an area's judgement is that of separate solutions, all its fine steps
     }
 }
 
+TEST_CASE("a judgement of an area that is stopped knows what was solved by then and nothing of the rest",
+          "[areas]") {
+    std::mt19937_64 random(75);
+    DesignSetup setup = area_setup(Kernel::periodic);
+    setup.max_pressure = 1.6e-4;
+    const Genome genome = two_series(random, setup);
+    const Judgement whole = Judge(setup).of(genome);
+    const auto stopped_after = [&](long questions, long* asked = nullptr) {
+        long count = 0;
+        DesignSetup ends = setup;
+        ends.model.contact.stop = [&] { return ++count > questions; };
+        const Judgement judged = Judge(ends).of(genome);
+        if (asked)
+            *asked = count;
+        return judged;
+    };
+    long all = 0;
+    const Judgement never = stopped_after(1000000, &all);
+    CHECK(never.worst() == whole.worst());
+    const Judgement at_once = stopped_after(0);
+    CHECK(std::isnan(at_once.similarity));
+    CHECK(std::isnan(at_once.stepped));
+    CHECK(std::isnan(at_once.worst()));
+    CHECK(at_once.on_own.empty());
+    const Judgement late = stopped_after(all - 1); // in the last step of the finer grid
+    CHECK(late.similarity == whole.similarity);
+    CHECK(late.stepped == whole.stepped);
+    CHECK(late.on_own[0].pressure == whole.on_own[0].pressure);
+    CHECK(std::isnan(late.refined));
+    CHECK(std::isnan(late.both));
+    CHECK(std::isnan(late.worst()));
+    CHECK(late.on_finer.empty());
+}
+
+TEST_CASE("an evaluation on an area that is stopped says nothing of its genome", "[areas]") {
+    std::mt19937_64 random(76);
+    DesignSetup setup = area_setup(Kernel::periodic);
+    const Genome genome = two_series(random, setup);
+    const DesignOutcome outcome = DesignProblem(setup).evaluate(genome);
+    setup.model.contact.stop = [] { return true; };
+    const DesignProblem problem(setup);
+    CHECK_THROWS_AS(problem.evaluate(genome), ga::Stopped);
+    for (const auto& objective : problem.objectives())
+        if (objective.name == "judged" || objective.name == "stepped")
+            CHECK_THROWS_AS(objective.fitness(outcome), ga::Stopped);
+}
+
+TEST_CASE("the axis along which an area's nodes are farther apart decides the shortest wave", "[areas]") {
+    for (const auto& [columns, rows] : {std::pair<Index, Index>(32, 17), std::pair<Index, Index>(17, 32)}) {
+        DesignSetup setup;
+        setup.model.grid = {columns, 0.8, false, 0, rows, 0.8};
+        setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+        CHECK(completed(setup).limits.shortest_wave == Approx(8 * 0.8 / 16));
+    }
+    CHECK(Grid{.nodes = 3, .length = 1}.widest_spacing() == 0.5);
+}
+
 TEST_CASE("without Eq. 11 an area is loaded as far as its target goes, by whatever solver", "[areas]") {
     std::mt19937_64 random(78);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
