@@ -91,7 +91,7 @@ class ParentsWatch {
 };
 
 RaceRun run_once(const RaceTarget& target, const std::string& name, const rough::SearchOptions& options) {
-    RaceRun run{options.seed, {}, {}};
+    RaceRun run{options.seed, {}, {}, 0};
     std::vector<StageRecord> stages;
     double best = -HUGE_VAL;
     ParentsWatch parents(run);
@@ -105,6 +105,8 @@ RaceRun run_once(const RaceTarget& target, const std::string& name, const rough:
     const ga::Stopwatch clock;
     const rough::SearchResult found = rough::search(target.setup, options, {recorder(stages), watch});
     run.run = variant_run(name, found, std::move(stages), clock.seconds());
+    run.last_displacement =
+        scored(found.setup, found.best.judgement.on_own).responses.front().displacement.tail(1)[0];
     run.history.push_back({found.counters.asked, run.run.seconds, std::max(best, run.run.similarity)});
     return run;
 }
@@ -217,8 +219,10 @@ Race raced(const Settings& settings, const Conditions& conditions) {
                 options.memory = memory; // an area's database is pressed once for all ways
                 if (area)
                     options.alternatives = 1;
-                variant.runs.push_back(
-                    read_at(settings, "variants." + name, [&] { return run_once(target, name, options); }));
+                RaceRun run =
+                    read_at(settings, "variants." + name, [&] { return run_once(target, name, options); });
+                if (!std::isnan(run.run.judged())) // an area's may be stopped before it is judged
+                    variant.runs.push_back(std::move(run));
             }
             target.variants.push_back(std::move(variant));
         }

@@ -58,15 +58,14 @@ std::string on_grid(const RaceTarget& target) {
 
 /// The area that a way's median run found, and where it touches at the end of the load.
 Figure area_figure(const RaceTarget& target, const RaceVariant& best, std::size_t number) {
-    const rough::DesignSetup& setup = target.setup;
-    const rough::Genome& genome = best.median_run().run.answer.genome;
-    const rough::Profile surface = sample(genome, setup.model.grid);
-    const double last = respond(setup, genome, setup.model).responses.front().displacement.tail(1)[0];
+    const rough::Model& model = target.setup.model;
+    const RaceRun& run = best.median_run();
+    const rough::Profile surface = sample(run.run.answer.genome, model.grid);
     return {"best-" + std::to_string(number),
             "What " + best.name + " found.",
             "The surface of the way that ended nearest, its median run; and the pressure at the last load.",
-            {heights_plot(setup.model.grid, surface.heights, "Heights"),
-             pressure_plot(setup.model, surface, last, "Where it touches at the last load")}};
+            {heights_plot(model.grid, surface.heights, "Heights"),
+             pressure_plot(model, surface, run.last_displacement, "Where it touches at the last load")}};
 }
 
 /// The ways on areas and on profiles beside each other.

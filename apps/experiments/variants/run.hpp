@@ -20,6 +20,7 @@ struct RaceRun {
     std::uint64_t seed;
     std::vector<Spent> history; ///< after each stage
     VariantRun run;
+    double last_displacement = 0; ///< of the answer, at the end of the load, mm
     long crossed = 0, better = 0; ///< children of two scored parents, and those above the better parent
 };
 
