@@ -69,21 +69,17 @@ inline std::vector<double> crowded_merits(std::span<const Fitness* const> all) {
 /// different policies, or one was not.
 inline std::vector<double> merits(std::span<const Fitness* const> all) {
     bool several = false, ruled = false;
-    for (const Fitness* each : all) {
-        if (!each->known() || each->objective_name() != all[0]->objective_name())
-            throw UsageError("fitness under '" + all[0]->objective() + "' was compared with '" +
-                             each->objective() + "'; expected score before, by one objective for all");
-        several |= each->several();
-        ruled |= !each->feasible();
-    }
-    if (several)
-        return crowded_merits(all);
-    if (ruled)
-        return classes_by_rules(all);
     std::vector<double> merits(all.size());
-    for (std::size_t i = 0; i < all.size(); ++i)
-        merits[i] = all[i]->merit();
-    return merits;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Fitness& each = *all[i];
+        if (!each.known() || each.objective_name() != all[0]->objective_name())
+            throw UsageError("fitness under '" + all[0]->objective() + "' was compared with '" +
+                             each.objective() + "'; expected score before, by one objective for all");
+        several |= each.several();
+        ruled |= !each.feasible();
+        merits[i] = several ? 0 : each.merit();
+    }
+    return several ? crowded_merits(all) : ruled ? classes_by_rules(all) : merits;
 }
 /// The same of a population, and of others behind it.
 template <class G>

@@ -118,7 +118,7 @@ class Ledger : public Door<P> {
 
   private:
     static constexpr std::size_t bookkeeping =
-        sizeof(Evaluation<Outcome>) + sizeof(Fingerprint) + 4 * sizeof(void*);
+        sizeof(Evaluation<Outcome>) + sizeof(Fingerprint) + 5 * sizeof(void*);
 
     /// Counts the questions, and puts those whose answer is not known among the calls.
     void look_up(Inquiry<P>& inquiry) {

@@ -99,10 +99,13 @@ class Fitness {
     };
 
     void need(bool one) const {
-        if (!known())
-            throw UsageError("an individual's fitness was read before it was scored; expected score first");
-        if (one && several())
-            throw UsageError("fitness under '" + policy_.text() + "' is no single number");
+        if (!known() || (one && several()))
+            refuse();
+    }
+    [[gnu::cold, gnu::noinline]] void refuse() const {
+        throw UsageError(known()
+                             ? "fitness under '" + policy_.text() + "' is no single number"
+                             : "an individual's fitness was read before it was scored; expected score first");
     }
 
     double value_ = 0, violation_ = 0;

@@ -17,31 +17,31 @@ struct Pending {
 template <class Outcome>
 using Evaluation = std::variant<Pending, Outcome, Reason>;
 
-/// Values by fingerprint: entries in the order they came, which never move, and an open-addressed index of 8
-/// bytes a slot, so that a look-up for what is not there touches one cache line.
+/// Values by fingerprint: entries in the order they came, which never move, and an open-addressed index whose
+/// slots are a byte each to look at, so that a look-up for what is not there touches little memory.
 template <class Value>
 class Table {
   public:
     /// Null when there is none.
     Value* find(const Fingerprint& print) {
-        const std::size_t entry = index_.empty() ? 0 : index_[slot_of(print)].entry;
-        return entry == 0 ? nullptr : &entries_[entry - 1].value;
+        const std::size_t slot = marks_.empty() ? 0 : slot_of(print);
+        return marks_.empty() || marks_[slot] == 0 ? nullptr : &entries_[numbers_[slot]].value;
     }
     /// The value of a fingerprint, made where there is none.
     Value& at(const Fingerprint& print) {
-        if (2 * (entries_.size() + 1) > index_.size())
+        if (entries_.size() == room_)
             grow();
-        Slot& slot = index_[slot_of(print)];
-        if (slot.entry == 0) {
-            entries_.push_back({print, {}});
-            slot = {tag(print), static_cast<std::uint32_t>(entries_.size())};
-        }
-        return entries_[slot.entry - 1].value;
+        const std::size_t slot = slot_of(print);
+        if (marks_[slot] != 0)
+            return entries_[numbers_[slot]].value;
+        marks_[slot] = mark(print);
+        numbers_[slot] = static_cast<std::uint32_t>(entries_.size());
+        return entries_.emplace_back(Entry{print, {}}).value;
     }
     /// Lets the processor fetch where a fingerprint will be looked up soon.
     void prefetch(const Fingerprint& print) const {
-        if (!index_.empty())
-            __builtin_prefetch(&index_[print.low & mask()]);
+        if (!marks_.empty())
+            __builtin_prefetch(&marks_[print.low & mask()]);
     }
     std::size_t size() const { return entries_.size(); } ///< entries
     /// Forgets all.
@@ -56,34 +56,34 @@ class Table {
     const std::deque<Entry>& entries() const { return entries_; }
 
   private:
-    struct Slot {
-        std::uint32_t tag = 0;
-        std::uint32_t entry = 0; ///< position among the entries plus 1; 0 for a free slot
-    };
-
-    static std::uint32_t tag(const Fingerprint& print) { return static_cast<std::uint32_t>(print.high); }
-    std::size_t mask() const { return index_.size() - 1; }
+    /// Of a slot that is taken; 0 is that of a free one.
+    static std::uint8_t mark(const Fingerprint& print) { return static_cast<std::uint8_t>(print.high | 1); }
+    std::size_t mask() const { return marks_.size() - 1; }
     /// Where a fingerprint is, or the free slot where it would be.
     std::size_t slot_of(const Fingerprint& print) const {
-        for (std::size_t i = print.low & mask();; i = (i + 1) & mask()) {
-            const Slot& slot = index_[i];
-            if (slot.entry == 0 || (slot.tag == tag(print) && entries_[slot.entry - 1].print == print))
+        for (std::size_t i = print.low & mask();; i = (i + 1) & mask())
+            if (marks_[i] == 0 || (marks_[i] == mark(print) && entries_[numbers_[i]].print == print))
                 return i;
-        }
     }
+    /// To four times the slots, of which at most half are taken.
     void grow() {
-        index_.assign(std::max<std::size_t>(64, 2 * index_.size()), {});
-        for (std::size_t entry = 1; entry <= entries_.size(); ++entry) {
-            const Fingerprint& print = entries_[entry - 1].print;
-            std::size_t i = print.low & mask();
-            while (index_[i].entry != 0)
+        marks_.assign(std::max<std::size_t>(64, 4 * marks_.size()), 0);
+        numbers_.resize(marks_.size());
+        room_ = marks_.size() / 2;
+        std::uint32_t number = 0;
+        for (const Entry& entry : entries_) {
+            std::size_t i = entry.print.low & mask();
+            while (marks_[i] != 0)
                 i = (i + 1) & mask();
-            index_[i] = {tag(print), static_cast<std::uint32_t>(entry)};
+            marks_[i] = mark(entry.print);
+            numbers_[i] = number++;
         }
     }
 
     std::deque<Entry> entries_;
-    std::vector<Slot> index_;
+    std::vector<std::uint8_t> marks_;    ///< of the slots
+    std::vector<std::uint32_t> numbers_; ///< of the entries in them
+    std::size_t room_ = 0;               ///< entries before the index must grow
 };
 
 /// Evaluations by fingerprint in bounded memory. Two halves: when the young half is full, the old half is

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <boost/random/bernoulli_distribution.hpp>
-#include <boost/random/geometric_distribution.hpp>
 #include <boost/random/normal_distribution.hpp>
-#include <boost/random/uniform_01.hpp>
-#include <boost/random/uniform_int_distribution.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -38,7 +35,8 @@ constexpr std::uint64_t fold(std::uint64_t key, std::string_view text) {
 }
 
 /// An independent sequence of random numbers for each key: splitmix64 started at the key. A value; making one
-/// costs nothing, so every individual of every stage has its own. The distributions are Boost.Random's.
+/// costs nothing, so every individual of every stage has its own. The distributions are Boost.Random's bit by
+/// bit; those that engines draw most are written without its branches on random bits.
 class Stream {
   public:
     ///@{
@@ -53,21 +51,40 @@ class Stream {
     ///@}
 
     /// Uniform in [0, 1).
-    double uniform() { return boost::random::uniform_01<double>()(*this); }
+    double uniform() {
+        double number;
+        do
+            number = as_double((*this)()) * 0x1p-64;
+        while (number == 1); // rounded up
+        return number;
+    }
     /// Uniform in [lower, upper).
     double uniform(double lower, double upper) { return lower + (upper - lower) * uniform(); }
     /// Normal, mean 0 and deviation 1.
     double normal() { return boost::random::normal_distribution<double>()(*this); }
     /// True with the given probability.
     bool chance(double probability) {
-        return boost::random::bernoulli_distribution<double>(probability)(*this);
+        return probability != 0 && as_double((*this)()) <= probability * 0x1p64;
     }
     /// Uniform over 0 .. n-1; n >= 1.
     std::size_t below(std::size_t n) {
-        return boost::random::uniform_int_distribution<std::size_t>(0, n - 1)(*this);
+        if (n == 1)
+            return 0;
+        const std::uint64_t bucket = max() / n + (max() % n == n - 1 ? 1 : 0);
+        std::size_t number;
+        do
+            number = (*this)() / bucket;
+        while (number >= n);
+        return number;
     }
 
   private:
+    /// The nearest double; as halves, since the processor converts signed numbers alone.
+    static double as_double(std::uint64_t word) {
+        return static_cast<double>(static_cast<std::int64_t>(word >> 32)) * 0x1p32 +
+               static_cast<double>(static_cast<std::int64_t>(word & 0xffffffff));
+    }
+
     std::uint64_t state_;
 };
 
@@ -78,7 +95,7 @@ class Chance {
     /// `probability` in [0, 1]; less counts as 0, more as 1.
     Chance(double probability)
         : probability_(probability), sure_(probability >= 1), never_(!(probability > 1e-15)),
-          gaps_(sure_ || never_ ? 0.5 : probability) {}
+          log_of_rest_(std::log(1 - probability)) {}
 
     double probability() const { return probability_; } ///< as it was given
 
@@ -92,12 +109,15 @@ class Chance {
   private:
     std::size_t gap(Stream& stream) const {
         constexpr std::size_t beyond = std::numeric_limits<std::size_t>::max() / 2;
-        return sure_ ? 0 : never_ ? beyond : static_cast<std::size_t>(gaps_(stream));
+        if (sure_ || never_)
+            return sure_ ? 0 : beyond;
+        return static_cast<std::size_t>(
+            static_cast<std::int64_t>(std::log(1 - stream.uniform()) / log_of_rest_));
     }
 
     double probability_;
     bool sure_, never_;
-    boost::random::geometric_distribution<std::int64_t> gaps_;
+    double log_of_rest_;
 };
 
 } // namespace ga

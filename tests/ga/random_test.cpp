@@ -1,6 +1,10 @@
 #include "ga/fingerprint.hpp"
 #include "ga/random.hpp"
 
+#include <boost/random/bernoulli_distribution.hpp>
+#include <boost/random/geometric_distribution.hpp>
+#include <boost/random/uniform_01.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
 #include <catch2/catch.hpp>
 
 #include <bit>
@@ -32,6 +36,33 @@ TEST_CASE("streams are splitmix64, by its published numbers") {
     CHECK(stream() == 0x06c45d188009454fu);
     CHECK(fold(1, 2) != fold(2, 1));
     CHECK(fold(1, "ab") != fold(1, "ba"));
+}
+
+TEST_CASE("the distributions are Boost.Random's, bit by bit and draw by draw") {
+    namespace boosts = boost::random;
+    Stream keys(3);
+    const auto agree = [&](std::uint64_t key, std::size_t n, double p) {
+        Stream ours(key), theirs(key);
+        bool same = ours.uniform() == boosts::uniform_01<double>()(theirs);
+        same &= ours.below(n) == boosts::uniform_int_distribution<std::size_t>(0, n - 1)(theirs);
+        same &= ours.chance(p) == boosts::bernoulli_distribution<double>(p)(theirs);
+        if (p > 1e-15 && p < 1) {
+            const boosts::geometric_distribution<std::int64_t> gap(p);
+            Chance(p).each(30, ours, [&, next = gap(theirs)](std::size_t i) mutable {
+                same &= i == static_cast<std::size_t>(next);
+                next += 1 + gap(theirs);
+            });
+        }
+        return same && ours() == theirs();
+    };
+    bool all = true;
+    for (int i = 0; i < 20000; ++i) {
+        const std::size_t n = std::max<std::size_t>(1, keys() >> (i % 64));
+        all &= agree(keys(), n, std::ldexp(keys.uniform(), -(i % 40)));
+        all &= agree(keys(), std::size_t{1} << (i % 64), i % 2);
+        all &= agree(0 - golden_step - static_cast<std::uint64_t>(i), 1 + n / 2, 0.5);
+    }
+    CHECK(all);
 }
 
 TEST_CASE("uniform and normal numbers have their distributions, whole numbers equal shares") {
