@@ -11,7 +11,8 @@ namespace ga {
 /// CMA-ES with active covariance adaptation (Hansen and Ostermeier 2001; Hansen 2016, see CmaConstants). Each
 /// generation learns from those of its children that are in the population still, and puts new ones in its
 /// place; the first begins at the best of the population. A gene's step is in widths between its bounds; one
-/// that passes a bound is mirrored there, and what is learnt is the mirrored gene. Children that were refined
+/// that passes a bound is mirrored there, as often as it takes, and what is learnt is where it was drawn: to
+/// what is learnt the landscape goes on beyond its mirrors. Children that were refined
 /// since are taken at most sqrt(n) + 2n/(n + 2) deviations from the mean (Hansen 2011, Injecting external
 /// solutions into CMA-ES). A run that is over (`over`) is followed by another (CmaPlan) whose mean is uniform
 /// between the bounds; a gene without bounds begins where the first run did.
@@ -29,6 +30,7 @@ struct CmaEs : Operator {
         CmaPlan plan;                   ///< of the runs
         CmaPlan::Run run{0, 1, 0};      ///< this one
         std::vector<Identity> children; ///< drawn last, ascending
+        Eigen::MatrixXd drawn;          ///< where, a column each
         bool ended = false;             ///< no further run
     };
 
@@ -97,6 +99,14 @@ struct CmaEs : Operator {
         state.cloud = Cloud(state.first, sigma);
     }
 
+    /// A value brought back between its bounds by as many mirrors as it takes.
+    static double mirrored(double value, const Variable& v) {
+        const double width = v.upper - v.lower;
+        if ((value >= v.lower && value <= v.upper) || !std::isfinite(width))
+            return reflected(value, v);
+        return std::clamp(v.lower + std::abs(std::remainder(value - v.lower, 2 * width)), v.lower, v.upper);
+    }
+
     /// In widths between bounds.
     static Eigen::VectorXd coordinates(const std::vector<double>& genes,
                                        const std::vector<Variable>& moving) {
@@ -115,13 +125,22 @@ struct CmaEs : Operator {
         for (const std::size_t i : order) {
             const auto& individual = population[i];
             const Fitness& fitness = individual.fitness;
-            if (!std::binary_search(state.children.begin(), state.children.end(), individual.identity) ||
+            const auto child =
+                std::lower_bound(state.children.begin(), state.children.end(), individual.identity);
+            if (child == state.children.end() || *child != individual.identity ||
                 values.size() == state.children.size())
                 continue;
             const auto genes = genes_of(problem, individual.genome);
             if (genes.size() <= state.moving.back().gene)
                 continue;
-            Eigen::VectorXd step = (coordinates(genes, state.moving) - state.cloud.mean) / state.cloud.sigma;
+            Eigen::VectorXd x = coordinates(genes, state.moving);
+            for (Eigen::Index i = 0; i < x.size(); ++i) {
+                const Variable& v = state.moving[static_cast<std::size_t>(i)];
+                const double drawn = state.drawn(i, child - state.children.begin());
+                if (genes[v.gene] == mirrored(drawn * width(v), v)) // nobody has changed it since
+                    x[i] = drawn;
+            }
+            Eigen::VectorXd step = (x - state.cloud.mean) / state.cloud.sigma;
             if (individual.origin)
                 step *= std::min(1.0, (std::sqrt(n) + 2 * n / (n + 2)) / state.cloud.whitened(step).norm());
             steps.col(static_cast<Eigen::Index>(values.size())) = step;
@@ -155,16 +174,18 @@ struct CmaEs : Operator {
         std::vector<double> genes = genes_of(context.problem(), like);
         Population<G> fresh(state.run.lambda);
         state.children.clear();
+        state.drawn.resize(state.first.size(), static_cast<Eigen::Index>(fresh.size()));
         for (std::size_t k = 0; k < fresh.size(); ++k) {
             Stream stream = context.stream(k);
             Eigen::VectorXd z(state.first.size());
             for (double& each : z)
                 each = stream.normal();
             const Eigen::VectorXd x = state.cloud.at(z);
+            state.drawn.col(static_cast<Eigen::Index>(k)) = x;
             for (std::size_t i = 0; i < state.moving.size(); ++i) {
                 const Variable& v = state.moving[i];
                 if (v.gene < genes.size())
-                    genes[v.gene] = reflected(x[static_cast<Eigen::Index>(i)] * width(v), v);
+                    genes[v.gene] = mirrored(x[static_cast<Eigen::Index>(i)] * width(v), v);
             }
             fresh[k].genome = with_genes(context.problem(), like, genes);
             context.make_child(fresh[k], Parents());
@@ -191,7 +212,8 @@ inline void to_json(nlohmann::json& j, const CmaEs::State& s) {
           s.plan.begun},
          {s.run.lambda, s.run.shrink, s.run.most},
          s.children,
-         s.ended};
+         s.ended,
+         numbers(s.drawn)};
 }
 inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     const auto vector = [](const nlohmann::json& from) {
@@ -225,6 +247,11 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     s.run = {j.at(5).at(0), j.at(5).at(1), j.at(5).at(2)};
     j.at(6).get_to(s.children);
     s.ended = j.at(7);
+    const Eigen::VectorXd drawn = vector(j.at(8));
+    const auto children = static_cast<Eigen::Index>(s.children.size());
+    if (drawn.size() != n * children)
+        throw UsageError("the checkpoint does not fit its pipeline; expected one that was written by it");
+    s.drawn = drawn.reshaped(n, children);
 }
 ///@}
 
