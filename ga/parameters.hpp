@@ -152,13 +152,22 @@ struct Field {
     }
 };
 
+/// What `describe` shows the parameters to: it notes them with the places of their values.
+struct FieldVisit {
+    std::vector<Field>& fields; ///< to which they are added
+
+    /// One parameter.
+    template <class Value>
+    void operator()(Value& value, Parameter parameter) const {
+        fields.push_back({std::move(parameter), Field::Place(&value)});
+    }
+};
+
 /// The parameters of what describes itself, with the places of its values.
 template <class T>
 [[gnu::cold]] std::vector<Field> fields_of(T& described) {
     std::vector<Field> fields;
-    T::describe(described, [&](auto& value, Parameter parameter) {
-        fields.push_back({std::move(parameter), Field::Place(&value)});
-    });
+    T::describe(described, FieldVisit{fields});
     return fields;
 }
 
@@ -185,6 +194,12 @@ template <class T>
     const std::string values = values_in_words(fields);
     return words.name + (values.empty() ? "" : " ") + values;
 }
+[[gnu::cold]] inline std::vector<Parameter> parameters_in(std::vector<Field> fields) {
+    std::vector<Parameter> parameters;
+    for (Field& field : fields)
+        parameters.push_back(std::move(field.parameter));
+    return parameters;
+}
 ///@}
 
 /// The values of what describes itself, as text gives them behind its name.
@@ -201,10 +216,7 @@ template <Described T>
 template <class T>
 [[gnu::cold]] std::vector<Parameter> parameters_of() {
     T standard{};
-    std::vector<Parameter> parameters;
-    for (Field& field : fields_of(standard))
-        parameters.push_back(std::move(field.parameter));
-    return parameters;
+    return parameters_in(fields_of(standard));
 }
 /// Throws UsageError where a value is none that its parameter allows.
 template <class T>

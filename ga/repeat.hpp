@@ -40,7 +40,8 @@ class GenerationsStep {
     [[gnu::cold]] void check(Known& known) const {
         check_generation(body_, name_, known, [&](const Known& inside) {
             for (const Rule<G>& rule : rules_)
-                rule.check(inside, name_);
+                if (rule.check)
+                    rule.check(inside, name_);
         });
     }
 

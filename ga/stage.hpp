@@ -220,18 +220,20 @@ class Stage {
         else
             add_operator(op);
     }
+    /// An operator whose type is known no more: the compiler makes Step's functions once for all of them.
+    struct AnyOperator {
+        virtual ~AnyOperator() = default;
+        virtual void check(Known& known) const = 0;
+        virtual Population<Genome> apply(Population<Genome> population, Context<P>& context) const = 0;
+    };
     template <class Op>
-    [[gnu::cold]] void add_operator(const Op& op) {
-        Step<P>& step = add(stage_text(op));
-        step.check = [op](Known& known) { op.check(known); };
-        if constexpr (requires { op.reads_of_start(); })
-            step.reads_of_start = op.reads_of_start();
-        if constexpr (requires { op.demand(); })
-            step.demand = op.demand();
-        if constexpr (requires { Op::begins; })
-            step.begins = Op::begins;
-        if constexpr (requires { typename Op::State; }) {
-            step.apply = [op](Population<Genome> population, Context<P>& context) {
+    struct OneOperator final : AnyOperator {
+        Op op;
+
+        explicit OneOperator(const Op& op_) : op(op_) {}
+        void check(Known& known) const override { op.check(known); }
+        Population<Genome> apply(Population<Genome> population, Context<P>& context) const override {
+            if constexpr (requires { typename Op::State; }) {
                 HeldState& held = context.kept.loops.back()->states[context.path()];
                 auto& state = held.template as<typename Op::State>();
                 const auto before = state;
@@ -241,20 +243,40 @@ class Stage {
                     state = before;
                     throw;
                 }
-            };
-        } else if constexpr (!std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>) {
+            } else {
+                return op(std::move(population), context);
+            }
+        }
+    };
+
+    template <class Op>
+    [[gnu::cold]] void add_operator(const Op& op) {
+        if constexpr (!requires { typename Op::State; } &&
+                      !std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>) {
             static_assert(std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>,
                           "this operator needs what the problem or its genome does not have; the compiler "
                           "names it below");
             // No more callable here, where the compiler says which constraint is at fault.
             using Answer [[maybe_unused]] = decltype(op(Population<Genome>(), std::declval<Context<P>&>()));
         } else {
-            step.apply = [op](Population<Genome> population, Context<P>& context) {
-                return op(std::move(population), context);
-            };
+            Step<P>& step = add(stage_text(op), std::unique_ptr<const AnyOperator>(new OneOperator<Op>(op)));
+            if constexpr (requires { op.reads_of_start(); })
+                step.reads_of_start = op.reads_of_start();
+            if constexpr (requires { op.demand(); })
+                step.demand = op.demand();
+            if constexpr (requires { Op::begins; })
+                step.begins = Op::begins;
         }
     }
 
+    [[gnu::cold, gnu::noinline]] Step<P>& add(std::string text, std::shared_ptr<const AnyOperator> any) {
+        Step<P>& step = add(std::move(text));
+        step.check = [any](Known& known) { any->check(known); };
+        step.apply = [any](Population<Genome> population, Context<P>& context) {
+            return any->apply(std::move(population), context);
+        };
+        return step;
+    }
     [[gnu::cold, gnu::noinline]] Step<P>& add(std::string text) {
         const Name name(text.substr(0, text.find_first_of(" ({")));
         std::size_t ordinal = 1;

@@ -30,11 +30,12 @@ void add_method(Registry<P>& registry) {
     entry.name = "refine " + entry.name;
     entry.parameters.push_back(word("genes", "all", "which genes move, and how far"));
     if constexpr (Refinable<P, M>) {
-        registry.add(std::move(entry), [](const Arguments& a, const auto&, const Registry<P>& r) {
-            V values;
-            a.fill(values);
-            return refined(method_of(std::move(values)), a, r);
-        });
+        registry.add(
+            std::move(entry), +[](const Arguments& a, const std::vector<Stage<P>>&, const Registry<P>& r) {
+                V values;
+                a.fill(values);
+                return refined(method_of(std::move(values)), a, r);
+            });
     } else {
         entry.lacks = V::on_residuals ? "residuals with their derivatives: sensitivity" : words::real_genes;
         registry.add(std::move(entry), {});

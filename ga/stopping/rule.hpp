@@ -37,7 +37,7 @@ struct StoppingRule {};
 template <class G>
 struct Rule {
     std::string text;                                            ///< "stagnation 5"
-    std::function<void(const Known&, const std::string&)> check; ///< what it needs; named stage
+    std::function<void(const Known&, const std::string&)> check; ///< what it needs, if anything; named stage
     std::function<bool(const Progress<G>&, Numbers&)> holds;     ///< whether the block ends
     bool sure = false;                                           ///< it holds some day
 };
@@ -45,7 +45,7 @@ struct Rule {
 /// The rule for one type of genome.
 template <class G, class R>
 requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
-    Rule<G> made{text_of(rule), [](const Known&, const std::string&) {}, rule};
+    Rule<G> made{text_of(rule), {}, rule};
     if constexpr (requires(const Known& known) { rule.check(known, ""); })
         made.check = [rule](const Known& known, const std::string& stage) { rule.check(known, stage); };
     if constexpr (requires { R::sure; })

@@ -41,11 +41,12 @@ class Registry {
     /// Adds an operator that describes itself.
     template <Described Op>
     [[gnu::cold]] void add() {
-        add(entry_of<Op>(), [](const Arguments& a, const auto&, const auto&) {
-            Op op;
-            a.fill(op);
-            return Stage<P>(std::move(op));
-        });
+        add(
+            entry_of<Op>(), +[](const Arguments& a, const Bodies&, const Registry&) {
+                Op op;
+                a.fill(op);
+                return Stage<P>(std::move(op));
+            });
     }
     /// The same where `possible`; elsewhere it is listed with what the genome or the problem lacks.
     template <bool possible, Described Op>
@@ -61,14 +62,18 @@ class Registry {
     /// The entry of what describes itself.
     template <Described T>
     [[gnu::cold]] static Entry entry_of() {
-        Words words = T::words();
-        return {std::move(words.name), std::move(words.group), std::move(words.meaning), parameters_of<T>()};
+        return entry_of(T::words(), parameters_of<T>());
+    }
+    /// The entry of these words and parameters.
+    [[gnu::cold]] static Entry entry_of(Words words, std::vector<Parameter> parameters) {
+        return {std::move(words.name), std::move(words.group), std::move(words.meaning),
+                std::move(parameters)};
     }
     /// Adds a stopping rule, which `until` takes by its name.
     template <class R>
     requires std::derived_from<R, StoppingRule>
     [[gnu::cold]] void add_rule() {
-        rules_.push_back({R::words().name, [](const Arguments& a) {
+        rules_.push_back({R::words().name, +[](const Arguments& a) {
                               R rule;
                               a.fill(rule);
                               return rule_of<Genome>(std::move(rule));

@@ -66,7 +66,8 @@ void add_replacement(Registry<P>& registry) {
 template <Problem P>
 void add_blocks(Registry<P>& registry) {
     using Body = Stage<P>;
-    const auto add = [&](const char* name, const char* meaning, std::vector<Parameter> parameters, auto make,
+    using Make = Step<P> (*)(const Arguments&, const Body&, const Registry<P>&);
+    const auto add = [&](const char* name, const char* meaning, std::vector<Parameter> parameters, Make make,
                          bool pairs = false) {
         registry.add({name, "blocks", meaning, std::move(parameters), {}, 1, pairs},
                      [make](const Arguments& a, const auto& bodies, const Registry<P>& r) {
