@@ -145,6 +145,52 @@ TEST_CASE("restarts find Rastrigin's lowest valley, where a single run stays in 
     CHECK(single < 3);
 }
 
+TEST_CASE("a run of CMA-ES is over by each of Hansen's rules, and by none while it goes on well") {
+    const CmaConstants c(10, 10);
+    const auto ended = [&](auto change, double scale = 0.3) {
+        Cloud cloud(Eigen::VectorXd::Ones(10), 0.3);
+        cloud.learnt = 155;
+        CmaRecord record;
+        for (int i = 0; i < 200; ++i)
+            record.note({i + 0.0, i + 0.0, i - 1.0}, 10);
+        change(cloud, record);
+        const char* const why = over(cloud, c, record, scale);
+        return std::string(why ? why : "");
+    };
+    const auto flat = [](std::vector<double>& values) {
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = static_cast<double>(i % 2);
+    };
+    CHECK(ended([](Cloud&, CmaRecord&) {}) == "");
+    CHECK(ended([](Cloud& cloud, CmaRecord&) { cloud.learnt = 3000; }) == "MaxIter");
+    CHECK(ended([](Cloud&, CmaRecord& record) {
+              std::fill(record.best.end() - 40, record.best.end(), 7.0);
+          }) == "TolHistFun");
+    CHECK(ended([](Cloud&, CmaRecord& record) { std::fill_n(record.equal.end() - 10, 3, 1.0); }) == "");
+    CHECK(ended([](Cloud&, CmaRecord& record) { std::fill_n(record.equal.end() - 10, 4, 1.0); }) ==
+          "EqualFunVals");
+    const auto small = [](double sigma, double variance) {
+        return [=](Cloud& cloud, CmaRecord&) {
+            cloud.mean.setZero();
+            cloud.sigma = sigma;
+            cloud.covariance.diagonal().setConstant(variance);
+        };
+    };
+    CHECK(ended(small(1.8e-12, 0.25), 1) == "TolX"); // the deviation is sigma sqrt(C)
+    CHECK(ended(small(0.9e-12, 4), 1) == "");
+    CHECK(ended([](Cloud& cloud, CmaRecord&) { cloud.sigma = 1e20; }) == "TolUpSigma");
+    CHECK(ended([&](Cloud&, CmaRecord& record) { flat(record.best), flat(record.median); }) == "Stagnation");
+    CHECK(ended([&](Cloud&, CmaRecord& record) { flat(record.best); }) == "");
+    CHECK(ended([&](Cloud&, CmaRecord& record) { flat(record.median); }) == "");
+    CHECK(ended([&](Cloud&, CmaRecord& record) {
+              record.best.resize(149), record.median.resize(149);
+              flat(record.best), flat(record.median);
+          }) == "");
+    CHECK(ended([](Cloud& cloud, CmaRecord&) { cloud.scales[4] = 1e-8; }) == "ConditionCov");
+    CHECK(ended([](Cloud& cloud, CmaRecord&) { cloud.sigma = 1e-17; }, 1e-10) == "NoEffectAxis");
+    CHECK(ended([](Cloud& cloud, CmaRecord&) { cloud.covariance(3, 3) = 1e-40; }) == "NoEffectCoord");
+}
+
 TEST_CASE("BIPOP spends as much on small runs as on large ones, which double") {
     Stream random(1);
     CmaPlan plan;
@@ -175,6 +221,9 @@ TEST_CASE("BIPOP spends as much on small runs as on large ones, which double") {
         }
     }
     CHECK(last > 1000);
+    CmaPlan first;
+    first.usual = 10;
+    CHECK(first.next(1000, true, random).lambda == 20); // a large one begins
     CmaPlan doubling;
     doubling.usual = 10;
     for (const std::size_t expected : {20u, 40u, 80u})
@@ -395,6 +444,33 @@ TEST_CASE("operators that learn are refused where nothing is repeated, and words
               .find("expected rand, best or current-to-best") != std::string::npos);
     CHECK(refused("sample 9 | score | repeat 2 { self-adaptive steps=two | score }")
               .find("expected each or one") != std::string::npos);
+    Known ranked;
+    ranked.in_generation = true;
+    ranked.scored = "pareto f g";
+    CHECK_THROWS_WITH(CmaEs().check(ranked), Catch::Contains("one objective"));
+    CHECK_THROWS_WITH(LShade().check(ranked), Catch::Contains("one objective"));
     CHECK(pipeline("sample 9 | score | repeat 2 { cma-es sigma=0.2 | score | duel }").text() ==
           "sample 9 | score | repeat 2 { cma-es sigma=0.2 restarts=bipop | score | duel }");
+}
+
+TEST_CASE(
+    "parameters of what learns and keeps niches are read from text, and begin at the defaults they tell") {
+    for (const std::string stage :
+         {"cma-es sigma=0.2 population=7 restarts=ipop", "de best F=0.7 CR=0.3",
+          "l-shade evaluations=900 memory=4 archive=1.5 p=0.2", "self-adaptive 0.2 steps=one",
+          "share 0.3 alpha=2", "clear 0.3 capacity=2", "map-elites a b cells=5", "emit 4 a b sigma=0.2"})
+        CHECK(pipeline(stage).text() == stage);
+    const auto defaults = [](auto standard) {
+        for (const Field& field : fields_of(standard))
+            if (field.parameter.standard && !field.parameter.standard->empty()) {
+                CAPTURE(standard.words().name, field.parameter.name);
+                CHECK(field.in_words() == *field.parameter.standard);
+            }
+    };
+    defaults(CmaEs()), defaults(DifferentialEvolution()), defaults(LShade()), defaults(SelfAdaptive());
+    defaults(Proportional<Sharing>()), defaults(Clearing()), defaults(MapElites()), defaults(Emit());
+    defaults(Tournament()), defaults(Proportional<ByRank>()), defaults(Random()), defaults(Elite());
+    defaults(Plus()), defaults(Points()), defaults(Blend()), defaults(SimulatedBinary());
+    defaults(Cross<Uniform>()), defaults(Gaussian()), defaults(UniformStep()), defaults(Polynomial());
+    defaults(LevenbergMarquardt());
 }

@@ -110,6 +110,7 @@ TEST_CASE("a finished run is read from its checkpoint without being run") {
     const auto again = run(nested<Vectors>(), Vectors{}, nobody, {}, {observer}, &second);
     CHECK(seen.empty());
     CHECK(text_of(again, {}) == text_of(done, {}));
+    CHECK(done.notes.empty());
 }
 
 TEST_CASE("a checkpoint of another run, or a file that is none, is refused") {

@@ -73,6 +73,8 @@ TEST_CASE("of two that violate constraints the one that does it less is better, 
 }
 
 TEST_CASE("what was scored by one policy is compared by no other") {
+    CHECK(!Fitness().minimises());
+    CHECK(!Fitness(Name(std::string("pareto f1 f2")), Point{1, 2}).minimises()); // turned already
     CHECK_THROWS_AS(better(fitness(1, false, 0, "a"), fitness(2, false, 0, "b")), UsageError);
     const auto refused = [](const auto& pipeline, const std::string& message) {
         CHECK_THROWS_WITH(run(pipeline, Schaffer{}, nobody), message);

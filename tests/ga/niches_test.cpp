@@ -51,6 +51,7 @@ TEST_CASE("the distance of genomes is the rms of genes in widths, or the share o
     const Function f{2, functions::sphere, 0, 10};
     CHECK(distance(f, {1, 2}, {4, 6}) == Approx(std::sqrt((0.09 + 0.16) / 2)));
     CHECK(distance(f, {1, 2}, {1, 2}) == 0);
+    CHECK(distance(Function{1, functions::sphere, 0, 10}, {1}, {4}) == Approx(0.3));
     CHECK(distance(f, {1, 2}, {1, 2, 5}) == Approx(std::sqrt(1 / 3.0)));
     CHECK(distance(Bits{}, {true, false, true, true}, {true, true, true, false}) == 0.5);
 }

@@ -1,5 +1,6 @@
 #include "ga/fingerprint.hpp"
 #include "ga/random.hpp"
+#include "ga/where.hpp"
 
 #include <boost/random/bernoulli_distribution.hpp>
 #include <boost/random/geometric_distribution.hpp>
@@ -36,6 +37,10 @@ TEST_CASE("streams are splitmix64, by its published numbers") {
     CHECK(stream() == 0x06c45d188009454fu);
     CHECK(fold(1, 2) != fold(2, 1));
     CHECK(fold(1, "ab") != fold(1, "ba"));
+    Where<int> place("variant", 7); // the numbers of a place are those of earlier versions
+    CHECK(place.stream(3)() == 0xf2bae56345f5ccb3u);
+    const Where<int>::Scope scope(place, Name(std::string("score")), 1);
+    CHECK(place.stream(0)() == 0x5534ab290120db41u);
 }
 
 TEST_CASE("the distributions are Boost.Random's, bit by bit and draw by draw") {
@@ -130,6 +135,10 @@ TEST_CASE("every bit of a genome, its order and its length decide both halves of
         all.insert({print.high, print.low});
     }
     CHECK(all.size() == 70);
+    CHECK(fingerprint(std::string_view("abc")) == // as checkpoints hold it
+          Fingerprint{0x1a7a74f2493112f3u, 0x81be01565d047e5au});
+    CHECK(fingerprint(std::string_view("0123456789abcdefg")) ==
+          Fingerprint{0xd104d0a51fdea976u, 0xea75ae4e6fd17c8eu});
     CHECK(!(fingerprint(std::vector<double>{1, 2, 3}) == fingerprint(std::vector<double>{2, 1, 3})));
     CHECK(!(fingerprint(std::vector<double>{1, 2, 3}) == fingerprint(std::vector<double>{1, 2, 4})));
     CHECK(!(fingerprint(std::vector<bool>{true, false}) == fingerprint(std::vector<bool>{false, true})));

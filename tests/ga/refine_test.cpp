@@ -24,9 +24,10 @@ TEST_CASE("minimax reaches further than one row at a time by the same search in 
     CHECK(by_all_rows.best->value() > 0.999);
 }
 
-TEST_CASE("mma spends its evaluations and one for the start on each individual") {
+TEST_CASE("mma and lm spend their evaluations and one for the start on each individual") {
     const auto result = run(score() | refine(mma(5)), CurveFit{}, CurveFit::start(7));
     CHECK(result.counters.gradients == 7 * 6);
+    CHECK(run(score() | refine(lm(3)), CurveFit{}, CurveFit::start(7)).counters.gradients == 7 * 4);
 }
 
 TEST_CASE("a refinement never makes an individual worse and never leaves its bounds") {

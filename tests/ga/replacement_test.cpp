@@ -114,6 +114,17 @@ TEST_CASE("islands evolve apart but for migrants, and come back as one populatio
         CHECK(apart.population[i].identity % 2 == (i < 4 ? 0 : 1));
 }
 
+TEST_CASE("no two individuals of islands within islands share an identity") {
+    const Migration apart{.rounds = 3, .migrants = 0};
+    const auto inner = islands(2, apart, mutate(1) | score());
+    const auto result =
+        run(sample(16) | score() | islands(2, apart, mutate(1) | score() | inner) | mutate(1) | score(),
+            Vectors{}, Population<std::vector<double>>());
+    CHECK(result.population.size() == 16);
+    const auto all = identities_of(result.population);
+    CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
+}
+
 TEST_CASE("a migrant replaces the worst of the next island") {
     const auto result = run(score() | islands(2, {.rounds = 2, .migrants = 1}, at_random()), Given{},
                             Given::of({0, 1, 2, 3}));

@@ -149,6 +149,10 @@ TEST_CASE("a population that would not fit into its memory ends the run with wha
                  "v/tournament.1: a population of 1000000000 exceeds the 4 MB for one", 10);
     stopped_with(sample(1000000000) | score(),
                  "v/sample.1: a population of 1000000000 exceeds the 4 MB for one", 0);
+    const std::size_t room = 10 * (sizeof(Individual<std::vector<double>>) + 6 * sizeof(double));
+    for (const std::size_t bytes : {room, room - 1})
+        CHECK(run(sample(10) | score(), Vectors{}, nobody, {.population_bytes = bytes}).stopped.empty() ==
+              (bytes == room));
     CHECK_THROWS_WITH(
         islands(100000000, {}, score()),
         "islands: 100000000 islands in 10 rounds; expected 2 to 10000 islands and 1 round at least");

@@ -159,7 +159,7 @@ TEST_CASE("simulated binary cross-over keeps the parents' mean and spreads as it
     const std::vector<std::vector<double>> parents = {{-1}, {1}};
     constexpr double eta = 3;
     constexpr int draws = 20000;
-    int crossed = 0, inside = 0;
+    int crossed = 0, inside = 0, exchanged = 0;
     for (std::uint64_t seed = 0; seed < draws; ++seed) {
         const auto children =
             run(cross(sbx(eta)) | score(), Line{}, population(parents), {.seed = seed}).population;
@@ -168,8 +168,10 @@ TEST_CASE("simulated binary cross-over keeps the parents' mean and spreads as it
         if (std::abs(a) != 1) {
             ++crossed;
             inside += std::abs(a) < 1;
+            exchanged += a > 0;
         }
     }
+    CHECK(exchanged == Approx(crossed / 2).margin(5 * std::sqrt(crossed * 0.25)));
     CHECK(crossed == Approx(draws / 2).margin(5 * std::sqrt(draws * 0.25)));
     CHECK(inside == Approx(crossed / 2).margin(5 * std::sqrt(crossed * 0.25)));
 }
