@@ -15,7 +15,7 @@ const std::map<std::string, Contestants>& usual_contestants() {
                    "tournament 2 | cross blend | mutate 1/n gaussian 0.02 | score | plus } | best 1"},
               {"bobyqa", "sample 1 | score | refine nlopt LN_BOBYQA 2000"},
               {"bipop-cma-es", "sample 1 | score | " + on + "cma-es | score } | best 1"},
-              {"rand-1-bin", "sample 20 | score | " + on + "de | score | duel } | best 1"},
+              {"rand-1-bin", "sample 20 | score | until stagnation 100 { de F=0.8 | score | duel } | best 1"},
               {"lshade", "sample 18n | score | " + on + "l-shade | score | duel } | best 1"}}},
             {"fronts",
              {{"nsga2",
