@@ -119,10 +119,12 @@ std::string worst_case(const DesignRun& run) {
     const auto known = [](double similarity) {
         return std::isnan(similarity) ? "not judged" : readable(similarity, 4);
     };
-    std::string all = known(best.similarity) + " as designed, " + known(best.similarity_refined) +
-                      " on a grid 4 times finer, " + known(best.similarity_stepped) +
-                      " in 4 times the load steps, " + known(best.similarity_worst) +
-                      " at worst (the least of these and of both together)";
+    std::string all =
+        known(best.similarity) + " as designed, " + known(best.similarity_refined) +
+        " on a grid 4 times finer, " + known(best.similarity_stepped) + " in 4 times the load steps, " +
+        (best.is_judged()
+             ? known(best.similarity_worst) + " at worst (the least of these and of both together)"
+             : "so the worst is not known");
     if (!run.trust)
         return all + "; there was no time to verify more";
     double noisy = HUGE_VAL;
