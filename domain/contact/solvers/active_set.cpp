@@ -21,6 +21,10 @@ constexpr double loosening = 0.05;
 /// How well displacements must be known, over the approach, while the residual is far above this.
 constexpr double rough_accuracy = 1e-5;
 constexpr int most_rounds = 200;
+/// An area's contact set swings after so many rounds in a row that leave more than a share of the least
+/// residual.
+constexpr int most_swings = 2;
+constexpr double share_left = 0.9;
 /// Of a load, within which Newton's method on the approach is done in one more step.
 constexpr double near_load = 1e-3;
 constexpr long most_iterations = 2000;
@@ -220,10 +224,12 @@ class ActiveSet {
             settle_line(approach, tolerance);
     }
 
-    /// Nodes leave and join together here. An area has nodes without number at the brink: which of them touch
-    /// is known as well as the residual, and no better.
+    /// Nodes leave and join together here, until that makes the set swing: from then on none joins in a round
+    /// in which others leave. An area has nodes without number at the brink: which of them touch is known as
+    /// well as the residual, and no better.
     void settle_area(double& approach, double tolerance) {
-        double target = 1;
+        double target = 1, least = std::numeric_limits<double>::infinity();
+        int swings = 0;
         for (int round = 0; round < most_rounds; ++round) {
             check_stop(options_);
             change_set(approach, 0.3 * tolerance * approach,
@@ -236,6 +242,9 @@ class ActiveSet {
             }
             if (worst <= tolerance)
                 return;
+            swings = worst < share_left * least ? 0 : swings + 1;
+            least = std::min(least, worst);
+            swinging_ = swinging_ || swings == most_swings;
             target = std::max(0.5 * tolerance, loosening * worst);
             improve(approach, target);
         }
@@ -290,7 +299,7 @@ class ActiveSet {
             solver_.load(load_, product_, accuracy);
         stale_ = false;
         look(approach);
-        const std::vector<int> added = dropped.empty() || problem_.is_area()
+        const std::vector<int> added = dropped.empty() || (problem_.is_area() && !swinging_)
                                            ? advancing_nodes(depth_, set_.touching(), problem_.shape, least)
                                            : std::vector<int>();
         for (const int i : added)
@@ -311,6 +320,7 @@ class ActiveSet {
     std::optional<Eigen::VectorXd> last_guess_; ///< the coarser grid's pressures at the step before
     double approach_ = 0;
     std::optional<double> sum_; ///< of the pressures, where a load is asked for
+    bool swinging_ = false;     ///< an area's contact set has done so
     bool stale_ = true;         ///< the displacement off the contact set
 };
 

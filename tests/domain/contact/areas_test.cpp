@@ -380,3 +380,16 @@ TEST_CASE("an area bears each load asked for exactly, and its displacements give
         }
     }
 }
+
+TEST_CASE("loads on four million nodes are borne, where nodes that join and leave at once swing for ever",
+          "[long][contact][areas]") {
+    const Profile map = maps::self_affine(2048, 0.8, 1, 0.1);
+    const ContactCurve curve = solve_contact_at_pressures(
+        map, on(Kernel::periodic, 1), {0.17 * 0.1 / 23.5, 0.17 * 0.2 / 23.5, 0.17 * 0.3 / 23.5},
+        by(Solver::active_set));
+    for (const LoadStep& step : curve.steps) {
+        CHECK(step.kkt_residual < 2e-6);
+        // h' is 0.1: between Persson's 1.60 and the 2.51 of Bush, Gibson and Thomas.
+        CHECK(step.contact_fraction * 0.1 / step.pressure == Approx(2.1).margin(0.3));
+    }
+}
