@@ -339,14 +339,12 @@ SearchResult searched_area(const DesignSetup& given, const SearchOptions& option
                  judging = curve * curves_to_judge(options.threads);
     SearchOptions left = options;
     left.seconds = std::max(0.0, options.seconds - clock.seconds());
-    const auto all = [&] {
-        return judging * static_cast<double>(std::max<std::size_t>(1, left.alternatives));
-    };
     const double most = most_for_judging * left.seconds;
-    if (all() > most)
+    if (judging * static_cast<double>(left.alternatives) > most)
         left.alternatives = 1;
-    // The answer's own curve is solved in any case.
-    const double kept_back = all() <= most ? all() : std::isinf(curve) ? 0 : 2 * curve;
+    double kept_back = judging * static_cast<double>(std::max<std::size_t>(1, left.alternatives));
+    if (kept_back > most) // the answer's own curve is solved in any case
+        kept_back = std::isinf(curve) ? 0 : 2 * curve;
     SearchResult result = name == "default" ? searched_by_grids(setup, left, name, observers, kept_back)
                                             : searched_once(setup, left, name, observers, kept_back);
     if (!result.best.is_judged() && !(options.stop && options.stop->load()))

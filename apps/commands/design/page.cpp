@@ -144,8 +144,7 @@ void add_answer(Page& page, const DesignRun& run) {
                  ? "Points are the target; the answer is judged by its worst similarity: on its own grid, on "
                    "one four times finer, in four times the load steps, and both."
                  : "Points are the target. There was no time to judge the answer by its worst similarity, "
-                   "over "
-                   "finer grids and load steps.",
+                   "over finer grids and load steps.",
              {goal_plot(run, answers, g), misfit_plot(run, answers, g)}});
     Table limits{
         "What can be made", {"Quantity", "Limit", "Of the answer", "Margin"}, {}, {false, true, true, true}};

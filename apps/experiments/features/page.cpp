@@ -152,8 +152,7 @@ void fill_features_page(Page& page, const std::vector<FeatureTarget>& targets) {
         {"octaves",
          "Which waves are felt.",
          "Root mean square change of the misfits per rad of a phase, by exact derivatives; in each octave "
-         "the "
-         "most felt wave, the median over the answers. Needed are as many, the most felt first, as are "
+         "the most felt wave, the median over the answers. Needed are as many, the most felt first, as are "
          "enough for starts of their own.",
          {octaves_plot(targets)}});
     page.prose(
