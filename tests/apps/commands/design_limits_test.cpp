@@ -53,7 +53,9 @@ TEST_CASE("a design's genes keep to the bounds that were given") {
                folder.path());
     INFO(ended.err << ended.out);
     REQUIRE(ended.code != 2);
-    for (const json& series : result_in(folder / "r")["variants"]["pipeline"]["genome"]["series"])
+    const json all = result_in(folder / "r")["variants"]["pipeline"]["genome"]["series"];
+    REQUIRE_FALSE(all.empty());
+    for (const json& series : all)
         for (const auto& [gene, from, to] :
              {std::tuple("H", 0.6, 0.65), std::tuple("gamma", 1.75, 1.8), std::tuple("lambda", 0.5, 0.6)}) {
             CHECK(series[gene].get<double>() >= from);
