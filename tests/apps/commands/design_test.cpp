@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace app::testing;
 using nlohmann::json;
 
@@ -273,8 +275,9 @@ TEST_CASE("a design in the default load steps is reported in steps that settle i
     };
     CHECK(((lost(chosen) <= 0.005) ||
            chosen["variants"]["default"]["pipeline"] != kept["variants"]["default"]["pipeline"]));
+    const double worst = kept["variants"]["default"]["similarity_worst"];
     CHECK(chosen["variants"]["default"]["similarity_worst"] >=
-          kept["variants"]["default"]["similarity_worst"]);
+          worst - 1e-9 * std::abs(worst)); // but for rounding
 }
 
 TEST_CASE("a verdict has the digits that tell what was found from what was wanted") {
