@@ -31,7 +31,16 @@ const std::map<std::string, Contestants>& usual_contestants() {
                    "tournament 2 | cross order rate=0.9 | mutate 1/n reverse | score | elite 2 } | best 1"},
               {"one-plus-one",
                "sample 1 | score | " + on + "mutate 1/n reverse | score | plus 1 } | best 1"}}},
-            {"surfaces", {{"default", "default"}, {"multistart", "multistart"}, {"plain", "plain"}}},
+            {"surfaces",
+             {{"default", "default"},
+              {"multistart", "multistart"},
+              {"plain", "plain"},
+              {"lm", "restarts 1000 { sample 1 | score | refine lm 40 } | best 1"},
+              {"memetic",
+               "shape 24 | score | best 8 | " + on +
+                   "tournament 2 | cross uniform | mutate 0.1 | score | refine lm 4 | elite 2 } | best 1"},
+              {"cma-es", "shape 1 | score | " + on + "cma-es | score } | best 1"},
+              {"lshade", "sample 200 | score | " + on + "l-shade | score | duel } | best 1"}}},
         };
         for (const std::string& name : pagmo_variants())
             all["real"].emplace_back(name, name);
