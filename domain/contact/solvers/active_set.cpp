@@ -17,7 +17,7 @@ namespace {
 /// The residual under which rounding makes further iterations pointless.
 constexpr double finest = 1e-12;
 /// How far the residual falls before the contact set is looked at again.
-constexpr double loosening = 0.05;
+constexpr double loosening = 0.05, area_loosening = 0.1;
 /// How well displacements must be known, over the approach, while the residual is far above this.
 constexpr double rough_accuracy = 1e-5;
 constexpr int most_rounds = 200;
@@ -76,13 +76,13 @@ class ActiveSet {
                 load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
             set_.collect();
         } else {
-            load_.pressure += (load - load_.pressure.sum()) / tangent_.pressure.sum() * tangent_.pressure;
+            move((load - load_.pressure.sum()) / tangent_.pressure.sum());
         }
         stale_ = true;
         settle_area(approach, options_.tolerance);
         if (purpose_ == Purpose::guess)
             return step_solution(set_, load_, tangent_, false);
-        solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
+        find_tangent();
         double missing = 0; // that by which the approach is off, to first order
         for (const int i : set_.nodes())
             missing += tangent_.pressure[i] * (approach - problem_.gap[i] - load_.displacement[i]);
@@ -127,10 +127,27 @@ class ActiveSet {
         return next < full ? next : 0.5 * (approach + full);
     }
 
+    /// All nodes of a periodic area together have none: there that of all but the least loaded, which is the
+    /// tangent just below full contact.
+    void find_tangent() {
+        Index least = problem_.nodes();
+        if (problem_.is_area() && problem_.kernel == Kernel::periodic &&
+            static_cast<Index>(set_.nodes().size()) == problem_.nodes()) {
+            load_.pressure.minCoeff(&least);
+            set_.erase(least);
+            set_.collect();
+        }
+        tangent_blur_ = solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
+        if (least < problem_.nodes()) {
+            set_.insert(least);
+            set_.collect();
+        }
+    }
+
     /// The tangent, and the load as good as the tolerance.
     StepSolution finished(double& approach, double tolerance) {
         for (;;) {
-            solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
+            find_tangent();
             const double error = load_error(problem_, approach, set_, load_, tangent_);
             if (error <= options_.tolerance || tolerance <= finest)
                 break;
@@ -138,6 +155,16 @@ class ActiveSet {
             settle(approach, tolerance);
         }
         return step_solution(set_, load_, tangent_, options_.states);
+    }
+
+    /// Goes on along the tangent; on an area its product is known everywhere.
+    void move(double by) {
+        load_.pressure += by * tangent_.pressure;
+        if (!problem_.is_area() || product_.pressure.size() == 0)
+            return;
+        product_.pressure = load_.pressure;
+        product_.displacement += by * tangent_.displacement;
+        product_.blur += by * tangent_blur_;
     }
 
     /// Starts from the step before, moved along its tangent or by what a coarser grid's pressures have grown
@@ -149,7 +176,7 @@ class ActiveSet {
                 last_guess_ ? (load_.pressure + (*guess - *last_guess_).cwiseMax(0)).eval() : *guess;
         KnownProduct grown_product = product_;
         last_guess_ = guess;
-        load_.pressure += (approach - approach_) * tangent_.pressure;
+        move(approach - approach_);
         approach_ = approach;
         solver_.load(load_, product_, rough_accuracy * approach);
         stale_ = false;
@@ -225,7 +252,7 @@ class ActiveSet {
     }
 
     /// Nodes leave and join together here, until that makes the set swing: from then on none joins in a round
-    /// in which others leave. An area has nodes without number at the brink: which of them touch is known as
+    /// in which more leave. An area has nodes without number at the brink: which of them touch is known as
     /// well as the residual, and no better.
     void settle_area(double& approach, double tolerance) {
         double target = 1, least = std::numeric_limits<double>::infinity();
@@ -245,7 +272,7 @@ class ActiveSet {
             swings = worst < share_left * least ? 0 : swings + 1;
             least = std::min(least, worst);
             swinging_ = swinging_ || swings == most_swings;
-            target = std::max(0.5 * tolerance, loosening * worst);
+            target = std::max(0.5 * tolerance, area_loosening * worst);
             improve(approach, target);
         }
     }
@@ -299,9 +326,11 @@ class ActiveSet {
             solver_.load(load_, product_, accuracy);
         stale_ = false;
         look(approach);
-        const std::vector<int> added = dropped.empty() || (problem_.is_area() && !swinging_)
-                                           ? advancing_nodes(depth_, set_.touching(), problem_.shape, least)
-                                           : std::vector<int>();
+        std::vector<int> added;
+        if (dropped.empty() || problem_.is_area())
+            added = advancing_nodes(depth_, set_.touching(), problem_.shape, least);
+        if (swinging_ && added.size() < dropped.size())
+            added.clear();
         for (const int i : added)
             set_.insert(i);
         if (!dropped.empty() || !added.empty())
@@ -315,7 +344,8 @@ class ActiveSet {
     SetSolver solver_;
     ContactSet set_;
     Loaded load_, tangent_;
-    KnownProduct product_; ///< of load_
+    double tangent_blur_ = 0; ///< error of its displacement
+    KnownProduct product_;    ///< of load_
     Eigen::ArrayXd depth_;
     std::optional<Eigen::VectorXd> last_guess_; ///< the coarser grid's pressures at the step before
     double approach_ = 0;

@@ -2,10 +2,12 @@
 
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/solvers/deflation.hpp"
+#include "domain/contact/solvers/extension.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace rough {
 
@@ -58,12 +60,18 @@ Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Extent shape) {
 }
 
 /// A periodic matrix is circulant itself; where that is slow to transform, a longer one serves as well as it
-/// does for the other kernels.
+/// does for the other kernels. A free area's is longer by an eighth, as its opposite edges are not
+/// neighbours.
 Extent circulant_shape(const ContactProblem& problem) {
     const auto [columns, rows] = problem.shape;
     if (problem.kernel == Kernel::periodic && is_good_fourier_length(columns) && is_good_fourier_length(rows))
         return problem.shape;
-    return {fast_fourier_length(columns), rows == 1 ? 1 : fast_fourier_length(rows)};
+    if (rows == 1)
+        return {fast_fourier_length(columns)};
+    const auto longer = [&](Index n) {
+        return fast_fourier_length(problem.kernel == Kernel::periodic ? n : n + n / 8);
+    };
+    return {longer(columns), longer(rows)};
 }
 
 /// The inverse of the circulant, of which a part at the origin is the surface.
@@ -93,7 +101,7 @@ void ContactSet::collect() {
 SetSolver::SetSolver(const ContactProblem& problem)
     : shape_(problem.shape), sums_(problem.is_area() ? Eigen::VectorXd() : cumulative(problem.column)),
       forward_(fourier_operator(problem)), single_(single_fourier_operator(problem)),
-      inverse_(preconditioner(problem)), inverse_columns_(circulant_shape(problem).columns) {}
+      inverse_(preconditioner(problem)), inverse_shape_(circulant_shape(problem)) {}
 
 void SetSolver::load(Loaded& x) {
     const Index n = x.pressure.size();
@@ -126,20 +134,31 @@ void SetSolver::load(Loaded& x, KnownProduct& known, double accuracy) {
     known = {x.pressure, x.displacement, 0};
 }
 
-void SetSolver::multiply(SingleFourierOperator& matrix, Index columns, const std::vector<int>& nodes,
-                         const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image) const {
+std::vector<int> SetSolver::inverse_places(const std::vector<int>& nodes) const {
+    std::vector<int> places = nodes;
+    const int columns = static_cast<int>(shape_.columns),
+              longer = static_cast<int>(inverse_shape_.columns) - columns; // by how much its rows are
+    if (longer > 0)
+        for (int& place : places)
+            place += place / columns * longer;
+    return places;
+}
+
+void SetSolver::multiply(SingleFourierOperator& matrix, const std::vector<int>& places,
+                         const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image,
+                         Extension* extension) const {
     float* full = matrix.input();
     std::fill_n(full, matrix.nodes(), 0.0F);
     const double inverse = 1 / scale;
-    const Index longer = columns - shape_.columns; // by how much its rows are
-    const auto place = [&](int node) {
-        return longer == 0 || shape_.rows == 1 ? node : node + node / shape_.columns * longer;
-    };
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-        full[place(nodes[k])] = static_cast<float>(v[static_cast<Index>(k)] * inverse);
+    for (std::size_t k = 0; k < places.size(); ++k)
+        full[places[k]] = static_cast<float>(v[static_cast<Index>(k)] * inverse);
+    if (extension)
+        extension->extend(full);
     const float* product = matrix.apply();
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-        image[static_cast<Index>(k)] = scale * static_cast<double>(product[place(nodes[k])]);
+    if (extension)
+        extension->transpose(full);
+    for (std::size_t k = 0; k < places.size(); ++k)
+        image[static_cast<Index>(k)] = scale * static_cast<double>(product[places[k]]);
 }
 
 bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
@@ -149,10 +168,16 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
     if (m == 0)
         return true;
     const Deflation deflation(nodes, sums_);
-    Eigen::VectorXd r(m), z(m), q(m), hq(m), even; // even: what the preconditioner makes of a constant
-    if (level) {
-        even.resize(m);
-        multiply(inverse_, inverse_columns_, nodes, Eigen::VectorXd::Ones(m), 1, even);
+    const std::vector<int> places = inverse_places(nodes);
+    std::optional<Extension> extension;
+    if (sums_.size() == 0) // an area
+        extension.emplace(inverse_shape_, places);
+    Eigen::VectorXd r(m), z(m), q(m), hq(m), even; // even: like what the preconditioner makes of a constant
+    if (level) { // continued it is a constant, and so is a circulant times it
+        float* full = inverse_.input();
+        std::fill_n(full, inverse_.nodes(), 1.0F);
+        extension->transpose(full);
+        even = Eigen::VectorXf::Map(full, inverse_.nodes())(places).cast<double>();
     }
     double offset = 0; // taken off r, as any constant may be
     const auto centre = [&] {
@@ -185,7 +210,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             solved = largest <= enough.residual;
             if (solved)
                 break;
-            multiply(inverse_, inverse_columns_, nodes, r, scale > 0 ? scale : 1, z);
+            multiply(inverse_, places, r, scale > 0 ? scale : 1, z, extension ? &*extension : nullptr);
             if (level)
                 z -= z.sum() / even.sum() * even;
             const double energy = r.dot(z);
@@ -195,7 +220,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             deflation.purge(z);
             q = first ? z : z + energy / rz * q;
             rz = energy;
-            multiply(single_, shape_.columns, nodes, q, scale, hq);
+            multiply(single_, nodes, q, scale, hq);
             ++applies_;
             const double curvature = q.dot(hq);
             if (!(curvature > 0))
@@ -228,7 +253,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
     }
 }
 
-void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w) {
+double SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w) {
     for (Index i = 0; i < w.pressure.size(); ++i)
         if (!set.holds(i))
             w.pressure[i] = 0;
@@ -236,10 +261,16 @@ void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry
     const Enough enough =
         each_entry ? Enough{0.1 * tolerance}
                    : Enough{0, [&](double energy) { return energy <= 0.5 * tolerance * w.pressure.sum(); }};
+    const bool area = sums_.size() == 0;
+    KnownProduct known;
+    if (area)
+        known = {w.pressure, w.displacement, 0};
     improve(
-        set, [](Index) { return 1.0; }, w, enough, most_iterations);
-    if (tolerance < single_stiffness)
-        load(w);
+        set, [](Index) { return 1.0; }, w, enough, most_iterations, area ? &known : nullptr);
+    if (tolerance >= single_stiffness)
+        return known.blur;
+    load(w);
+    return 0;
 }
 
 double load_error(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,

@@ -6,6 +6,8 @@
 
 namespace rough {
 
+class Extension;
+
 /// A contact set during an iterative solution: sorted nodes, and the same as a mask over all nodes.
 class ContactSet {
   public:
@@ -50,9 +52,10 @@ struct Enough {
 };
 
 /// Conjugate gradients for H_AA x = b on a fixed contact set A, H applied by FFT, preconditioned by the
-/// inverse of the circulant nearest to H (T. Chan 1988), restricted to A. Its search directions are products
-/// in single precision; the residual they improve is taken afresh in double precision before they could blur
-/// it (iterative refinement in mixed precision, Carson & Higham 2018).
+/// inverse of the circulant nearest to H (T. Chan 1988), restricted to A: of a residual that is zero off A on
+/// a line, and of one continued there on an area (extension.hpp). Its search directions are products in
+/// single precision; the residual they improve is taken afresh in double precision before they could blur it
+/// (iterative refinement in mixed precision, Carson & Higham 2018).
 class SetSolver {
   public:
     /// Transforms the problem's first column and its preconditioner's once.
@@ -71,20 +74,24 @@ class SetSolver {
     bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
                  const Enough& enough, long most, KnownProduct* known = nullptr, double* level = nullptr);
     /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
-    /// entries.
-    void tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
+    /// entries. On an area w.displacement is then up to date at every node, with an error of at most what is
+    /// returned.
+    double tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
 
     long applies() const { return applies_; } ///< products with H so far, in either precision
 
   private:
-    /// image = M v on the nodes alone, M's rows being `columns` long; `scale` is about v's size.
-    void multiply(SingleFourierOperator& matrix, Index columns, const std::vector<int>& nodes,
-                  const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image) const;
+    /// image = M v on the nodes alone, which stand at `places` of M; `scale` is about v's size. With an
+    /// extension E'M E.
+    void multiply(SingleFourierOperator& matrix, const std::vector<int>& places, const Eigen::VectorXd& v,
+                  double scale, Eigen::VectorXd& image, Extension* extension = nullptr) const;
+    /// Where nodes stand on the preconditioner's grid.
+    std::vector<int> inverse_places(const std::vector<int>& nodes) const;
     Extent shape_;
     Eigen::VectorXd sums_; ///< of H's first column, for the deflation; empty on an area, which has none
     FourierOperator forward_;
     SingleFourierOperator single_, inverse_;
-    Index inverse_columns_;
+    Extent inverse_shape_;
     long applies_ = 0;
 };
 

@@ -1,0 +1,163 @@
+#include "domain/contact/solvers/extension.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rough {
+
+namespace {
+
+/// The least sum of four squares' fullness that fills the next: a field of 1 on a spot falls off outside
+/// like its potential, which a spot's size measures (2), and at once where its area does (4).
+const float filling = std::exp2(1.4F);
+/// A full square's weight.
+constexpr float firmness = 0.7F;
+
+/// Calls visit(square, parent) for all of a level.
+template <class Visit>
+void each_child(Extent shape, Visit visit) {
+    const Index above = (shape.columns + 1) / 2;
+    for (Index j = 0; j < shape.rows; ++j)
+        for (Index i = 0; i < shape.columns; ++i)
+            visit(static_cast<std::size_t>(j * shape.columns + i),
+                  static_cast<std::size_t>(j / 2 * above + i / 2));
+}
+
+/// The other coarse row beside row j of the fine grid, of `rows` that go round.
+Index beside(Index j, Index rows) { return (j / 2 + (j % 2 ? 1 : rows - 1)) % rows; }
+
+constexpr float nearer = 0.75F, farther = 0.25F; // of two squares, by their distance
+
+} // namespace
+
+Extension::Level::Level(Extent below)
+    : shape{(below.columns + 1) / 2, (below.rows + 1) / 2}, value(static_cast<std::size_t>(shape.nodes())),
+      weight(value.size()), share(value.size()) {}
+
+Extension::Extension(Extent shape, std::vector<int> nodes)
+    : shape_(shape), nodes_(std::move(nodes)), parents_(nodes_.size()), shares_(nodes_.size()),
+      known_(nodes_.size()), levels_{Level(shape)} {
+    const int columns = static_cast<int>(shape.columns), above = static_cast<int>(levels_[0].shape.columns);
+    line_.resize(static_cast<std::size_t>(above + 2));
+    row_.resize(static_cast<std::size_t>(2 * above + 2));
+    const auto weight_above = [&](std::size_t k) -> float& {
+        return levels_[0].weight[static_cast<std::size_t>(parents_[k])];
+    };
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        parents_[k] = nodes_[k] / columns / 2 * above + nodes_[k] % columns / 2;
+        weight_above(k) += 1;
+    }
+    for (std::size_t k = 0; k < nodes_.size(); ++k)
+        shares_[k] = 1 / weight_above(k);
+    for (;;) {
+        Level& level = levels_.back();
+        for (float& weight : level.weight)
+            weight = std::min(1.0F, weight / filling);
+        if (level.shape.nodes() == 1)
+            break;
+        Level next(level.shape);
+        each_child(level.shape,
+                   [&](std::size_t k, std::size_t parent) { next.weight[parent] += level.weight[k]; });
+        each_child(level.shape, [&](std::size_t k, std::size_t parent) {
+            if (level.weight[k] > 0)
+                level.share[k] = level.weight[k] / next.weight[parent];
+            level.weight[k] *= firmness;
+        });
+        levels_.push_back(std::move(next));
+    }
+}
+
+void Extension::refine(const Level& from, Extent shape, const float* weight, float* into) {
+    const Index columns = from.shape.columns;
+    float *line = line_.data() + 1, *row = row_.data();
+    for (Index j = 0; j < shape.rows; ++j) {
+        const float *here = from.value.data() + j / 2 * columns,
+                    *there = from.value.data() + beside(j, from.shape.rows) * columns;
+        for (Index i = 0; i < columns; ++i)
+            line[i] = nearer * here[i] + farther * there[i];
+        line[-1] = line[columns - 1];
+        line[columns] = line[0];
+        for (Index i = 0; i < columns; ++i) {
+            row[2 * i] = nearer * line[i] + farther * line[i - 1];
+            row[2 * i + 1] = nearer * line[i] + farther * line[i + 1];
+        }
+        float* to = into + j * shape.columns;
+        if (!weight)
+            std::copy_n(row, shape.columns, to);
+        else
+            for (Index i = 0; i < shape.columns; ++i)
+                to[i] = row[i] + weight[j * shape.columns + i] * (to[i] - row[i]);
+    }
+}
+
+void Extension::coarsen(float* from, Extent shape, const float* weight, Level& into) {
+    const Index columns = into.shape.columns;
+    std::fill(into.value.begin(), into.value.end(), 0.0F);
+    float *line = line_.data(), *row = row_.data() + 1;
+    row[2 * columns - 1] = 0; // where the fine row has an odd length
+    for (Index j = 0; j < shape.rows; ++j) {
+        float* at = from + j * shape.columns;
+        if (!weight)
+            std::copy_n(at, shape.columns, row);
+        else
+            for (Index i = 0; i < shape.columns; ++i) {
+                const float kept = weight[j * shape.columns + i] * at[i];
+                row[i] = at[i] - kept;
+                at[i] = kept;
+            }
+        row[-1] = row[2 * columns - 1];
+        row[2 * columns] = row[0];
+        for (Index i = 0; i < columns; ++i)
+            line[i] = nearer * (row[2 * i] + row[2 * i + 1]) + farther * (row[2 * i - 1] + row[2 * i + 2]);
+        float *here = into.value.data() + j / 2 * columns,
+              *there = into.value.data() + beside(j, into.shape.rows) * columns;
+        for (Index i = 0; i < columns; ++i)
+            here[i] += nearer * line[i];
+        for (Index i = 0; i < columns; ++i)
+            there[i] += farther * line[i];
+    }
+}
+
+void Extension::extend(float* field) {
+    std::fill(levels_[0].value.begin(), levels_[0].value.end(), 0.0F);
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        known_[k] = field[nodes_[k]];
+        levels_[0].value[static_cast<std::size_t>(parents_[k])] += shares_[k] * known_[k];
+    }
+    for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
+        const Level& fine = levels_[l];
+        std::vector<float>& mean = levels_[l + 1].value;
+        std::fill(mean.begin(), mean.end(), 0.0F);
+        each_child(fine.shape,
+                   [&](std::size_t k, std::size_t parent) { mean[parent] += fine.share[k] * fine.value[k]; });
+    }
+    for (std::size_t l = levels_.size() - 1; l > 0; --l) {
+        Level& fine = levels_[l - 1];
+        refine(levels_[l], fine.shape, fine.weight.data(), fine.value.data());
+    }
+    refine(levels_[0], shape_, nullptr, field);
+    for (std::size_t k = 0; k < nodes_.size(); ++k)
+        field[nodes_[k]] = known_[k];
+}
+
+void Extension::transpose(float* field) {
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        known_[k] = field[nodes_[k]];
+        field[nodes_[k]] = 0;
+    }
+    coarsen(field, shape_, nullptr, levels_[0]);
+    for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
+        Level& fine = levels_[l];
+        coarsen(fine.value.data(), fine.shape, fine.weight.data(), levels_[l + 1]);
+    }
+    for (std::size_t l = levels_.size() - 1; l > 0; --l) {
+        Level& fine = levels_[l - 1];
+        const std::vector<float>& mean = levels_[l].value;
+        each_child(fine.shape,
+                   [&](std::size_t k, std::size_t parent) { fine.value[k] += fine.share[k] * mean[parent]; });
+    }
+    for (std::size_t k = 0; k < nodes_.size(); ++k)
+        field[nodes_[k]] = known_[k] + shares_[k] * levels_[0].value[static_cast<std::size_t>(parents_[k])];
+}
+
+} // namespace rough

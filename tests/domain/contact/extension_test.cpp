@@ -1,0 +1,74 @@
+#include "domain/contact/solvers/extension.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+using namespace rough;
+
+namespace {
+
+/// Of a grid with odd and even sides, a few of its nodes.
+struct Scene {
+    Extent shape;
+    std::vector<int> nodes;
+    explicit Scene(Extent extent) : shape(extent) {
+        std::mt19937 random(7);
+        for (int i = 0; i < shape.nodes(); ++i)
+            if (random() % 6 == 0 || i == shape.nodes() / 2)
+                nodes.push_back(i);
+    }
+    std::vector<float> field() const { return std::vector<float>(static_cast<std::size_t>(shape.nodes())); }
+};
+
+const std::vector<Extent> shapes{{64, 32}, {27, 35}, {48, 5}, {9, 1}, {2, 3}, {1, 1}};
+
+} // namespace
+
+TEST_CASE("a field continued off its nodes keeps what it is there, and stays between its least and most",
+          "[contact][areas]") {
+    for (const Extent shape : shapes) {
+        const Scene scene(shape);
+        std::vector<float> field = scene.field();
+        std::mt19937 random(3);
+        for (const int i : scene.nodes)
+            field[static_cast<std::size_t>(i)] = static_cast<float>(1 + random() % 100);
+        const std::vector<float> before = field;
+        float least = 1000, most = 0;
+        for (const int i : scene.nodes) {
+            least = std::min(least, field[static_cast<std::size_t>(i)]);
+            most = std::max(most, field[static_cast<std::size_t>(i)]);
+        }
+        Extension(shape, scene.nodes).extend(field.data());
+        for (const int i : scene.nodes)
+            CHECK(field[static_cast<std::size_t>(i)] == before[static_cast<std::size_t>(i)]);
+        const auto [low, high] = std::minmax_element(field.begin(), field.end());
+        CHECK(*low >= least * (1 - 1e-5F)); // so a constant stays one
+        CHECK(*high <= most * (1 + 1e-5F));
+    }
+}
+
+TEST_CASE("carrying a field over to the nodes is the transpose of continuing it", "[contact][areas]") {
+    for (const Extent shape : shapes) {
+        const Scene scene(shape);
+        std::vector<float> given = scene.field(), load = scene.field();
+        std::mt19937 random(5);
+        for (const int i : scene.nodes)
+            given[static_cast<std::size_t>(i)] = static_cast<float>(random() % 100);
+        for (float& value : load)
+            value = static_cast<float>(random() % 100);
+        std::vector<float> continued = given, carried = load;
+        Extension extension(shape, scene.nodes);
+        extension.extend(continued.data());
+        extension.transpose(carried.data());
+        double all = 0, there = 0;
+        for (std::size_t i = 0; i < load.size(); ++i)
+            all += static_cast<double>(continued[i]) * static_cast<double>(load[i]);
+        for (const int i : scene.nodes)
+            there += static_cast<double>(given[static_cast<std::size_t>(i)]) *
+                     static_cast<double>(carried[static_cast<std::size_t>(i)]);
+        CHECK(there == Approx(all).epsilon(1e-5));
+    }
+}
