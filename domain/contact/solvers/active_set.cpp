@@ -7,6 +7,7 @@
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/errors.hpp"
 
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -67,7 +68,8 @@ class ActiveSet {
     long applies() const { return solver_.applies(); }
 
   private:
-    /// On an area the sum of the pressures is kept while they settle, and the approach follows from them.
+    /// On an area the sum of the pressures is kept while they settle, and the approach follows from them. A
+    /// tangent leads too far, as the stiffness grows, of rough areas about as the load (Persson 2001).
     StepSolution press_area_to(double load, double& approach, const std::optional<Eigen::VectorXd>& guess) {
         sum_ = load;
         if (guess) {
@@ -76,7 +78,10 @@ class ActiveSet {
                 load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
             set_.collect();
         } else {
-            move((load - load_.pressure.sum()) / tangent_.pressure.sum());
+            const double before = load_.pressure.sum(), growth = load / before - 1,
+                         step = (load - before) / tangent_.pressure.sum();
+            move(step);
+            ahead_ = step * (1 - std::log1p(growth) / growth);
         }
         stale_ = true;
         settle_area(approach, options_.tolerance);
@@ -328,7 +333,8 @@ class ActiveSet {
         look(approach);
         std::vector<int> added;
         if (dropped.empty() || problem_.is_area())
-            added = advancing_nodes(depth_, set_.touching(), problem_.shape, least);
+            added = advancing_nodes(depth_, set_.touching(), problem_.shape, least + ahead_);
+        ahead_ = 0;
         if (swinging_ && added.size() < dropped.size())
             added.clear();
         for (const int i : added)
@@ -345,7 +351,8 @@ class ActiveSet {
     ContactSet set_;
     Loaded load_, tangent_;
     double tangent_blur_ = 0; ///< error of its displacement
-    KnownProduct product_;    ///< of load_
+    double ahead_ = 0; ///< by how much a tangent has gone too far, until nodes have joined in view of that
+    KnownProduct product_; ///< of load_
     Eigen::ArrayXd depth_;
     std::optional<Eigen::VectorXd> last_guess_; ///< the coarser grid's pressures at the step before
     double approach_ = 0;
