@@ -69,7 +69,7 @@ class ActiveSet {
 
   private:
     /// On an area the sum of the pressures is kept while they settle, and the approach follows from them. A
-    /// tangent leads too far, as the stiffness grows, of rough areas about as the load (Persson 2001).
+    /// tangent leads too far, as the stiffness grows, of rough areas about as the load (Persson 2007).
     StepSolution press_area_to(double load, double& approach, const std::optional<Eigen::VectorXd>& guess) {
         sum_ = load;
         if (guess) {

@@ -6,10 +6,10 @@
 
 namespace rough {
 
-/// Continues what is known at some nodes of a grid to all of them, E, and its transpose. Of the matrix
-/// C^-1 on those nodes alone the inverse is the least energy of any continuation (Schur's complement), so
-/// E'CE is never below it, and near it where E is good; zeros off the nodes are the worst E. Here means over
-/// ever larger squares are blended, each by what stands in it (explicit extensions: Nepomnyaschikh 1999; the
+/// E, which continues a field known at some nodes of a grid to all of them, and its transpose. The inverse of
+/// C^-1 restricted to those nodes is the least energy of C over all continuations (Schur's complement): E'CE
+/// is never below it, and near it where E is good. Means over ever larger squares are blended here, each by
+/// what stands in its square (hierarchical extensions: Haase, Langer, Meyer & Nepomnyaschikh 1994; the
 /// pyramid: Gortler et al. 1996). The grid is taken to be periodic. E maps 1 to 1.
 class Extension {
   public:
