@@ -29,8 +29,9 @@ struct Inquiry {
 
     std::vector<Question> questions;    ///< in an order that decides what is paid first
     std::vector<Slope<P>*> slopes;      ///< derivatives
-    Patience patience = Patience::none; ///< of the budget and the stop
+    Patience patience = Patience::none; ///< of the stop
     std::function<void()> use = {}; ///< reads the answers, which stand until it returns; on the door's thread
+    bool spent = false;             ///< set by the door: the budget had no room for all of it
     std::exception_ptr error = {};  ///< set by the door: Stopped, NothingLeft, or what `use` threw
 };
 
@@ -123,12 +124,15 @@ class Ledger : public Door<P> {
     /// Counts the questions, and puts those whose answer is not known among the calls.
     void look_up(Inquiry<P>& inquiry) {
         std::size_t within = 0;
+        const auto pay = [&] {
+            inquiry.spent |= counters.asked >= budget_.evaluations;
+            counters.asked += inquiry.spent ? 0 : 1;
+            return !inquiry.spent;
+        };
+        inquiry.spent = false;
         for (auto& question : inquiry.questions) {
-            if (question.counts) {
-                if (counters.asked >= budget_.evaluations && inquiry.patience == Patience::none)
-                    break;
-                ++counters.asked;
-            }
+            if (question.counts && !pay())
+                break;
             question.print = identify(problem_, *question.genome);
             memory_.prefetch(question.print);
             ++within;
@@ -146,7 +150,8 @@ class Ledger : public Door<P> {
             }
         }
         for (Slope<P>* slope : inquiry.slopes) {
-            ++counters.asked;
+            if (!pay())
+                break;
             ++counters.gradients;
             slopes_.push_back(slope);
         }
@@ -175,17 +180,15 @@ class Ledger : public Door<P> {
     }
 
     void answer(Inquiry<P>& inquiry) {
-        bool open = false, spent = false;
-        for (const auto& question : inquiry.questions) {
-            spent |= !question.answer;
+        bool open = false;
+        for (const auto& question : inquiry.questions)
             open |= question.answer && std::holds_alternative<Pending>(*question.answer);
-        }
         try {
             if (inquiry.use)
                 inquiry.use();
             if (open)
                 throw Stopped{watch_.reason()};
-            if (spent)
+            if (inquiry.spent)
                 throw Stopped{"evaluation budget spent"};
             if (!succeeded_ && first_failure_)
                 throw NothingLeft("every one of " + std::to_string(counters.evaluations) +

@@ -13,7 +13,7 @@ namespace ga {
 /// grows as the squares of the residuals fall, or is the fitness itself, where the problem has derivatives of
 /// these, which are paid for; m_j are the descriptors.
 struct Emit : Operator {
-    std::size_t n = 1;                    ///< children
+    std::size_t n;                        ///< children
     std::vector<std::string> descriptors; ///< of the problem, one at least
     double sigma = 0.1;                   ///< length of a step, > 0
 
@@ -47,12 +47,16 @@ struct Emit : Operator {
             Stream stream = context.stream(i);
             chosen[i] = stream.below(population.size());
         }
-        Population<G> fresh = context.gather(std::move(population), chosen);
-        const auto slopes = slopes_of(fresh, context);
-        if (context.watch().expired()) { // perhaps without having found them all
-            context.kept.in_hand = std::move(fresh);
-            throw Stopped{context.watch().reason()};
+        std::vector<std::vector<double>> slopes;
+        try {
+            slopes = slopes_of(population, chosen, context);
+            if (context.watch().expired()) // perhaps without having found them all
+                throw Stopped{context.watch().reason()};
+        } catch (const Stopped&) {
+            context.kept.in_hand = std::move(population);
+            throw;
         }
+        Population<G> fresh = context.gather(std::move(population), chosen);
         std::vector<std::vector<double>> moved(n);
         parallel_for(n, context.threads(), [&](std::size_t i) {
             Stream stream = context.stream(n + i);
@@ -89,15 +93,18 @@ struct Emit : Operator {
     ///@}
 
   private:
-    /// In which direction each gets better; empty where that is not to be had.
+    /// In which direction each of the chosen gets better; empty where that is not to be had.
     template <Problem P>
     static std::vector<std::vector<double>> slopes_of(const PopulationOf<P>& population,
+                                                      const std::vector<std::size_t>& chosen,
                                                       Context<P>& context) {
-        std::vector<std::vector<double>> all(population.size());
+        std::vector<std::vector<double>> all(chosen.size());
         if constexpr (Sensitive<P> || Differentiable<P>) {
             std::vector<Slope<P>> slopes;
-            for (const auto& each : population)
+            for (const std::size_t i : chosen) {
+                const auto& each = population[i];
                 slopes.push_back({each.genome, each.fitness.objective_name(), Sensitive<P>, {}, {}, {}});
+            }
             Inquiry<P> inquiry;
             for (auto& slope : slopes)
                 inquiry.slopes.push_back(&slope);
@@ -109,7 +116,7 @@ struct Emit : Operator {
                     all[i].assign(down.begin(), down.end());
                 } else if (!slopes[i].gradient.empty()) {
                     all[i] = slopes[i].gradient;
-                    if (population[i].fitness.minimises())
+                    if (population[chosen[i]].fitness.minimises())
                         for (double& each : all[i])
                             each = -each;
                 }

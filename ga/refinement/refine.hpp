@@ -64,8 +64,10 @@ class Search {
     }
     const auto& objective() const { return problem_.objectives()[objective_]; }
 
-    /// Whether it was answered: not where the run has to stop.
+    /// Whether it was answered: not where the run has to stop, or all it may ask is asked.
     bool ask(Inquiry<P>& inquiry) {
+        if (stopped_ || asked_ >= limit_)
+            return false;
         ++asked_;
         try {
             door_.serve(inquiry);
@@ -200,15 +202,23 @@ struct Refine : Operator {
                 answers.back().fitness = {};
             }
         }
-        if (!answers.empty())
-            context.score(answers, jobs.front()->fitness.objective(), Patience::finish);
+        std::exception_ptr stop;
+        try {
+            if (!answers.empty())
+                context.score(answers, jobs.front()->fitness.objective(), Patience::finish);
+            // A search that was cut short is no answer of this stage; what it found stands as the best so
+            // far.
+            if (context.watch().expired())
+                throw Stopped{context.watch().reason()};
+        } catch (const Stopped&) {
+            stop = std::current_exception();
+        }
         for (std::size_t i = 0; i < jobs.size(); ++i)
-            if (better(answers[i].fitness, jobs[i]->fitness))
+            if (answers[i].fitness.known() && better(answers[i].fitness, jobs[i]->fitness))
                 *jobs[i] = std::move(answers[i]);
-        // A search that was cut short is no answer of this stage; what it found stands as the best so far.
-        if (context.watch().expired()) {
+        if (stop) {
             context.kept.in_hand = population;
-            throw Stopped{context.watch().reason()};
+            std::rethrow_exception(stop);
         }
         return population;
     }

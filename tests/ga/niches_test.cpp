@@ -186,7 +186,9 @@ TEST_CASE("emitted children move along the descriptors' gradients, by normal len
         const double length = (a * 3 - c * 4) / 5 / 40; // in widths
         mean += length / 4000;
         square += length * length / 4000;
-        CHECK(*child.parents.begin() == start[0].identity);
+        CHECK(child.parents == Parents(start[0].identity));
+        CHECK(child.identity != start[0].identity);
+        CHECK(child.value() == functions::sphere(child.genome)); // its own, not its parent's
     }
     CHECK(std::abs(mean) < 6e-4);
     CHECK(std::sqrt(square) == Approx(0.01).epsilon(0.05));
@@ -194,4 +196,65 @@ TEST_CASE("emitted children move along the descriptors' gradients, by normal len
     CHECK(run(Stage<Function>(emit(1, {"plane"}, 0.01)) | score(), f, start).population[0].genome[0] == 1);
     CHECK_THROWS_WITH(run(Stage<Function>(emit(1, {"plain"})) | score(), f, start),
                       "stage 'emit 1 plain sigma=0.1': unknown descriptor 'plain'; expected one of plane");
+}
+
+TEST_CASE(
+    "the length of an emitted step hangs on no gradient's length, and who stands on flat ground stays") {
+    Function f{2, functions::sphere, 0, 1};
+    const auto start = scored(f, {{0.5, 0.5}});
+    const auto by = [&](double slope) {
+        f.features = {{"plane", {}, 0, 1, [slope](const Vector&) { return Vector{3 * slope, 4 * slope}; }}};
+        return run(Stage<Function>(emit(50, {"plane"}, 0.01)) | score(), f, start).population;
+    };
+    const auto steep = by(1e9), gentle = by(1e-9), flat = by(0);
+    for (std::size_t i = 0; i < 50; ++i)
+        for (std::size_t g = 0; g < 2; ++g) {
+            CHECK(gentle[i].genome[g] == Approx(steep[i].genome[g]).epsilon(1e-12));
+            CHECK(flat[i].genome[g] == 0.5);
+        }
+    CHECK(gentle[0].genome != start[0].genome);
+}
+
+TEST_CASE("emitted children climb the slope of the fitness by lengths of half a normal distribution") {
+    /// The sphere with its gradient.
+    struct Sloped : Function {
+        std::vector<double> gradient(const Genome& x, const std::string&) const {
+            return {2 * x[0], 2 * x[1]};
+        }
+    };
+    /// The same as residuals.
+    struct Squares : Function {
+        Sensitivity sensitivity(const Genome& x, const std::string&) const {
+            return {Eigen::Vector2d(x[0], x[1]), Eigen::Matrix2d::Identity()};
+        }
+    };
+    const auto check = [](auto f, double direction) {
+        f.features = {{"flat", [](const Vector&) { return 1.0; }, 0, 1}};
+        f.list[0].minimise = direction < 0;
+        const auto start = run(Stage<decltype(f)>(score()), f, population<Vector>({{3, 4}})).population;
+        const auto result = run(Stage<decltype(f)>(emit(2000, {"flat"}, 0.01)) | score(), f, start);
+        CHECK(result.counters.gradients == 2000);
+        double mean = 0, square = 0;
+        for (const auto& child : result.population) {
+            const double a = child.genome[0] - 3, b = child.genome[1] - 4;
+            CHECK(b == Approx(4 * a / 3).margin(1e-12));
+            const double length = direction * (3 * a + 4 * b) / 5 / 20; // in widths
+            CHECK(length >= 0);
+            mean += length / 2000;
+            square += length * length / 2000;
+        }
+        CHECK(mean == Approx(0.01 * std::sqrt(2 / std::numbers::pi)).epsilon(0.05));
+        CHECK(std::sqrt(square) == Approx(0.01).epsilon(0.05));
+    };
+    check(Sloped{{2, functions::sphere, -10, 10}}, -1);
+    check(Sloped{{2, functions::sphere, -10, 10}}, 1);
+    check(Squares{{2, functions::sphere, -10, 10}}, -1);
+    Squares f{{2, functions::sphere, -10, 10}};
+    f.features = {{"flat", [](const Vector&) { return 1.0; }, 0, 1}};
+    const auto start = run(Stage<Squares>(score()), f, population<Vector>({{3, 4}, {1, 1}})).population;
+    const auto stopped =
+        run(Stage<Squares>(emit(100, {"flat"})) | score(), f, start, {.budget = {.evaluations = 30}});
+    CHECK(stopped.stopped == "evaluation budget spent");
+    CHECK(stopped.counters.asked == 30);
+    CHECK(stopped.population.size() == 2); // who were there before
 }

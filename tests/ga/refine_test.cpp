@@ -1,9 +1,189 @@
 #include "ga/text/parser.hpp"
 #include "tests/ga/curve_fit.hpp"
 
+#include <Eigen/QR>
 #include <catch2/catch.hpp>
 
 using namespace ga;
+
+namespace {
+
+using Eigen::VectorXd;
+
+/// Residuals as a method sees them, in a box of that half width about the start, with as many questions as it
+/// likes.
+Landscape landscape(const VectorXd& start, double half,
+                    std::function<std::optional<Sensitivity>(const VectorXd&)> sensitivity) {
+    Landscape land;
+    land.start = start;
+    land.lower = start.array() - half;
+    land.upper = start.array() + half;
+    land.sensitivity = std::move(sensitivity);
+    land.exhausted = [] { return false; };
+    return land;
+}
+
+/// Rosenbrock's function as residuals of unit `unit`.
+Landscape rosenbrock(double unit) {
+    return landscape(Eigen::Vector2d(-1.2, 1), 100, [unit](const VectorXd& x) {
+        Eigen::MatrixXd jacobian(2, 2);
+        jacobian << -20 * x[0], 10, -1, 0;
+        return Sensitivity{unit * Eigen::Vector2d(10 * (x[1] - x[0] * x[0]), 1 - x[0]), unit * jacobian};
+    });
+}
+
+/// The curve's residuals with noise, so that no curve has none.
+Landscape noisy_curve() {
+    return landscape(Eigen::Vector3d(3.5, 0.4, 1.7), 100, [](const VectorXd& x) {
+        Sensitivity at = CurveFit().sensitivity({x[0], x[1], x[2]}, "");
+        for (Eigen::Index k = 0; k < 5; ++k)
+            at.residuals[k] += k % 2 ? 0.2 : -0.1;
+        return at;
+    });
+}
+
+/// Levenberg-Marquardt as it is published, by another way to solve it: each step h is the least-squares
+/// solution of J h = -r and sqrt(mu) D h = 0 with D the lengths of J's columns (Marquardt 1963), mu follows
+/// the gain (Nielsen 1999, Eq. 2.21), and rows are weighed from evaluation `sharpen` on.
+VectorXd by_the_book(const Landscape& land, int evaluations, int sharpen) {
+    VectorXd x = land.start, best = x;
+    Sensitivity at = *land.sensitivity(x);
+    double mu = 1e-3, nu = 2, least = at.residuals.cwiseAbs().maxCoeff();
+    for (int used = 0; used < evaluations; ++used) {
+        VectorXd weights = VectorXd::Ones(at.residuals.size());
+        if (sharpen > 0 && used >= sharpen)
+            weights = (at.residuals / at.residuals.cwiseAbs().maxCoeff()).cwiseAbs2().array() + 0.05;
+        const VectorXd roots = weights.cwiseSqrt(), here = roots.cwiseProduct(at.residuals);
+        const Eigen::MatrixXd rows = roots.asDiagonal() * at.jacobian;
+        Eigen::MatrixXd system(rows.rows() + x.size(), x.size());
+        system << rows, std::sqrt(mu) * Eigen::MatrixXd(rows.colwise().norm().asDiagonal());
+        VectorXd right = VectorXd::Zero(system.rows());
+        right.head(here.size()) = -here;
+        const VectorXd h = system.colPivHouseholderQr().solve(right);
+        const Sensitivity next = *land.sensitivity(x + h);
+        const double before = here.squaredNorm(), after = roots.cwiseProduct(next.residuals).squaredNorm();
+        if (after < before) {
+            const double gain = (before - after) / (before - (here + rows * h).squaredNorm());
+            mu *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3)), nu = 2;
+            x += h;
+            at = next;
+            if (const double worst = at.residuals.cwiseAbs().maxCoeff(); sharpen == 0 || worst < least)
+                best = x, least = worst;
+        } else {
+            mu *= nu, nu *= 2;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+TEST_CASE("every step of Levenberg-Marquardt is the published one, accepted or not, sharpened or not") {
+    for (int n = 1; n <= 12; ++n)
+        for (const int sharpen : {0, 3})
+            for (const Landscape& land : {rosenbrock(1), noisy_curve()}) {
+                CAPTURE(n, sharpen, land.start.size());
+                CHECK((lm(n, sharpen).improve(land) - by_the_book(land, n, sharpen)).norm() < 1e-6);
+            }
+}
+
+TEST_CASE("the unit of the residuals changes no step of Levenberg-Marquardt") {
+    for (const double unit : {1e-9, 1e9})
+        CHECK((lm(6).improve(rosenbrock(unit)) - lm(6).improve(rosenbrock(1))).norm() < 1e-6);
+}
+
+TEST_CASE("minimax finds Chebyshev's line through a parabola in ten evaluations") {
+    const Landscape land = landscape(Eigen::Vector2d(0.9, 0.9), 3, [](const VectorXd& x) {
+        Sensitivity at{VectorXd(11), Eigen::MatrixXd(11, 2)};
+        for (int i = 0; i <= 10; ++i) {
+            at.jacobian.row(i) << 1, i / 10.0;
+            at.residuals[i] = at.jacobian.row(i) * x - i * i / 100.0;
+        }
+        return at;
+    });
+    const VectorXd best = minimax(10).improve(land);
+    CHECK(land.sensitivity(best)->residuals.cwiseAbs().maxCoeff() < 0.1251); // 1/8 is the least
+}
+
+TEST_CASE("a gradient method takes no point whose gradient is not to be had") {
+    for (const VectorXd& none : {VectorXd(), VectorXd(VectorXd::Constant(1, std::nan("")))}) {
+        Landscape land = landscape(VectorXd::Constant(1, 0.5), 10, {});
+        land.fitness = [](const VectorXd& x) { return -std::pow(x[0] - 3, 2); };
+        land.gradient = [&](const VectorXd& x) {
+            return x[0] > 2 ? none : VectorXd(VectorXd::Constant(1, 6 - 2 * x[0]));
+        };
+        const double best = nlopt_method("LD_LBFGS", 40).improve(land)[0];
+        CHECK(best <= 2);
+        CHECK(best >= 0.5);
+    }
+}
+
+TEST_CASE("a search asks nothing more once the run has to stop or its share is spent, whatever its method") {
+    /// Stops the run at the third question.
+    struct Closing : Door<CurveFit> {
+        Ledger<CurveFit>& ledger;
+        int asked = 0;
+        explicit Closing(Ledger<CurveFit>& l) : ledger(l) {}
+        using Door<CurveFit>::serve;
+        void serve(std::span<Inquiry<CurveFit>* const> inquiries) override {
+            if (++asked < 3)
+                return ledger.serve(inquiries);
+            for (auto* inquiry : inquiries)
+                inquiry->error = std::make_exception_ptr(Stopped{"enough"});
+        }
+    };
+    const CurveFit problem;
+    Serial<CurveFit> serial;
+    const Budget endless;
+    const auto individual = run(score(), problem, CurveFit::start(1)).population[0];
+    Method stubborn; // that never looks whether it may ask
+    stubborn.improve = [](const Landscape& land) {
+        for (int i = 1; i <= 50; ++i)
+            land.fitness(land.start + Eigen::Vector3d::Constant(1e-3 * i));
+        return land.start;
+    };
+    for (const Method& method :
+         std::vector<Method>{lm(20), mma(20), minimax(20), nlopt_method("LN_COBYLA", 20), stubborn}) {
+        CAPTURE(method.text);
+        Ledger<CurveFit> ledger(problem, serial, 1 << 20, endless);
+        const auto search = [&](Door<CurveFit>& door, long limit) {
+            Search<CurveFit>(problem, door, ledger.watch(), individual, problem.bounds(individual.genome),
+                             limit)
+                .by(method, 1);
+        };
+        Closing closing(ledger);
+        search(closing, 1000);
+        CHECK(closing.asked == 3);
+        ledger.counters = {};
+        search(ledger, 7);
+        CHECK(ledger.counters.asked == 7);
+    }
+}
+
+TEST_CASE("neither islands nor gradients let a refinement ask for more than the budget has") {
+    struct Sloped : CurveFit {
+        std::vector<double> gradient(const Genome& g, const std::string&) const {
+            const Sensitivity at = sensitivity(g, "");
+            Eigen::Index worst = 0;
+            at.residuals.cwiseAbs().maxCoeff(&worst);
+            const VectorXd slope = (at.residuals[worst] < 0 ? 1 : -1) * at.jacobian.row(worst).transpose();
+            return {slope.begin(), slope.end()};
+        }
+    };
+    const auto check = [](const Stage<Sloped>& stage) {
+        const auto start = run(score(), Sloped{}, CurveFit::start(6)).population;
+        for (const long budget : {20, 40, 41}) {
+            const auto result = run(stage, Sloped{}, start, {.budget = {.evaluations = budget}});
+            CHECK(result.counters.asked <= budget);
+            REQUIRE(result.population.size() == 6);
+            for (const auto& each : result.population)
+                CHECK(each.value() >= start[each.identity].value());
+        }
+    };
+    check(refine(nlopt_method("LD_LBFGS", 30)));
+    check(islands(2, {.rounds = 1, .migrants = 1}, refine(lm(30))));
+    check(islands(2, {.rounds = 1, .migrants = 1}, refine(nlopt_method("LN_COBYLA", 30))));
+}
 
 TEST_CASE("Levenberg-Marquardt finds the curve's own parameters from every start") {
     const auto result = run(score() | refine(lm(60)), CurveFit{}, CurveFit::start(30));
@@ -83,10 +263,13 @@ TEST_CASE("no name of NLopt's list ends the program, and a misspelt one is refus
     for (int i = 0; i < NLOPT_NUM_ALGORITHMS; ++i) {
         const std::string name = nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(i));
         try {
+            const int number = algorithm_number(name);
+            CHECK(number == i);
             const auto result = run(score() | refine(nlopt_method(name, 10)), CurveFit{}, CurveFit::start(2));
             CHECK(result.counters.asked <= 2 + 2 * 11 + 2); // scored, searched, scored
         } catch (const UsageError& refused) {
             CHECK(std::string(refused.what()).find(name) != std::string::npos);
+            CHECK(std::string(refused.what()).find("unknown") == std::string::npos);
         }
     }
     CHECK_THROWS_WITH(nlopt_method("LN_AUGLAG", 10),
