@@ -24,22 +24,35 @@ class Parser {
     /// @param text   a pipeline
     /// @param where  what messages call it
     [[gnu::cold]] Stage<P> parse(const std::string& text, const std::string& where = "pipeline") {
-        return made(Syntax(text, where).read(), where);
+        begin();
+        return read(text, where);
     }
 
     /// The pipeline of a named variant. Names of other variants are expanded in place; a cycle is refused.
     [[gnu::cold]] Stage<P> variant(const std::string& name) {
-        const auto found = variants_.find(name);
-        if (found == variants_.end())
+        if (!variants_.count(name))
             throw UsageError("unknown variant '" + name + "'" + suggestion(name, variant_names()));
-        open_.push_back(name);
-        Stage<P> stage = parse(found->second, "variant '" + name + "'");
-        open_.pop_back();
-        return stage;
+        begin();
+        return named(name);
     }
 
   private:
     static constexpr std::size_t most_stages = 10000;
+
+    /// What the text before left, whether it was read or refused, is no part of the next.
+    [[gnu::cold]] void begin() {
+        open_.clear();
+        stages_ = 0;
+    }
+    [[gnu::cold]] Stage<P> read(const std::string& text, const std::string& where) {
+        return made(Syntax(text, where).read(), where);
+    }
+    [[gnu::cold]] Stage<P> named(const std::string& name) {
+        open_.push_back(name);
+        Stage<P> stage = read(variants_.at(name), "variant '" + name + "'");
+        open_.pop_back();
+        return stage;
+    }
 
     [[gnu::cold]] Stage<P> made(const PipelineText& pipeline, const std::string& where) {
         Stage<P> stage;
@@ -156,7 +169,7 @@ class Parser {
                 cycle += name + " -> ";
             throw TextError(where, text.column, "variants contain each other: " + cycle + text.name);
         }
-        return variant(text.name);
+        return named(text.name);
     }
 
     /// The stage, which says where it was written.
@@ -177,7 +190,7 @@ class Parser {
     Registry<P> registry_;
     Variants variants_;
     std::vector<std::string> open_; ///< variants that are being expanded
-    std::size_t stages_ = 0;        ///< made so far
+    std::size_t stages_ = 0;        ///< made of the text in hand
 };
 
 } // namespace ga

@@ -155,6 +155,7 @@ TEST_CASE("an unknown word is refused with the nearest known one") {
     refused("cross unifrom", "pipeline, column 7: unknown cross 'unifrom'; did you mean 'uniform'?");
     refused("score | refine lm 3 genes=tent",
             "pipeline, column 21: unknown genes 'tent'; did you mean 'tenth'?");
+    refused("score | refine lm 3 genes=al", "pipeline, column 21: unknown genes 'al'; did you mean 'all'?");
     refused("pair(score, score, men)",
             "pipeline, column 20: unknown combination 'men'; did you mean 'mean'?");
     refused("score | above 0.5 atleast=3",
@@ -189,6 +190,29 @@ TEST_CASE("variants that unfold without end are refused before they fill the mem
     for (int i = 1; i < 40; ++i)
         variants["v" + std::to_string(i)] = "v" + std::to_string(i - 1) + " | v" + std::to_string(i - 1);
     refused("v39", "variant 'v0', column 1: more than 10000 stages, with those of variants", variants);
+}
+
+TEST_CASE("a hundred pipelines inside each other and ten thousand stages are read, and not one more") {
+    const auto inside = [](int depth) {
+        std::string text = "score";
+        for (int i = 1; i < depth; ++i)
+            text = "repeat 2 { " + text + " }";
+        return Syntax(text, "pipeline").read().size();
+    };
+    CHECK(inside(100) == 1);
+    CHECK_THROWS_WITH(inside(101), Catch::Contains("more than 100 pipelines inside each other"));
+    Registry<CurveFit> registry = vocabulary<CurveFit>();
+    std::string row = "score";
+    for (int i = 1; i < 100; ++i)
+        row += " | score";
+    std::string all = "row";
+    for (int i = 1; i < 100; ++i)
+        all += " | row";
+    Parser<CurveFit> parser(registry, {{"row", row}, {"all", all}, {"more", all + " | best 1"}});
+    CHECK_NOTHROW(parser.variant("all"));
+    CHECK_THROWS_WITH(parser.variant("more"), Catch::Contains("more than 10000 stages"));
+    CHECK_NOTHROW(parser.variant("all")); // what was read before, or refused, does not count
+    CHECK_NOTHROW(parser.parse(all));
 }
 
 TEST_CASE("a value out of range is refused with the range") {
