@@ -101,3 +101,23 @@ TEST_CASE("what is wrong with a run that is driven from outside is thrown to who
                       "question 0 is not open; expected one that ask gave");
     CHECK_THROWS_AS(search.tell(12, {}), UsageError);
 }
+
+TEST_CASE("who asks while the run is busy with its own work waits for the next questions") {
+    std::atomic<bool> busy = false;
+    const Observer<std::vector<double>> slow = [&](const auto&) {
+        busy = true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+        busy = false;
+    };
+    AskTell<Outside> search(sample(3) | score() | mutate(1) | score(), Outside{}, {}, {}, {slow});
+    std::size_t told = 0;
+    for (auto questions = search.ask(); !questions.empty(); questions = search.ask()) {
+        for (const auto& [id, genome] : questions)
+            search.tell(id, genome);
+        told += questions.size();
+        while (told == 3 && !busy)
+            std::this_thread::yield();
+    }
+    CHECK(told == 6);
+    CHECK(search.result().stopped.empty());
+}

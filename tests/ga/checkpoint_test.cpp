@@ -308,3 +308,38 @@ TEST_CASE("a process that is killed at random moments and resumed ends in the ve
     std::ifstream answer(folder / "answer");
     CHECK(std::string(std::istreambuf_iterator<char>(answer), {}) == expected);
 }
+
+TEST_CASE("a resumed run goes on with the notes and the seconds of before") {
+    const tests::Folder folder;
+    const auto pipeline = sample(8) | score() | above(1, at_least(3)) | repeat(6, mutate(1) | score());
+    Checkpoints<Vectors> write(folder / "run", "", false), resume(folder / "run", "", true);
+    double last = 0;
+    const Observer<std::vector<double>> note = [&](const auto& event) { last = event.seconds; };
+    const auto part = run(pipeline, Vectors{}, nobody, {.budget = {.evaluations = 20}}, {note}, &write);
+    REQUIRE_FALSE(part.stopped.empty());
+    const Stopwatch clock;
+    std::optional<double> first;
+    const Observer<std::vector<double>> look = [&](const auto& event) {
+        if (!first) {
+            first = event.seconds;
+            CHECK(event.seconds >= last);
+            CHECK(event.seconds <= part.seconds + clock.seconds());
+        }
+    };
+    const auto result = run(pipeline, Vectors{}, nobody, {}, {look}, &resume);
+    CHECK(first);
+    CHECK(result.notes == std::vector<std::string>{"pipeline/above.1: 0 of 8 above 1; took the 3 best"});
+    const Stopwatch fresh;
+    CHECK(run(sample(1) | score(), Vectors{}, nobody).seconds <= fresh.seconds());
+}
+
+TEST_CASE("a program without standard input keeps its checkpoints") {
+    const tests::Folder folder;
+    const int input = ::dup(0);
+    ::close(0); // the next file takes its number
+    const std::string trouble = seal(folder / "run", "all");
+    ::dup2(input, 0);
+    ::close(input);
+    CHECK(trouble.empty());
+    CHECK(opened(folder / "run") == "all");
+}

@@ -104,9 +104,6 @@ TEST_CASE("islands are evaluated together, and an island's bits do not hang on t
         islands(4, {.rounds = 3, .migrants = 1}, mutate(1, gaussian(0.1)) | score() | elite(1));
     const auto result = run_by(record, pipeline, Vectors{}, nobody);
     CHECK(record.batches == std::vector<std::size_t>{20, 20, 20, 20});
-    std::set<Identity> identities;
-    for (const auto& each : result.population)
-        identities.insert(each.identity);
     CHECK(bits_of(result) == bits_of(run(pipeline, Vectors{}, nobody, {.threads = 3})));
 }
 

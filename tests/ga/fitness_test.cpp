@@ -130,6 +130,7 @@ TEST_CASE("under several objectives stagnation counts from the last growth of th
     std::vector<double> volumes;
     const auto watch = fronts<std::vector<double>>("plus.1", {-20, -20}, [&](const auto& seen) {
         ++generations;
+        CHECK(seen.event.path.ends_with("plus.1"));
         volumes.push_back(seen.hypervolume);
         CHECK(!seen.front.empty());
     });

@@ -133,3 +133,19 @@ TEST_CASE("the status names the place, the generation, the best and the evaluati
     CHECK(lines[7].starts_with("v/repeat.1/tournament.1 generation 2: best -0."));
     CHECK(lines.back().ends_with(" evaluations"));
 }
+
+TEST_CASE("a table has its name only while its log is closed") {
+    const tests::Folder folder;
+    const Vectors problem;
+    Log log(folder / "log.csv");
+    run(pipeline, problem, nobody, {}, {log.observer(problem)});
+    log.close();
+    const std::string first = contents(folder / "log.csv");
+    run(sample(2) | score(), problem, nobody, {}, {log.observer(problem)}); // the table goes on
+    CHECK_FALSE(fs::exists(folder / "log.csv"));
+    log.close();
+    CHECK(log.trouble.empty());
+    const std::string both = contents(folder / "log.csv");
+    CHECK(both.starts_with(first));
+    CHECK(std::count(both.begin(), both.end(), '\n') == std::count(first.begin(), first.end(), '\n') + 2);
+}

@@ -117,12 +117,35 @@ TEST_CASE("islands evolve apart but for migrants, and come back as one populatio
 TEST_CASE("no two individuals of islands within islands share an identity") {
     const Migration apart{.rounds = 3, .migrants = 0};
     const auto inner = islands(2, apart, mutate(1) | score());
-    const auto result =
-        run(sample(16) | score() | islands(2, apart, mutate(1) | score() | inner) | mutate(1) | score(),
-            Vectors{}, Population<std::vector<double>>());
+    std::map<Identity, std::vector<double>> genomes; // of everybody that ever was
+    const Observer<std::vector<double>> observer = [&](const auto& event) {
+        for (const auto& each : event.population)
+            CHECK(genomes.try_emplace(each.identity, each.genome).first->second == each.genome);
+    };
+    const auto result = run<Vectors>(
+        sample(16) | score() | islands(2, apart, mutate(1) | score() | inner | mutate(1) | score()) |
+            mutate(1) | score(),
+        Vectors{}, nobody, {}, {observer});
+    CHECK(genomes.size() == 16 * (1 + 3 * (1 + 3 + 1) + 1));
     CHECK(result.population.size() == 16);
     const auto all = identities_of(result.population);
     CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
+}
+
+TEST_CASE(
+    "islands are two to ten thousand, meet once at least, and need a score only where somebody leaves") {
+    for (const std::size_t n : {2, 10000})
+        CHECK_NOTHROW(islands(n, {.rounds = 1}, score()));
+    for (const std::size_t n : {1, 10001})
+        CHECK_THROWS_AS(islands(n, {.rounds = 1}, score()), UsageError);
+    CHECK_THROWS_AS(islands(2, {.rounds = 0}, score()), UsageError);
+    const auto unscored = [](std::size_t migrants) {
+        return run(sample(4) | islands(2, {.rounds = 2, .migrants = migrants}, mutate(1)) | score(),
+                   Vectors{}, nobody)
+            .population.size();
+    };
+    CHECK(unscored(0) == 4);
+    CHECK_THROWS_AS(unscored(1), UsageError);
 }
 
 TEST_CASE("a migrant replaces the worst of the next island") {

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <set>
+
 using namespace ga;
 
 namespace {
@@ -83,6 +85,40 @@ TEST_CASE("a memory too small to hold anything changes no result") {
     CHECK(small.counters.evaluations == 7 * 40 + 40);
     CHECK(small.counters.asked == large.counters.asked);
     CHECK(small.population[0].genome == large.population[0].genome);
+}
+
+TEST_CASE("an outcome that says nothing of its memory weighs what one does that owns nothing besides") {
+    /// A square, of weight 0 where it is said.
+    struct Square {
+        using Genome = std::vector<double>;
+        using Outcome = double;
+        double evaluate(const Genome& g) const { return g[0] * g[0]; }
+        const std::vector<Objective<double>>& objectives() const {
+            static const std::vector<Objective<double>> list = {{"f", [](const double& y) { return y; }}};
+            return list;
+        }
+    };
+    struct Weightless : Square {
+        std::size_t bytes(const double&) const { return 0; }
+    };
+    std::vector<std::vector<double>> genomes;
+    for (int i = 0; i < 60; ++i)
+        genomes.push_back({i + 0.0});
+    const auto by = [](double step) {
+        return transform("by",
+                         [step](const std::vector<double>& g) { return std::vector<double>{g[0] + step}; });
+    };
+    std::set<long> seen;
+    for (double bytes = 2000; bytes < 40000; bytes *= 1.01) { // some forget the first batch by the third
+        const auto evaluations = [&](const auto& problem) {
+            return run(score() | by(1000) | score() | by(-1000) | score(), problem, population(genomes),
+                       {.threads = 1, .memory_bytes = static_cast<std::size_t>(bytes)})
+                .counters.evaluations;
+        };
+        seen.insert(evaluations(Square{}));
+        REQUIRE(evaluations(Square{}) == evaluations(Weightless{}));
+    }
+    CHECK(seen == std::set<long>{120, 180});
 }
 
 TEST_CASE("an evaluation that throws marks its individual, which ranks last and keeps the reason") {

@@ -130,6 +130,13 @@ TEST_CASE("in a generation the start competes: children that cannot replace it a
     }
 }
 
+TEST_CASE("nobody is given up where nobody asked for it") {
+    const Penalties problem;
+    const auto result = run(score() | best(5), problem, start(600));
+    CHECK(result.counters.given_up == 0);
+    CHECK(problem.read == run_with(score() | best(5), false).read);
+}
+
 TEST_CASE("screening does the same for any number of threads") {
     const auto pipeline = score() | best(7);
     const Ran one = run_with(pipeline, true, 3, 1);

@@ -145,11 +145,18 @@ TEST_CASE("a population that would not fit into its memory ends the run with wha
     };
     stopped_with(sample(10) | score() | repeat(20, pair(score(), score(), first) | score()),
                  "v/repeat.1/pair.1: a population of 25600 exceeds the 4 MB for one", 10000);
+    const std::size_t one = sizeof(Individual<std::vector<double>>) + 6 * sizeof(double);
+    const auto children_in = [&](std::size_t room) { // of 1600 that a pair would have
+        return run(sample(40) | score() | pair(score(), score(), first) | score(), Vectors{}, nobody,
+                   {.population_bytes = room * one});
+    };
+    CHECK(children_in(2048).population.size() == 1600);
+    CHECK_FALSE(children_in(1500).stopped.empty());
     stopped_with(sample(10) | score() | tournament(2, 1000000000) | score(),
                  "v/tournament.1: a population of 1000000000 exceeds the 4 MB for one", 10);
     stopped_with(sample(1000000000) | score(),
                  "v/sample.1: a population of 1000000000 exceeds the 4 MB for one", 0);
-    const std::size_t room = 10 * (sizeof(Individual<std::vector<double>>) + 6 * sizeof(double));
+    const std::size_t room = 10 * one;
     for (const std::size_t bytes : {room, room - 1})
         CHECK(run(sample(10) | score(), Vectors{}, nobody, {.population_bytes = bytes}).stopped.empty() ==
               (bytes == room));
@@ -187,4 +194,20 @@ TEST_CASE("every kind of pipeline that is stopped gives back what it has") {
     CHECK(count(sample(20) | score() | repeat(100, body), 110) == 12); // ten children and the elite
     CHECK(count(sample(20) | score() | islands(2, {.rounds = 50}, body), 110) >= 10);
     CHECK(count(restarts(9, sample(20) | score() | best(3)), 70) == 9 + 10);
+}
+
+TEST_CASE("a population that is not scored is no improvement") {
+    Numbers memory;
+    const auto start = run(sample(3) | score(), Vectors{}, nobody).population;
+    CHECK(improves(Progress<std::vector<double>>{0, 0, 0, start}, memory));
+    auto better = start;
+    for (auto& each : better)
+        each.genome.assign(6, 0);
+    better = run(score(), Vectors{}, population<std::vector<double>>({std::vector<double>(6, 0)})).population;
+    better.push_back({std::vector<double>(6, 0), 1, {}, {}, {}});
+    CHECK_FALSE(improves(Progress<std::vector<double>>{1, 0, 0, better}, memory));
+    better.pop_back();
+    CHECK(improves(Progress<std::vector<double>>{2, 0, 0, better}, memory));
+    CHECK_FALSE(improves(Progress<std::vector<double>>{3, 0, 0, better}, memory));
+    CHECK(memory[2] == 2);
 }

@@ -145,13 +145,18 @@ TEST_CASE("n points cut two genomes into n + 1 pieces that change hands by turns
 TEST_CASE("uniform cross-over exchanges half of the genes on average") {
     const std::vector<std::vector<bool>> parents = {std::vector<bool>(200), std::vector<bool>(200, true)};
     double exchanged = 0;
+    std::vector<int> at(200);
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         const auto child =
             run(cross(uniform()) | score(), Any<std::vector<bool>>{}, population(parents), {.seed = seed})
                 .population[0];
         exchanged += static_cast<double>(std::count(child.genome.begin(), child.genome.end(), true));
+        for (std::size_t i = 0; i < 200; ++i)
+            at[i] += child.genome[i] ? 1 : 0;
     }
     CHECK(exchanged == Approx(10000).margin(5 * std::sqrt(20000 * 0.25)));
+    for (const int times : at) // at every position, by a coin of its own
+        CHECK(std::abs(times - 50) < 25);
 }
 
 TEST_CASE("simulated binary cross-over keeps the parents' mean and spreads as its density says") {
