@@ -44,7 +44,6 @@ class Context {
                                     parent.kept.identity_step * lanes),
           ledger_(parent.ledger_), door_(door), root_(parent.root_), names_(parent.names_) {
         terms_.population_bytes = parent.terms_.population_bytes;
-        terms_.screening = false;
         kept.earlier_seconds = parent.kept.earlier_seconds;
         if (parent.observed())
             terms_.observers = {[this](const Event<Genome>& event) {
