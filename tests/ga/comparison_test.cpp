@@ -102,6 +102,7 @@ TEST_CASE("what different policies scored is never compared, nor what none did")
 
 TEST_CASE("the hypervolume is that of the union of boxes above the reference") {
     CHECK(hypervolume({{2.0}, {5.0}, {3.0}}, {1}) == 4);
+    CHECK(hypervolume({{0.5}}, {1}) == 0);
     CHECK(hypervolume({{3, 1}, {1, 3}, {2, 2}, {0, 9}}, {0, 0}) == 6);
     CHECK(hypervolume({}, {0, 0}) == 0);
     Stream stream(3);

@@ -185,3 +185,20 @@ TEST_CASE("an evaluation that ends itself when the run is to stop is no failure,
             CHECK_FALSE(each.fitness.has_failed());
     }
 }
+
+TEST_CASE(
+    "of the exceptions of work that is spread over threads the first in order is thrown, when all is done") {
+    for (const int threads : {1, 4}) {
+        std::atomic<int> done = 0;
+        CHECK_THROWS_WITH(parallel_for(20, threads,
+                                       [&](std::size_t i) {
+                                           ++done;
+                                           if (i % 5 == 3) // the later, the sooner
+                                               std::this_thread::sleep_for(std::chrono::milliseconds(20 - i));
+                                           if (i % 5 == 3)
+                                               throw std::runtime_error(std::to_string(i));
+                                       }),
+                          "3");
+        CHECK(done == 20);
+    }
+}

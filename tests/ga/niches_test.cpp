@@ -258,3 +258,23 @@ TEST_CASE("emitted children climb the slope of the fitness by lengths of half a 
     CHECK(stopped.counters.asked == 30);
     CHECK(stopped.population.size() == 2); // who were there before
 }
+
+TEST_CASE("an emitter and an archive are refused or stopped where they cannot work") {
+    Function f{2, functions::sphere, -1, 1};
+    f.features = {{"x", [](const Vector& x) { return x[0]; }, -1, 1}};
+    const auto start = scored(f, {{0.1, 0.2}, {0.3, 0.4}});
+    const auto large = run(Stage<Function>(emit(100000000, {"x"})) | score(), f, start,
+                           {.population_bytes = std::size_t{1} << 20});
+    CHECK(large.stopped == "pipeline/emit.1: a population of 100000000 exceeds the 1 MB for one");
+    CHECK(large.population.size() == 2);
+    CHECK_THROWS_WITH(check(Stage<Function>(score()) | Stage<Function>(map_elites({"x"})), f, start),
+                      Catch::Contains("reads the start of a generation"));
+}
+
+TEST_CASE("bounds of genes that a genome lacks are left alone") {
+    Function f{9, functions::sphere, -1, 1};
+    f.features = {{"x", [](const Vector& x) { return x[0]; }, -1, 1}};
+    const auto start = scored(f, {{0.1, 0.2, 0.3}});
+    for (const auto& each : run(Stage<Function>(emit(50, {"x"})) | score(), f, start).population)
+        CHECK(each.genome.size() == 3);
+}

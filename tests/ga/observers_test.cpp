@@ -149,3 +149,22 @@ TEST_CASE("a table has its name only while its log is closed") {
     CHECK(both.starts_with(first));
     CHECK(std::count(both.begin(), both.end(), '\n') == std::count(first.begin(), first.end(), '\n') + 2);
 }
+
+TEST_CASE("a summary counts whom there is, the best and the middle of the scored, and how many differ") {
+    const Given problem;
+    const auto of = [&](const std::vector<double>& values) {
+        return summary(problem, run(score(), problem, Given::of(values)).population);
+    };
+    const Summary odd = of({7, 1, 2, 1, 9}), even = of({10, 4, 1, 2});
+    CHECK(odd.individuals == 5);
+    CHECK(odd.best == 9.0);
+    CHECK(odd.median == 2.0);
+    CHECK(odd.diversity == 0.8);
+    CHECK(even.median == 3.0);
+    const Summary unscored = summary(problem, Given::of({1, 2})), none = summary(problem, {});
+    CHECK(unscored.individuals == 2);
+    CHECK_FALSE(unscored.best);
+    CHECK_FALSE(unscored.median);
+    CHECK(unscored.diversity == 1);
+    CHECK(none.diversity == 0);
+}

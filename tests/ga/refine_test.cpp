@@ -92,6 +92,30 @@ TEST_CASE("the unit of the residuals changes no step of Levenberg-Marquardt") {
         CHECK((lm(6).improve(rosenbrock(unit)) - lm(6).improve(rosenbrock(1))).norm() < 1e-6);
 }
 
+TEST_CASE("a variable that descent holds at its bound is to Levenberg-Marquardt as if it were none") {
+    // r = (10 (y - x^2), 1 - x, x y - 2) with y held at 1, where descent would raise it
+    const auto row = [](double x, double y, bool both, bool first) {
+        Eigen::MatrixXd jacobian(3, 2);
+        jacobian << -20 * x, 10, -1, 0, y, x;
+        if (first)
+            jacobian.col(0).swap(jacobian.col(1));
+        return Sensitivity{Eigen::Vector3d(10 * (y - x * x), 1 - x, x * y - 2),
+                           both ? jacobian : Eigen::MatrixXd(jacobian.col(first ? 1 : 0))};
+    };
+    const Landscape alone = landscape(VectorXd::Constant(1, 3), 10,
+                                      [&](const VectorXd& x) { return row(x[0], 1, false, false); });
+    for (const bool first : {false, true}) { // of the two
+        Landscape both = landscape(first ? Eigen::Vector2d(1, 3) : Eigen::Vector2d(3, 1), 10,
+                                   [&](const VectorXd& x) { return row(x[first], x[!first], true, first); });
+        both.upper[!first] = 1;
+        for (int n = 1; n <= 5; ++n) {
+            const VectorXd found = lm(n).improve(both);
+            CHECK(found[!first] == 1);
+            CHECK(found[first] == Approx(lm(n).improve(alone)[0]).epsilon(1e-9));
+        }
+    }
+}
+
 TEST_CASE("minimax finds Chebyshev's line through a parabola in ten evaluations") {
     const Landscape land = landscape(Eigen::Vector2d(0.9, 0.9), 3, [](const VectorXd& x) {
         Sensitivity at{VectorXd(11), Eigen::MatrixXd(11, 2)};
@@ -204,6 +228,25 @@ TEST_CASE("minimax reaches further than one row at a time by the same search in 
     CHECK(by_all_rows.best->value() > 0.999);
 }
 
+TEST_CASE("the worst row is read with its sign, and an NLopt search asks once more than it was given") {
+    const Reading worst = least_worst(Eigen::Vector3d(1, -3, 2));
+    CHECK(worst.value == -3);
+    CHECK(worst.merit == -3);
+    CHECK(worst.slopes == std::vector<std::pair<Eigen::Index, double>>{{1, 1.0}});
+    CHECK(least_worst(Eigen::Vector2d(4, -3)).slopes[0] == std::pair<Eigen::Index, double>(0, -1.0));
+    for (const std::string name : {"LN_COBYLA", "LN_NELDERMEAD", "GN_CRS2_LM", "GN_ESCH"}) {
+        CAPTURE(name);
+        Landscape land = landscape(Eigen::Vector2d(-1.2, 1), 2, {});
+        int asked = 0;
+        land.fitness = [&](const VectorXd& x) {
+            ++asked;
+            return -std::pow(10 * (x[1] - x[0] * x[0]), 2) - std::pow(1 - x[0], 2);
+        };
+        nlopt_method(name, 25).improve(land);
+        CHECK(asked == 26);
+    }
+}
+
 TEST_CASE("mma and lm spend their evaluations and one for the start on each individual") {
     const auto result = run(score() | refine(mma(5)), CurveFit{}, CurveFit::start(7));
     CHECK(result.counters.gradients == 7 * 6);
@@ -252,6 +295,13 @@ TEST_CASE("a gradient method is refused for a problem without a gradient when th
         Stage<CurveFit>(score() | refine(nlopt_method("LD_LBFGS", 5))),
         "stage 'refine nlopt LD_LBFGS 5 genes=all' needs the problem's gradient; expected a method without, "
         "e.g. nlopt LN_COBYLA");
+}
+
+TEST_CASE("a method without an evaluation is refused in code, too") {
+    CHECK_THROWS_AS(lm(0), UsageError);
+    CHECK_THROWS_AS(mma(0), UsageError);
+    CHECK_THROWS_AS(minimax(0), UsageError);
+    CHECK_THROWS_AS(nlopt_method("LN_COBYLA", 0), UsageError);
 }
 
 TEST_CASE("an unknown NLopt algorithm is refused by name") {

@@ -139,13 +139,11 @@ TEST_CASE(
     for (const std::size_t n : {1, 10001})
         CHECK_THROWS_AS(islands(n, {.rounds = 1}, score()), UsageError);
     CHECK_THROWS_AS(islands(2, {.rounds = 0}, score()), UsageError);
-    const auto unscored = [](std::size_t migrants) {
-        return run(sample(4) | islands(2, {.rounds = 2, .migrants = migrants}, mutate(1)) | score(),
-                   Vectors{}, nobody)
-            .population.size();
+    const auto unscored = [](std::size_t migrants) -> Stage<Vectors> {
+        return sample(4) | islands(2, {.rounds = 2, .migrants = migrants}, mutate(1)) | score();
     };
-    CHECK(unscored(0) == 4);
-    CHECK_THROWS_AS(unscored(1), UsageError);
+    CHECK(run(unscored(0), Vectors{}, nobody).population.size() == 4);
+    CHECK_THROWS_AS(check(unscored(1), Vectors{}, nobody), UsageError); // before anything is evaluated
 }
 
 TEST_CASE("a migrant replaces the worst of the next island") {

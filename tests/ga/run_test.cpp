@@ -215,3 +215,12 @@ TEST_CASE("bounds of a second refinement are those of the original genome") {
     CHECK(*result.population[0].origin == start[0].genome);
     CHECK(result.population[0].identity == start[0].identity);
 }
+
+TEST_CASE("a run that is told nothing draws by seed 1") {
+    const auto pipeline = score() | mutate(0.5) | score();
+    const auto plain = run(pipeline, CurveFit{}, CurveFit::start(5)),
+               seeded = run(pipeline, CurveFit{}, CurveFit::start(5), {.seed = 1}),
+               other = run(pipeline, CurveFit{}, CurveFit::start(5), {.seed = 2});
+    CHECK(all_of(plain) == all_of(seeded));
+    CHECK(all_of(plain) != all_of(other));
+}

@@ -98,3 +98,11 @@ TEST_CASE("below keeps those under the threshold in their order") {
     CHECK(result.population[1].identity == 2);
     CHECK(run(score() | below(0, at_least(2)), Given{}, Given::of({2, 5, 1, 3})).population[1].identity == 2);
 }
+
+TEST_CASE("what chooses in proportion to the fitness is refused where there is no one number") {
+    Known ranked;
+    ranked.scored = "pareto f g";
+    CHECK_THROWS_WITH(roulette().check(ranked), Catch::Contains("one objective"));
+    CHECK_THROWS_WITH(sus().check(ranked), Catch::Contains("one objective"));
+    CHECK_NOTHROW(rank(1.5).check(ranked));
+}

@@ -68,6 +68,23 @@ void from_json(const json& j, Adaptive::State& state) {
     state = {j.at(0), j.at(1).is_null() ? -HUGE_VAL : j.at(1).get<double>(), j.at(2)};
 }
 
+/// Counts its calls as its state, and shows the counts it began with.
+struct Counting : Operator {
+    struct State {
+        std::size_t calls = 0;
+    };
+    std::shared_ptr<std::vector<std::size_t>> before = std::make_shared<std::vector<std::size_t>>();
+    std::string text() const { return "counting"; }
+    void check(Known&) const {}
+    Population<std::vector<double>> operator()(Population<std::vector<double>> population, Context<Vectors>&,
+                                               State& state) const {
+        before->push_back(state.calls++);
+        return population;
+    }
+};
+void to_json(json& j, const Counting::State& state) { j = state.calls; }
+void from_json(const json& j, Counting::State& state) { j.get_to(state.calls); }
+
 const auto evolving = sample(1) | score() | repeat(300, Adaptive() | score() | plus());
 
 } // namespace
@@ -96,6 +113,17 @@ TEST_CASE("a state begins anew when its block does, and every island has its own
             Vectors{}, nobody);
     for (const auto& each : apart.population)
         CHECK(each.value() > -1e-4);
+}
+
+TEST_CASE("every restart begins with an operator that has learnt nothing") {
+    const Counting counting;
+    run(Stage<Vectors>(sample(2)) | score() | Stage<Vectors>(restarts(3, Stage<Vectors>(counting))),
+        Vectors{}, nobody);
+    CHECK(*counting.before == std::vector<std::size_t>{0, 0, 0});
+    counting.before->clear();
+    run(Stage<Vectors>(sample(2)) | score() | Stage<Vectors>(repeat(3, Stage<Vectors>(counting))), Vectors{},
+        nobody);
+    CHECK(*counting.before == std::vector<std::size_t>{0, 1, 2});
 }
 
 TEST_CASE("a stopping rule of one's own ends a block in code and in text") {
@@ -160,6 +188,7 @@ TEST_CASE("a population that would not fit into its memory ends the run with wha
     for (const std::size_t bytes : {room, room - 1})
         CHECK(run(sample(10) | score(), Vectors{}, nobody, {.population_bytes = bytes}).stopped.empty() ==
               (bytes == room));
+    CHECK_FALSE(run(sample(1) | score(), Vectors{}, nobody, {.population_bytes = one - 1}).stopped.empty());
     CHECK_THROWS_WITH(
         islands(100000000, {}, score()),
         "islands: 100000000 islands in 10 rounds; expected 2 to 10000 islands and 1 round at least");

@@ -272,6 +272,21 @@ TEST_CASE("the listing names every operator with its parameters, and what a geno
         for (const auto& parameter : entry.parameters)
             CHECK(!parameter.meaning.empty());
     }
+    const auto after = [&](const std::string& line, std::size_t from) {
+        const std::size_t at = ("\n" + list).find("\n" + line, from);
+        REQUIRE(at != std::string::npos);
+        return at;
+    };
+    std::string group;
+    std::size_t at = 0;
+    for (const auto& entry : registry.entries()) { // each below the heading of its group
+        if (entry.group != group)
+            at = after(entry.group + "\n", at);
+        group = entry.group;
+        const std::size_t next = after("  " + entry.name, at);
+        CHECK(list.substr(at, next - at).find("\n\n") == std::string::npos); // and of no other
+        at = next;
+    }
     CHECK(list.find("  pair(left, right, name) ") != std::string::npos);
     CHECK(list.find("not for this genome: it needs a permutation for a genome") != std::string::npos);
     CHECK(list.find("a number from 0 to 1, by default 1: a pair's chance to be crossed") !=

@@ -142,6 +142,18 @@ TEST_CASE("n points cut two genomes into n + 1 pieces that change hands by turns
         }
 }
 
+TEST_CASE("two genes are cut between them, however many cuts are asked for") {
+    for (const std::size_t n : {1, 2, 7}) {
+        const auto born = run(cross(n_points(n)) | score(), Any<std::vector<int>>{},
+                              population<std::vector<int>>({{0, 0}, {1, 1}}))
+                              .population;
+        CHECK(born[0].genome == std::vector<int>{0, 1});
+        CHECK(born[1].genome == std::vector<int>{1, 0});
+    }
+    CHECK(width({0, -2, 3}) == 5);
+    CHECK(width({0, -HUGE_VAL, 3}) == 1); // no bounds, no width
+}
+
 TEST_CASE("uniform cross-over exchanges half of the genes on average") {
     const std::vector<std::vector<bool>> parents = {std::vector<bool>(200), std::vector<bool>(200, true)};
     double exchanged = 0;
@@ -366,4 +378,13 @@ TEST_CASE("order cross-over takes the rest in the other's order, from the end of
                 .genome;
         CHECK(std::find(expected.begin(), expected.end(), child.order) != expected.end());
     }
+}
+
+TEST_CASE("of two genes the one may change its place with the other") {
+    const auto start = population(std::vector(60, Permutation{{0, 1}}));
+    const auto swapped = run(mutate(0.5, swap()) | score(), Any<Permutation>{}, start).population;
+    const auto turned = std::count_if(swapped.begin(), swapped.end(),
+                                      [](const auto& each) { return each.genome.order[0] == 1; });
+    CHECK(turned > 15); // half of them: one gene is drawn, or the other
+    CHECK(turned < 45);
 }
