@@ -64,19 +64,17 @@ class Search {
     }
     const auto& objective() const { return problem_.objectives()[objective_]; }
 
-    /// Whether it was answered: not where the run has to stop, or all it may ask is asked.
-    bool ask(Inquiry<P>& inquiry) {
+    /// Asks, unless the run has to stop or all that may be asked is asked; then it stays unanswered.
+    void ask(Inquiry<P>& inquiry) {
         if (stopped_ || asked_ >= limit_)
-            return false;
+            return;
         ++asked_;
         try {
             door_.serve(inquiry);
-            return true;
         } catch (const Stopped&) {
             stopped_ = true;
         } catch (const NothingLeft&) { // a failure like any other here
         }
-        return false;
     }
 
     double fitness(const Eigen::VectorXd& x) {
