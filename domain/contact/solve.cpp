@@ -128,29 +128,47 @@ void check_tolerance(const ContactOptions& options) {
         refuse("solver tolerance ", options.tolerance, " was given, one between 1e-10 and 0.01 is expected");
 }
 
-/// The displacement (mm) at which the mean pressure is `pressure`. Newton's method on a convex piecewise
-/// linear function reaches it in a finite number of steps, from above after the first; with a hardness, where
-/// P(Delta) only never falls, what would leave the bracket is halved instead.
-double displacement_at(double pressure, const Profile& profile, const Body& body,
-                       const ContactOptions& options, LoadStep from) {
+/// How well a mean pressure is met, over itself: as well as an iterative solver knows it, else to rounding.
+double load_tolerance(Solver solver, const Body& body, const ContactOptions& options) {
+    return body.yields() ? 1e-12 : solver == Solver::active_set ? options.tolerance : 0;
+}
+
+/// The step at which the mean pressure is `pressure`, from one under less. Newton's method on a convex
+/// piecewise linear function reaches it in a finite number of steps, from above after the first. What would
+/// leave the bracket is halved instead, and so is a step from above that gained little: with a hardness
+/// P(Delta) only never falls, and in full contact a periodic half-plane's stiffness is rounding alone.
+LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, const ContactOptions& options,
+                    LoadStep from) {
+    constexpr double met = 1e-9, little = 0.75;
     const double highest = largest_displacement(profile, body);
-    double below = from.displacement, above = highest;
-    for (int k = 0; k < 100; ++k) {
+    double below = from.displacement, above = body.yields() ? highest : HUGE_VAL;
+    if (from.pressure > pressure) // by no more than the solver's tolerance
+        below = 0, above = from.displacement;
+    bool halve = false;
+    for (int k = 0; k < 200; ++k) {
+        const double missing = std::abs(pressure - from.pressure);
         double next = from.displacement + (pressure - from.pressure) / from.tangent_stiffness;
-        if (body.yields() && !(next > below && next < above))
+        if (std::abs(next - from.displacement) <= 1e-15 * next && missing <= met * pressure) {
+            from.displacement = std::min(next, highest);
+            return from;
+        }
+        if (halve || !(next > below && next < above))
             next = std::isfinite(above) ? 0.5 * (below + above) : 2 * from.displacement;
-        next = std::min(highest, std::max(0.0, next));
-        if (std::abs(next - from.displacement) <= 1e-15 * next)
-            return next;
-        from = solve_contact(profile, body, {next}, options).steps.front();
+        next = std::min(next, highest);
+        const bool from_above = from.pressure > pressure;
+        const ContactCurve curve = solve_contact(profile, body, {next}, options);
+        from = curve.steps.front();
         if (next == highest && from.pressure < pressure * (1 - 1e-12))
             refuse("mean pressure ", pressure, " MPa was given, at most that of full contact, ",
                    from.pressure, " MPa, is expected");
-        if (body.yields() && std::abs(from.pressure - pressure) <= 1e-12 * pressure)
-            return next;
+        const double left = std::abs(pressure - from.pressure);
+        if (left <= load_tolerance(curve.solver, body, options) * pressure)
+            return from;
         (from.pressure < pressure ? below : above) = next;
+        halve = from_above && from.pressure > pressure && left > little * missing;
     }
-    return from.displacement;
+    throw NotConverged(line_of("no displacement was found for the mean pressure ", pressure,
+                               " MPa; that of the last one tried was ", from.pressure, " MPa"));
 }
 
 /// Every node at the hardness.
@@ -241,8 +259,8 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
         LoadStep from = solve_contact(profile, body, {0}, options).steps.front();
         std::vector<double> displacements;
         for (const double pressure : pressures) {
-            displacements.push_back(displacement_at(pressure, profile, body, options, from));
-            from = solve_contact(profile, body, {displacements.back()}, options).steps.front();
+            from = pressed_to(pressure, profile, body, options, from);
+            displacements.push_back(from.displacement);
         }
         curve = solve_contact(profile, body, displacements, options);
     }

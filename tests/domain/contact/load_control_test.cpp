@@ -1,3 +1,4 @@
+#include "domain/theory/realisation.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -23,6 +24,28 @@ TEST_CASE("pressing to a pressure finds the displacement that gives it", "[conta
             CHECK(step.contact_nodes == scene.contact_nodes[j]);
         }
     }
+}
+
+TEST_CASE("every load is met from the lightest on, though a step from first touch leads to full contact",
+          "[contact]") {
+    Body body;
+    body.kernel = Kernel::periodic;
+    std::vector<double> pressures; // to contact fractions of 0.01 to 0.9
+    for (int j = 0; j < 6; ++j)
+        pressures.push_back(2.5e-4 * std::pow(320, j / 5.0));
+    for (const Index nodes : {512, 1024}) // by the factor, by conjugate gradients
+        for (const std::uint64_t seed : {1u, 2u, 3u}) {
+            const Profile profile = realised({.hurst = 0.8,
+                                              .longest = 1.0 / 32,
+                                              .shortest = 1.0 / 256,
+                                              .rms_slope = 0.1,
+                                              .is_area = false},
+                                             {.nodes = nodes, .length = 1, .wraps = true}, seed);
+            const ContactCurve curve = solve_contact_at_pressures(profile, body, pressures);
+            INFO(nodes << " nodes, seed " << seed << ", " << curve.choice);
+            for (std::size_t j = 0; j < pressures.size(); ++j)
+                CHECK(curve.steps[j].pressure == Approx(pressures[j]).epsilon(2e-6));
+        }
 }
 
 TEST_CASE("a periodic profile bears no more than full contact under load control", "[contact]") {
