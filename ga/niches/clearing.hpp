@@ -8,7 +8,7 @@ namespace ga {
 /// Clearing (Petrowski 1996): from the best down, each that is within `radius` of `capacity` better ones that
 /// stayed goes. The others are left, best first.
 struct Clearing : Operator {
-    double radius;            ///< of a niche, above 0
+    double radius = 0.1;      ///< of a niche, above 0
     std::size_t capacity = 1; ///< how many a niche holds, >= 1
 
     ///@{

@@ -12,8 +12,8 @@ namespace ga {
 struct Sharing : ByFitness {
     static constexpr bool one_spin = true; ///< one for all places
 
-    double radius;    ///< of a niche, above 0
-    double alpha = 1; ///< of the sharing function, above 0
+    double radius = 0.1; ///< of a niche, above 0
+    double alpha = 1;    ///< of the sharing function, above 0
 
     /// One an individual.
     template <HasDistance P>

@@ -20,16 +20,18 @@ std::optional<double> best_value(const Population<G>& population) {
 
 /// A population in four numbers.
 struct Summary {
-    std::size_t individuals;      ///< scored or not
+    std::size_t individuals = 0;  ///< scored or not
     std::optional<double> best;   ///< fitness under one objective among the scored that have not failed; none
                                   ///< where there are none
     std::optional<double> median; ///< of the same
-    double diversity;             ///< share of different genomes, in (0, 1]
+    double diversity = 0;         ///< share of different genomes, in (0, 1]
 };
 
 /// Of a population under the objective it was last scored by.
 template <Problem P>
 Summary summary(const P& problem, const PopulationOf<P>& population) {
+    Summary summary;
+    summary.individuals = population.size();
     std::vector<double> values;
     Table<bool> different;
     for (const auto& individual : population) {
@@ -37,12 +39,13 @@ Summary summary(const P& problem, const PopulationOf<P>& population) {
         if (individual.fitness.known() && !individual.fitness.has_failed() && !individual.fitness.several())
             values.push_back(individual.value());
     }
-    const auto individuals = static_cast<double>(population.size());
-    Summary summary{population.size(), best_value(population), std::nullopt,
-                    population.empty() ? 0 : static_cast<double>(different.size()) / individuals};
+    summary.diversity = population.empty()
+                            ? 0
+                            : static_cast<double>(different.size()) / static_cast<double>(population.size());
     if (values.empty())
         return summary;
     std::sort(values.begin(), values.end());
+    summary.best = best_value(population);
     summary.median = (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
     return summary;
 }

@@ -10,7 +10,7 @@ namespace ga {
 struct Minimax {
     static constexpr bool on_residuals = true; ///< and on their derivatives
 
-    int evaluations; ///< at most, after the start; >= 1. Inner iterations count.
+    int evaluations = 1; ///< at most, after the start; >= 1. Inner iterations count.
 
     ///@{
     /// What every method has (method_of).

@@ -50,7 +50,7 @@ inline Eigen::VectorXd maximised_by_mma(const Landscape& land, int evaluations,
 struct Mma {
     static constexpr bool on_residuals = true; ///< and on their derivatives
 
-    int evaluations; ///< at most, after the start; >= 1
+    int evaluations = 1; ///< at most, after the start; >= 1
 
     ///@{
     /// What every method has (method_of).

@@ -113,8 +113,8 @@ inline int algorithm_number(const std::string& name) {
 struct Nlopt {
     static constexpr bool on_residuals = false; ///< it sees the fitness
 
-    std::string algorithm; ///< NLopt's own name; LD_ and GD_ algorithms need a gradient
-    int evaluations;       ///< at most, after the start; >= 1
+    std::string algorithm = "LN_COBYLA"; ///< NLopt's own name; LD_ and GD_ algorithms need a gradient
+    int evaluations = 1;                 ///< at most, after the start; >= 1
 
     ///@{
     /// What every method has (method_of).

@@ -32,7 +32,7 @@ void add_method(Registry<P>& registry) {
     if constexpr (Refinable<P, M>) {
         registry.add(
             std::move(entry), +[](const Arguments& a, const std::vector<Stage<P>>&, const Registry<P>& r) {
-                V values{};
+                V values;
                 a.fill(values);
                 return refined(method_of(std::move(values)), a, r);
             });

@@ -56,8 +56,8 @@ template <Problem P, class G = typename P::Genome>
 /// run.
 template <bool upwards>
 struct Threshold : Operator {
-    double threshold; ///< of fitness, not included
-    AtLeast least;    ///< who stay in any case
+    double threshold = 0; ///< of fitness, not included
+    AtLeast least;        ///< who stay in any case
     ///@{
     /// What every operator has (Operator).
     static Words words() {

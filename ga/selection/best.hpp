@@ -6,7 +6,7 @@ namespace ga {
 
 /// Keeps the n best, best first. n >= 1.
 struct Best : Operator {
-    std::size_t n; ///< how many stay, >= 1
+    std::size_t n = 1; ///< how many stay, >= 1
     ///@{
     /// What every operator has (Operator).
     static Words words() { return {"best", "selection", "keeps the n best, best first"}; }

@@ -6,7 +6,7 @@ namespace ga {
 
 /// So many evaluations were asked for since the block began, whether they were paid or remembered.
 struct AfterEvaluations : StoppingRule {
-    long n; ///< >= 1
+    long n = 1; ///< >= 1
 
     ///@{
     /// What every rule has (StoppingRule).

@@ -6,7 +6,7 @@ namespace ga {
 
 /// The best of the population that holds its constraints reaches a fitness, as its objective states it.
 struct AtFitness : StoppingRule {
-    double value; ///< of the objective
+    double value = 0; ///< of the objective
 
     ///@{
     /// What every rule has (StoppingRule).

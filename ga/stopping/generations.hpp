@@ -6,7 +6,7 @@ namespace ga {
 
 /// So many generations were made.
 struct AfterGenerations : StoppingRule {
-    std::size_t n; ///< >= 1
+    std::size_t n = 1; ///< >= 1
 
     ///@{
     /// What every rule has (StoppingRule).

@@ -6,7 +6,7 @@ namespace ga {
 
 /// So long since the block began. A run that ends so cannot be repeated bit for bit.
 struct AfterSeconds : StoppingRule {
-    double limit; ///< s
+    double limit = 0; ///< s
 
     ///@{
     /// What every rule has (StoppingRule).

@@ -6,7 +6,7 @@ namespace ga {
 
 /// So many generations since the population last became better than it had been (`improves`).
 struct AtStagnation : StoppingRule {
-    std::size_t n; ///< >= 1
+    std::size_t n = 1; ///< >= 1
 
     ///@{
     /// What every rule has (StoppingRule).

@@ -43,7 +43,7 @@ class Registry {
     [[gnu::cold]] void add() {
         add(
             entry_of<Op>(), +[](const Arguments& a, const Bodies&, const Registry&) {
-                Op op{};
+                Op op;
                 a.fill(op);
                 return Stage<P>(std::move(op));
             });
@@ -74,7 +74,7 @@ class Registry {
     requires std::derived_from<R, StoppingRule>
     [[gnu::cold]] void add_rule() {
         rules_.push_back({R::words().name, +[](const Arguments& a) {
-                              R rule{};
+                              R rule;
                               a.fill(rule);
                               return rule_of<Genome>(std::move(rule));
                           }});

@@ -23,8 +23,8 @@ concept Mutates = Problem<P> && requires(const Way& way, const P& problem, typen
 /// old self.
 template <class Way>
 struct Mutate : Operator {
-    double rate; ///< probability of each gene, [0, 1]
-    Way way;     ///< how a genome is changed (Mutates)
+    double rate = 0; ///< probability of each gene, [0, 1]
+    Way way;         ///< how a genome is changed (Mutates)
     ///@{
     /// What every operator has (Operator).
     static Words words() {

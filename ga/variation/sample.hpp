@@ -6,7 +6,7 @@ namespace ga {
 
 /// Puts n new individuals drawn at random by the problem in the place of the population.
 struct Sample : Operator {
-    std::size_t n; ///< how many, >= 1
+    std::size_t n = 1; ///< how many, >= 1
     ///@{
     /// What every operator has (Operator).
     static constexpr bool begins = true;
