@@ -200,23 +200,22 @@ struct Refine : Operator {
                 answers.back().fitness = {};
             }
         }
-        std::exception_ptr stop;
+        std::optional<Stopped> stop;
         try {
             if (!answers.empty())
                 context.score(answers, jobs.front()->fitness.objective(), Patience::finish);
-            // A search that was cut short is no answer of this stage; what it found stands as the best so
-            // far.
-            if (context.watch().expired())
-                throw Stopped{context.watch().reason()};
-        } catch (const Stopped&) {
-            stop = std::current_exception();
+        } catch (const Stopped& stopped) {
+            stop = stopped;
         }
+        // A search that was cut short is no answer of this stage; what it found stands as the best so far.
+        if (!stop && context.watch().expired())
+            stop = Stopped{context.watch().reason()};
         for (std::size_t i = 0; i < jobs.size(); ++i)
             if (answers[i].fitness.known() && better(answers[i].fitness, jobs[i]->fitness))
                 *jobs[i] = std::move(answers[i]);
         if (stop) {
             context.kept.in_hand = population;
-            std::rethrow_exception(stop);
+            throw *stop;
         }
         return population;
     }
