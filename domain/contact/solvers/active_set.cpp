@@ -59,18 +59,10 @@ class ActiveSet {
         return finished(approach, tolerance);
     }
 
-    /// The same to a load. `approach` is where to begin and becomes the one found.
-    StepSolution press_to(double load, double& approach, std::optional<Eigen::VectorXd> guess) {
-        return problem_.is_area() ? press_area_to(load, approach, guess)
-                                  : press_line_to(load, approach, guess);
-    }
-    const Eigen::VectorXd& pressure() const { return load_.pressure; }
-    long applies() const { return solver_.applies(); }
-
-  private:
-    /// On an area the sum of the pressures is kept while they settle, and the approach follows from them. A
-    /// tangent leads too far, as the stiffness grows, of rough areas about as the load (Persson 2007).
-    StepSolution press_area_to(double load, double& approach, const std::optional<Eigen::VectorXd>& guess) {
+    /// The same of an area to a load, `approach` becoming the one found: the sum of the pressures is kept
+    /// while they settle, and the approach follows from them. A tangent leads too far, as the stiffness
+    /// grows, of rough areas about as the load (Persson 2007).
+    StepSolution press_to(double load, double& approach, const std::optional<Eigen::VectorXd>& guess) {
         sum_ = load;
         if (guess) {
             load_.pressure = *guess * (load / guess->sum());
@@ -94,44 +86,10 @@ class ActiveSet {
         approach -= missing / tangent_.pressure.sum();
         return step_solution(set_, load_, tangent_, options_.states);
     }
+    const Eigen::VectorXd& pressure() const { return load_.pressure; }
+    long applies() const { return solver_.applies(); }
 
-    /// On a line by Newton's method on the approach, loosely until it is near.
-    StepSolution press_line_to(double load, double& approach, std::optional<Eigen::VectorXd> guess) {
-        approach = std::min(approach, (1 - 1e-9) * full_contact(problem_)); // a coarser grid's is another
-        for (int round = 0; round < most_rounds; ++round) {
-            if (!guess)
-                approach = advanced(approach, load);
-            start(approach, guess);
-            settle(approach, std::max(near_load, options_.tolerance));
-            solver_.tangent(set_, near_load, false, tangent_);
-            const double missing = load - load_.pressure.sum();
-            if (std::abs(missing) <= near_load * load)
-                break;
-            guess.reset();
-        }
-        if (purpose_ == Purpose::guess)
-            return step_solution(set_, load_, tangent_, false);
-        for (int round = 0; round < most_rounds; ++round) {
-            approach = advanced(approach, load);
-            start(approach, {});
-            settle(approach, options_.tolerance);
-            StepSolution step = finished(approach, options_.tolerance);
-            if (std::abs(load - step.pressure.sum()) <= options_.tolerance * load)
-                return step;
-        }
-        fail("active set", problem_, approach, std::abs(load / load_.pressure.sum() - 1), options_.tolerance);
-    }
-
-    /// By Newton's step; where nothing touches yet, that of a single node. It passes the root from below, but
-    /// never full contact, beyond which there is no solution.
-    double advanced(double approach, double load) const {
-        const double stiffness = tangent_.pressure.sum();
-        const double next =
-            approach + (load - load_.pressure.sum()) * (stiffness > 0 ? 1 / stiffness : problem_.column[0]);
-        const double full = full_contact(problem_);
-        return next < full ? next : 0.5 * (approach + full);
-    }
-
+  private:
     /// All nodes of a periodic area together have none: there that of all but the least loaded, which is the
     /// tangent just below full contact.
     void find_tangent() {
@@ -474,12 +432,6 @@ Solution solve_active_set_loads(ContactProblem& problem, const std::vector<doubl
         problem.approach.push_back(approach);
     }
     solution.iterations = solver.applies();
-    return solution;
-}
-
-Solution solve_active_set(const ContactProblem& problem, const ContactOptions& options) {
-    Solution solution;
-    solve_active_set(problem, options, solution);
     return solution;
 }
 

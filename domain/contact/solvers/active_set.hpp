@@ -8,9 +8,7 @@ namespace rough {
 /// set that is corrected as they go, each load step predicted from the one before by its tangent vector. Ends
 /// when every residual is within the tolerance and the contact set is beyond doubt at that residual, or
 /// rounding allows no better. Throws NotConverged. The certificate applies H by another splitting into
-/// transforms.
-Solution solve_active_set(const ContactProblem& problem, const ContactOptions& options);
-/// The same, added step by step to `solution`, which keeps what was solved where this throws.
+/// transforms. Steps are added to `solution`, which keeps what was solved where this throws.
 void solve_active_set(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
 /// The same under load control: `loads` are sums of the nodes' pressures in the problem's units, positive and

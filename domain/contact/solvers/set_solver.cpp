@@ -170,7 +170,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
     const Deflation deflation(nodes, sums_);
     const std::vector<int> places = inverse_places(nodes);
     std::optional<Extension> extension;
-    if (sums_.size() == 0) // an area
+    if (is_area())
         extension.emplace(inverse_shape_, places);
     Eigen::VectorXd r(m), z(m), q(m), hq(m), even; // even: like what the preconditioner makes of a constant
     if (level) { // continued it is a constant, and so is a circulant times it
@@ -261,12 +261,11 @@ double SetSolver::tangent(const ContactSet& set, double tolerance, bool each_ent
     const Enough enough =
         each_entry ? Enough{0.1 * tolerance}
                    : Enough{0, [&](double energy) { return energy <= 0.5 * tolerance * w.pressure.sum(); }};
-    const bool area = sums_.size() == 0;
     KnownProduct known;
-    if (area)
+    if (is_area())
         known = {w.pressure, w.displacement, 0};
     improve(
-        set, [](Index) { return 1.0; }, w, enough, most_iterations, area ? &known : nullptr);
+        set, [](Index) { return 1.0; }, w, enough, most_iterations, is_area() ? &known : nullptr);
     if (tolerance >= single_stiffness)
         return known.blur;
     load(w);
