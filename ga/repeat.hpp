@@ -19,7 +19,7 @@ class GenerationsStep {
         if (rules.empty() || name == "repeat 0")
             throw UsageError(
                 "a block of generations needs an end; expected repeat N with N >= 1, or until with "
-                "one of generations, evaluations, seconds, fitness, stagnation");
+                "one of generations, evaluations, seconds, fitness, stagnation, converged");
         const auto block = std::make_shared<const GenerationsStep>(std::move(body), std::move(rules), name);
         Step<P> step;
         step.text = name + " { " + block->body_.text() + " }";
@@ -142,9 +142,9 @@ Generations<Body, Until> repeat(std::size_t n, Body body) {
 /// The stage `until ... { body }` by the engine's own rules. Throws UsageError where none is given.
 template <class Body>
 Generations<Body, Until> until(Until end, Body body) {
-    if (!(end.generations || end.evaluations || end.seconds || end.fitness || end.stagnation))
-        throw UsageError(
-            "until has no end; expected one of generations, evaluations, seconds, fitness, stagnation");
+    if (!(end.generations || end.evaluations || end.seconds || end.fitness || end.stagnation || end.converged))
+        throw UsageError("until has no end; expected one of generations, evaluations, seconds, fitness, "
+                         "stagnation, converged");
     return {std::move(body), end};
 }
 /// The stage `until ... { body }` by rules of any kind.

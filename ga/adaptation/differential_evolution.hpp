@@ -5,9 +5,11 @@
 
 namespace ga {
 
-/// v = base + F1 (a - base) + F2 (b - c), and of every gene that may move the trial takes v's with
-/// probability CR, one in any case (binomial cross-over: Storn and Price 1997, Eq. 2-4). A gene past a bound
-/// goes half the way from the target to it (Zhang and Sanderson 2009). Genes that one of them lacks stay.
+/// v = base + F1 (a - base) + F2 (b - c). Of the genes that may move the trial takes v's, each with
+/// probability CR and one in any case (binomial cross-over: Storn and Price 1997, Eq. 2-4), or one and those
+/// that follow it in a ring, each with probability CR if the one before was taken (exponential: Storn and
+/// Price 1995). A gene past a bound goes half the way from the target to it (Zhang and Sanderson 2009). Genes
+/// that one of them lacks stay.
 struct Difference {
     const std::vector<double>& base; ///< genes
     const std::vector<double>& a;    ///< genes
@@ -16,16 +18,21 @@ struct Difference {
     double f1;                       ///< of a - base
     double f2;                       ///< of b - c
     double cr;                       ///< cross-over rate, [0, 1]
+    bool exponential = false;        ///< or binomial
 
     /// The trial of a target; never the target itself, but where nothing differs.
     template <class Moving>
     std::vector<double> trial(std::vector<double> target, const Moving& moving, Stream& stream) const {
         if (moving.empty())
             return target;
-        const std::size_t sure = stream.below(moving.size());
-        for (std::size_t i = 0; i < moving.size(); ++i) {
+        const std::size_t n = moving.size(), sure = stream.below(n);
+        std::size_t in_a_row = 1; // exponential: so many from `sure` on
+        while (exponential && in_a_row < n && stream.uniform() < cr)
+            ++in_a_row;
+        for (std::size_t i = 0; i < n; ++i) {
             const Variable& v = moving[i];
-            const bool taken = stream.uniform() < cr || i == sure;
+            const bool taken =
+                exponential ? (i + n - sure) % n < in_a_row : stream.uniform() < cr || i == sure;
             if (!taken || v.gene >= std::min({target.size(), base.size(), a.size(), b.size(), c.size()}))
                 continue;
             double& gene = target[v.gene];
@@ -47,12 +54,13 @@ std::vector<std::vector<double>> all_genes(const P& problem, const PopulationOf<
 }
 
 /// Differential evolution (Storn and Price 1997): every individual gives its place to a trial, its child,
-/// made by rand/1/bin, best/1/bin or current-to-best/1/bin. `duel` behind the score keeps the better of the
-/// two.
+/// made by rand/1, best/1 or current-to-best/1 and binomial or exponential cross-over. `duel` behind the
+/// score keeps the better of the two.
 struct DifferentialEvolution : Operator {
-    std::string base = "rand"; ///< rand, best or current-to-best
-    double F = 0.5;            ///< weight of differences, above 0
-    double CR = 0.9;           ///< cross-over rate, [0, 1]
+    std::string base = "rand";    ///< rand, best or current-to-best
+    double F = 0.5;               ///< weight of differences, above 0
+    double CR = 0.9;              ///< cross-over rate, [0, 1]
+    std::string crossing = "bin"; ///< bin or exp
 
     ///@{
     /// What every operator has (Operator).
@@ -64,10 +72,14 @@ struct DifferentialEvolution : Operator {
         visit(self.base, word("base", "rand", "rand, best or current-to-best"));
         visit(self.F, number("F", "0.5", above_zero, 2, "weight of differences").keyed());
         visit(self.CR, number("CR", "0.9", 0, 1, "a gene's chance to be the mutant's").keyed());
+        visit(self.crossing,
+              word("crossing", "bin", "bin: each gene by itself, or exp: in a row").keyed().quiet());
     }
     void validate() const {
         if (base != "rand" && base != "best" && base != "current-to-best")
             throw UsageError("stage 'de': base is '" + base + "'; expected rand, best or current-to-best");
+        if (crossing != "bin" && crossing != "exp")
+            throw UsageError("stage 'de': crossing is '" + crossing + "'; expected bin or exp");
         check_values(*this, words().name);
     }
     void check(Known& known) const {
@@ -94,7 +106,8 @@ struct DifferentialEvolution : Operator {
             const bool from_current = base == "current-to-best";
             const std::size_t from = from_current ? i : base == "best" ? best : others[2];
             const Difference difference{
-                genes[from], genes[best], genes[others[0]], genes[others[1]], from_current ? F : 0, F, CR};
+                genes[from], genes[best], genes[others[0]], genes[others[1]], from_current ? F : 0,
+                F,           CR,          crossing == "exp"};
             auto& individual = population[i];
             individual.genome = with_genes(
                 context.problem(), individual.genome,
@@ -106,10 +119,10 @@ struct DifferentialEvolution : Operator {
     ///@}
 };
 
-/// The stage `de base F=f CR=cr`.
+/// The stage `de base F=f CR=cr crossing=crossing`.
 inline DifferentialEvolution differential_evolution(std::string base = "rand", double f = 0.5,
-                                                    double cr = 0.9) {
-    return checked(DifferentialEvolution{{}, std::move(base), f, cr});
+                                                    double cr = 0.9, std::string crossing = "bin") {
+    return checked(DifferentialEvolution{{}, std::move(base), f, cr, std::move(crossing)});
 }
 
 /// One-to-one replacement: each child gives way to its first parent in the generation's start where that one

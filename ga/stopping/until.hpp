@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ga/stopping/convergence.hpp"
 #include "ga/stopping/evaluations.hpp"
 #include "ga/stopping/fitness.hpp"
 #include "ga/stopping/generations.hpp"
@@ -19,7 +20,8 @@ struct Until {
     std::optional<double> seconds = std::nullopt;          ///< this long since the block began
     std::optional<double> fitness = std::nullopt;          ///< the best of the population reaches this
     std::optional<std::size_t> stagnation =
-        std::nullopt; ///< this many generations since the best last improved
+        std::nullopt;                               ///< this many generations since the best last improved
+    std::optional<double> converged = std::nullopt; ///< best and worst no further apart
 
     /// Those that were given.
     template <class G>
@@ -34,6 +36,7 @@ struct Until {
         add(seconds, AfterSeconds{{}, seconds.value_or(0)});
         add(fitness, AtFitness{{}, fitness.value_or(0)});
         add(stagnation, AtStagnation{{}, stagnation.value_or(1)});
+        add(converged, AtConvergence{{}, converged.value_or(0)});
         return all;
     }
 };

@@ -90,6 +90,7 @@ void add_blocks(Registry<P>& registry) {
     registry.template add_rule<AfterSeconds>();
     registry.template add_rule<AtFitness>();
     registry.template add_rule<AtStagnation>();
+    registry.template add_rule<AtConvergence>();
     add("restarts", "runs the pipeline n times on the same population and joins the answers",
         {whole("n", std::nullopt, 1, "how many")}, [](const Arguments& a, const Body& body, const auto&) {
             return restarts(a.count("n"), body).template step<P>();

@@ -225,6 +225,29 @@ TEST_CASE("every kind of pipeline that is stopped gives back what it has") {
     CHECK(count(restarts(9, sample(20) | score() | best(3)), 70) == 9 + 10);
 }
 
+TEST_CASE("a population has converged when all hold their constraints and no objective differs by more") {
+    const AtConvergence rule{{}, 0.5};
+    Numbers memory;
+    const auto holds = [&](const std::vector<Fitness>& all) {
+        Population<std::vector<double>> population(all.size());
+        for (std::size_t i = 0; i < all.size(); ++i)
+            population[i].fitness = all[i];
+        return rule(Progress<std::vector<double>>{1, 10, 0, population}, memory);
+    };
+    const auto worth = [](double value, bool minimise = false, double violation = 0) {
+        return Fitness(Name("f"), value, minimise, violation);
+    };
+    CHECK(holds({worth(1), worth(1.5), worth(1.25)}));
+    CHECK_FALSE(holds({worth(1), worth(1.25), worth(1.75)}));
+    CHECK_FALSE(holds({worth(1.75), worth(1.25), worth(1)}));
+    CHECK(holds({worth(-1, true), worth(-1.5, true)}));
+    CHECK_FALSE(holds({worth(1), worth(1, false, 0.1)}));
+    CHECK_FALSE(holds({worth(1), Fitness::failed(Name("f"), reason("none"))}));
+    CHECK_FALSE(holds({worth(1), Fitness()}));
+    CHECK(holds({Fitness(Name("both"), Point{1, 2}), Fitness(Name("both"), Point{1.5, 2.5})}));
+    CHECK_FALSE(holds({Fitness(Name("both"), Point{1, 2}), Fitness(Name("both"), Point{1, 2.75})}));
+}
+
 TEST_CASE("a population that is not scored is no improvement") {
     Numbers memory;
     const auto start = run(sample(3) | score(), Vectors{}, nobody).population;
