@@ -7,6 +7,7 @@ const std::map<std::string, Contestants>& usual_contestants() {
     static const std::map<std::string, Contestants> all = [] {
         const std::string on = "repeat 1000000000 { ";
         const std::string vary = "tournament 2 | cross sbx rate=0.9 | mutate 1/n polynomial | ";
+        const std::string converged = "until stagnation 1000 converged 1e-12 ";
         std::map<std::string, Contestants> all{
             {"real",
              {{"ga", "sample 40 | score | " + on + vary + "score | elite 2 } | best 1"},
@@ -14,8 +15,10 @@ const std::map<std::string, Contestants>& usual_contestants() {
                "sample 40 | score | " + on +
                    "tournament 2 | cross blend | mutate 1/n gaussian 0.02 | score | plus } | best 1"},
               {"bobyqa", "sample 1 | score | refine nlopt LN_BOBYQA 2000"},
-              {"bipop-cma-es", "sample 1 | score | " + on + "cma-es | score } | best 1"},
-              {"rand-1-bin", "sample 20 | score | until stagnation 100 { de F=0.8 | score | duel } | best 1"},
+              {"bipop-cma-es", "sample 10 | score | best 1 | " + on + "cma-es sigma=0.2 | score } | best 1"},
+              {"rand-1-bin", "sample 20 | score | " + converged + "{ de F=0.8 | score | duel } | best 1"},
+              {"rand-1-exp",
+               "sample 20 | score | " + converged + "{ de F=0.8 crossing=exp | score | duel } | best 1"},
               {"lshade", "sample 18n | score | " + on + "l-shade | score | duel } | best 1"}}},
             {"fronts",
              {{"nsga2",

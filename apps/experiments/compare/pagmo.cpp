@@ -88,12 +88,16 @@ struct Measured {
     void serialize(Archive&, unsigned) {}
 };
 
+/// Which stays between the bounds, as ours do; `pagmo:cmaes` may leave them.
+const std::string bounded_cmaes = "pagmo:cmaes-bounded";
+bool is_cmaes(const std::string& variant) { return variant == "pagmo:cmaes" || variant == bounded_cmaes; }
+
 pagmo::algorithm algorithm_of(const std::string& variant, unsigned seed) {
     constexpr unsigned on = std::numeric_limits<int>::max(); // generations: the budget ends it
     constexpr double tolerance = 1e-12;
-    if (variant == "pagmo:cmaes")
-        return pagmo::algorithm(
-            pagmo::cmaes(on, -1, -1, -1, -1, 0.5, tolerance, tolerance, false, false, seed));
+    if (is_cmaes(variant))
+        return pagmo::algorithm(pagmo::cmaes(on, -1, -1, -1, -1, 0.5, tolerance, tolerance, false,
+                                             variant == bounded_cmaes, seed));
     if (variant == "pagmo:de")
         return pagmo::algorithm(pagmo::de(on, 0.8, 0.9, 2, tolerance, tolerance, seed));
     if (variant == "pagmo:sade")
@@ -105,7 +109,8 @@ pagmo::algorithm algorithm_of(const std::string& variant, unsigned seed) {
 } // namespace
 
 const std::vector<std::string>& pagmo_variants() {
-    static const std::vector<std::string> all{"pagmo:cmaes", "pagmo:de", "pagmo:sade", "pagmo:sga"};
+    static const std::vector<std::string> all{"pagmo:cmaes", bounded_cmaes, "pagmo:de", "pagmo:sade",
+                                              "pagmo:sga"};
     return all;
 }
 
@@ -113,7 +118,7 @@ Reached raced_by_pagmo(const RealInstance& instance, const std::string& variant,
                        const std::vector<double>& targets, const Attempt& attempt) {
     Run run{instance, Nearness(instance), Tally(targets, attempt), attempt.budget};
     const double hansens = 4 + std::floor(3 * std::log(static_cast<double>(instance.genes)));
-    const auto size = variant == "pagmo:cmaes" ? static_cast<std::size_t>(std::max(5.0, hansens))
+    const auto size = is_cmaes(variant)        ? static_cast<std::size_t>(std::max(5.0, hansens))
                       : variant == "pagmo:sga" ? std::size_t{40}
                                                : std::size_t{20};
     try {

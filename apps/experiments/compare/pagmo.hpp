@@ -4,8 +4,8 @@
 
 namespace app {
 
-/// What libpagmo can be compared by, where rugosa was built with it: pagmo:cmaes, pagmo:de, pagmo:sade and
-/// pagmo:sga.
+/// What libpagmo can be compared by, where rugosa was built with it: pagmo:cmaes, pagmo:cmaes-bounded,
+/// pagmo:de, pagmo:sade and pagmo:sga.
 const std::vector<std::string>& pagmo_variants();
 
 /// Whether a variant's text names one of libpagmo's.
