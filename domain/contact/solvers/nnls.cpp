@@ -1,7 +1,7 @@
 #include "domain/contact/solvers/nnls.hpp"
 
 #include "domain/contact/solvers/certificate.hpp"
-#include "domain/contact/solvers/influence.hpp"
+#include "domain/contact/solvers/direct.hpp"
 #include "domain/errors.hpp"
 
 #include <Eigen/Jacobi>
@@ -83,7 +83,8 @@ class LawsonHanson {
   public:
     LawsonHanson(const ContactProblem& problem, const ContactOptions& options)
         : problem_(problem), options_(options), fourier_(fourier_operator(problem)),
-          passive_(static_cast<std::size_t>(problem.nodes())), influence_(problem.column, problem.shape) {}
+          passive_(static_cast<std::size_t>(problem.nodes())), influence_(problem.column, problem.shape),
+          direct_(influence_) {}
 
     StepSolution press(double approach) {
         const long limit = iterations_ + 3 * problem_.nodes();
@@ -141,23 +142,16 @@ class LawsonHanson {
 
     /// The node where the gap is violated most, or -1.
     Index most_violated(double approach) {
-        const Index n = problem_.nodes();
-        depth_ = approach - problem_.gap.array();
-        const Index columns = problem_.shape.columns;
-        for (Index k = 0; k < factor_.size(); ++k) {
-            const double* row =
-                influence_.centre() - influence_.place(factor_.nodes()[static_cast<std::size_t>(k)]);
-            for (Index j = 0; j < problem_.shape.rows; ++j, row += influence_.stride())
-                depth_.segment(j * columns, columns) -=
-                    pressure_[k] * Eigen::Map<const Eigen::ArrayXd>(row, columns);
-        }
+        const double* u = direct_.apply(factor_.nodes(), pressure_);
         Index worst = -1;
         double most = rounding * approach;
-        for (Index i = 0; i < n; ++i)
-            if (depth_[i] > most && !passive_[static_cast<std::size_t>(i)]) {
-                most = depth_[i];
+        for (Index i = 0; i < problem_.nodes(); ++i) {
+            const double depth = approach - problem_.gap[i] - u[i];
+            if (depth > most && !passive_[static_cast<std::size_t>(i)]) {
+                most = depth;
                 worst = i;
             }
+        }
         return worst;
     }
 
@@ -175,8 +169,8 @@ class LawsonHanson {
     PassiveFactor factor_;
     std::vector<char> passive_;
     Influence influence_;
+    DirectOperator direct_;
     VectorXd pressure_; ///< on the passive set
-    Eigen::ArrayXd depth_;
     long iterations_ = 0;
 };
 
