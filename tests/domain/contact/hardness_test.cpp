@@ -113,6 +113,52 @@ TEST_CASE("a hardness that no node reaches changes nothing, and one that all rea
     }
 }
 
+TEST_CASE("a wave pressed all but flat is Westergaard's, under a hardness that no node reaches",
+          "[contact]") {
+    const Index n = 64;
+    const double amplitude = 0.01, modulus = 1000, full = 3.141592653589793 * modulus * amplitude / 1;
+    Scene scene;
+    scene.profile = {Eigen::VectorXd(n), 1.0 / n};
+    for (Index i = 0; i < n; ++i)
+        scene.profile.heights[i] =
+            amplitude * std::cos(6.283185307179586 * static_cast<double>(i) / static_cast<double>(n));
+    scene.body = {Kernel::periodic, modulus};
+    scene.body.hardness = 3 * full; // the highest node bears 2 full
+    const double nearly = scene.profile.heights.maxCoeff() - scene.profile.heights.mean();
+    const LoadStep step = solve_contact(scene.profile, scene.body, {nearly}).steps[0];
+    CHECK(step.pressure == Approx(full).epsilon(2e-3)); // of the grid
+    CHECK(step.held_nodes == 0);
+    CHECK(step.contact_nodes >= n - 1);
+    scene.body.hardness = std::numeric_limits<double>::infinity();
+    CHECK(solve_contact(scene.profile, scene.body, {nearly}).steps[0].pressure ==
+          Approx(step.pressure).epsilon(1e-6));
+}
+
+TEST_CASE("every direct solver's tangent is the derivative of its pressures", "[contact]") {
+    std::mt19937_64 random(43);
+    for (const Solver solver : {Solver::nested, Solver::nnls})
+        for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
+            const Scene scene = random_scene(random, kernel, 40);
+            ContactOptions options;
+            options.solver = solver;
+            options.states = true;
+            const double d = scene.displacements[2], step = 1e-7 * d;
+            const auto at = [&](double displacement) {
+                const ContactCurve curve = solve_contact(scene.profile, scene.body, {displacement}, options);
+                Eigen::VectorXd pressure = Eigen::VectorXd::Zero(40), tangent = pressure;
+                const ContactState& state = curve.states[0];
+                for (std::size_t k = 0; k < state.nodes.size(); ++k) {
+                    pressure[state.nodes[k]] = state.pressure[static_cast<Index>(k)];
+                    tangent[state.nodes[k]] = state.tangent[static_cast<Index>(k)];
+                }
+                return std::pair(pressure, tangent);
+            };
+            const Eigen::VectorXd differences = (at(d + step).first - at(d - step).first) / (2 * step);
+            const Eigen::VectorXd tangent = at(d).second;
+            CHECK((differences - tangent).norm() <= 1e-6 * tangent.norm());
+        }
+}
+
 TEST_CASE("what takes contact to be nested refuses a hardness", "[contact]") {
     Scene scene;
     scene.profile = {Eigen::Vector4d(0, 1, 0.5, 0), 0.1};

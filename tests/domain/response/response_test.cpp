@@ -2,6 +2,7 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/response/sensitivity.hpp"
+#include "tests/domain/contact/maps.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
@@ -132,6 +133,21 @@ TEST_CASE("load steps at given pressures bear these pressures, and have no gradi
                           Catch::Contains("gradient"));
         std::swap(model.loading.pressures[0], model.loading.pressures[1]);
         CHECK_THROWS_WITH(respond(genome, model), Catch::Contains("increasing"));
+    }
+}
+
+TEST_CASE("a map's load steps at given pressures are those at the displacements that bear them", "[areas]") {
+    const Profile map = maps::self_affine(32, 0.8, 3, 0.05);
+    const Body body{Kernel::periodic, 1e4};
+    const double highest = respond(map, body, {.steps = 4}).pressure[3];
+    const Loading loads{.pressures = {0.1 * highest, 0.5 * highest}};
+    const std::vector<double> displacements = step_displacements(map, body, loads, {});
+    const ContactCurve curve = solve_contact(map, body, displacements);
+    const Response response = respond(map, body, loads);
+    for (std::size_t j = 0; j < 2; ++j) {
+        CHECK(curve.steps[j].pressure == Approx(loads.pressures[j]).epsilon(3e-6));
+        CHECK(response.displacement[static_cast<Index>(j)] == displacements[j]);
+        CHECK(response.pressure[static_cast<Index>(j)] == Approx(loads.pressures[j]).epsilon(3e-6));
     }
 }
 
