@@ -76,10 +76,12 @@ class Ledger : public Door<P> {
             return each->patience == Patience::finish;
         });
         evaluate(patient);
-        const bool interrupted = book();
-        for (Inquiry<P>* inquiry : inquiries)
+        bool interrupted = book();
+        for (Inquiry<P>* inquiry : inquiries) {
             answer(*inquiry);
-        if (!interrupted)
+            interrupted |= inquiry->spent;
+        }
+        if (!interrupted) // what a stopped stage has paid for is told from what was known before it
             memory_.forget_old(heaviest_ + bookkeeping);
     }
 
@@ -93,8 +95,8 @@ class Ledger : public Door<P> {
 
     Counters counters; ///< what was paid
 
-    /// Tells a ledger that goes on with a run whether an evaluation of it has succeeded.
-    void resume(bool succeeded) { succeeded_ = succeeded; }
+    /// Tells a ledger whether an evaluation succeeded before it was made, in this run or another.
+    void resume(bool succeeded) { succeeded_ |= succeeded; }
 
     const Memory<Outcome>& memory() const { return memory_; } ///< outcomes that are known
     Memory<Outcome>& memory() { return memory_; }             ///< the same, to be restored from a checkpoint
@@ -255,8 +257,8 @@ Fitness judged(const P& problem, const Evaluation<typename P::Outcome>& evaluati
         return Fitness::failed(name, std::isfinite(value) ? reason("the constraints' violation is not finite")
                                                           : reason("fitness " + objective.name + " is " +
                                                                    std::to_string(value)));
-    } catch (const std::exception& error) {
-        return Fitness::failed(name, reason(error.what()));
+    } catch (...) {
+        return Fitness::failed(name, reason_caught());
     }
 }
 

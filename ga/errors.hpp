@@ -17,6 +17,12 @@ struct TextError : UsageError {
         : UsageError(where + ", column " + std::to_string(column) + ": " + message) {}
 };
 
+/// Throws UsageError where what was read from a checkpoint is not what its pipeline would have written.
+inline void expect_fit(bool fits) {
+    if (!fits)
+        throw UsageError("the checkpoint does not fit its pipeline; expected one that was written by it");
+}
+
 /// A selection left nobody, or every evaluation of a run failed: there is nothing to go on with.
 struct NothingLeft : std::runtime_error {
     using std::runtime_error::runtime_error;

@@ -37,10 +37,8 @@ Evaluation<typename P::Outcome> evaluated(const P& problem, const typename P::Ge
         return problem.evaluate(genome);
     } catch (const Stopped&) {
         return Pending{};
-    } catch (const std::exception& error) {
-        return reason(error.what());
     } catch (...) {
-        return reason("an exception that is no std::exception");
+        return reason_caught();
     }
 }
 /// Answers a request for a derivative by the problem's own member.
@@ -50,15 +48,20 @@ void differentiate(const P& problem, Slope<P>& slope) {
         if constexpr (Sensitive<P>)
             if (slope.of_residuals) {
                 auto found = problem.sensitivity(slope.genome, slope.objective.text());
-                slope.sensitivity = std::make_shared<const decltype(found)>(std::move(found));
+                if (found.jacobian.rows() != found.residuals.size())
+                    slope.failure =
+                        reason("derivatives of " + std::to_string(found.jacobian.rows()) + " rows for " +
+                               std::to_string(found.residuals.size()) + " residuals");
+                else
+                    slope.sensitivity = std::make_shared<const decltype(found)>(std::move(found));
             }
         if constexpr (Differentiable<P>)
             if (!slope.of_residuals)
                 slope.gradient = problem.gradient(slope.genome, slope.objective.text());
-    } catch (const std::exception& error) {
-        slope.failure = reason(error.what());
+    } catch (const Stopped& stop) {
+        slope.failure = reason(stop.reason);
     } catch (...) {
-        slope.failure = reason("an exception that is no std::exception");
+        slope.failure = reason_caught();
     }
 }
 

@@ -35,6 +35,19 @@ class Name {
 using Reason = std::shared_ptr<const std::string>;
 /// The reason of these words.
 inline Reason reason(std::string words) { return std::make_shared<const std::string>(std::move(words)); }
+/// The reason that the exception in hand gives, whatever was thrown; Stopped, which is no failure, goes on.
+/// To be called where one is caught.
+[[gnu::cold]] inline Reason reason_caught() {
+    try {
+        throw;
+    } catch (const Stopped&) {
+        throw;
+    } catch (const std::exception& error) {
+        return reason(error.what());
+    } catch (...) {
+        return reason("an exception that is no std::exception");
+    }
+}
 
 /// How good an individual is, and by which policy: the name of one objective, or "pareto f1 f2 ..." for
 /// several at once. It has the objectives' values, by how much constraints are violated, or why the

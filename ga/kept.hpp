@@ -38,10 +38,7 @@ struct Frame {
 
     /// Throws UsageError where a frame that was read from a checkpoint is not what the block would have
     /// written.
-    void expect(bool fits) const {
-        if (!fits)
-            throw UsageError("the checkpoint does not fit its pipeline; expected one that was written by it");
-    }
+    void expect(bool fits) const { expect_fit(fits); }
 };
 
 /// A run between two stages: all it needs to go on.

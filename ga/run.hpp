@@ -90,6 +90,9 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
     Ledger<P> ledger(problem, evaluator, options.memory_bytes, options.budget);
     Context<P> context(ledger, Where<G>(options.variant, options.seed), next,
                        {std::move(observers), keeper, options.population_bytes, options.screening});
+    ledger.resume(std::any_of(population.begin(), population.end(), [](const auto& each) {
+        return each.fitness.known() && !each.fitness.has_failed();
+    }));
     Frame<G> outermost; // of states outside every loop
     context.kept.loops.push_back(&outermost);
     Result<G> result;

@@ -120,7 +120,9 @@ class Screening {
                     all[i].work = context_.problem().appraise(population[all[i].place].genome);
                 if (all[i].work)
                     all[i].bound = all[i].work->bound(which_);
-            } catch (const std::exception&) { // evaluate will say why
+            } catch (const Stopped&) {
+                throw;
+            } catch (...) { // evaluate will say why
             }
         });
         std::erase_if(all, [](const Candidate& one) { return !one.work; });
@@ -133,7 +135,9 @@ class Screening {
                 return;
             one.work->advance();
             one.bound = one.work->bound(which_);
-        } catch (const std::exception&) { // evaluate will say why
+        } catch (const Stopped&) {
+            throw;
+        } catch (...) { // evaluate will say why
             one.work.reset();
         }
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ga/errors.hpp"
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <memory>
@@ -43,14 +45,19 @@ class HeldState {
     }
     const AnyState& operator*() const { return *state_; } ///< the state
 
-    /// The state as an S: new where there was none, understood where it was read from a checkpoint.
+    /// The state as an S: new where there was none, understood where it was read from a checkpoint. Throws
+    /// UsageError where what was read is no S.
     template <class S>
     S& as() {
         if (auto* own = dynamic_cast<StateOf<S>*>(state_.get()))
             return own->value;
         auto made = std::make_unique<StateOf<S>>();
         if (state_ && state_->stored())
-            from_json(*state_->stored(), made->value);
+            try {
+                from_json(*state_->stored(), made->value);
+            } catch (const std::exception&) { // the reader's words help nobody
+                expect_fit(false);
+            }
         S& value = made->value;
         state_ = std::move(made);
         return value;

@@ -5,7 +5,8 @@
 namespace ga {
 
 /// Puts function(genome) in the place of every genome, in parallel. An individual stays itself, unscored;
-/// where the function throws, the individual keeps its genome and is marked as failed.
+/// where the function throws, the individual keeps its genome and is marked as failed under the objective
+/// that scored it, the problem's first where none has.
 template <class Function>
 struct Transform : Operator {
     std::string name;  ///< of the stage
@@ -30,9 +31,10 @@ struct Transform : Operator {
             try {
                 individual.genome = function(std::as_const(individual.genome));
                 individual.fitness = {};
-            } catch (const std::exception& error) {
-                individual.fitness = Fitness::failed(individual.fitness.objective_name(),
-                                                     std::make_shared<const std::string>(error.what()));
+            } catch (...) {
+                const Fitness& fitness = individual.fitness;
+                individual.fitness = Fitness::failed(
+                    fitness.known() ? fitness.objective_name() : context.objective_name(0), reason_caught());
             }
         });
         return population;

@@ -39,13 +39,6 @@ class Where {
                 generations.push_back(*place.generation);
         return generations;
     }
-    /// Of the innermost block of generations, from 0; 0 outside any.
-    std::size_t generation() const {
-        for (auto place = places_.rbegin(); place != places_.rend(); ++place)
-            if (place->generation)
-                return *place->generation;
-        return 0;
-    }
     /// The best of the population at the start of the innermost generation, as many as `elite` and `plus`
     /// read.
     const Population<G>& generation_start() const { return *starts_.back(); }

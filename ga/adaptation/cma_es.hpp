@@ -216,29 +216,24 @@ inline void to_json(nlohmann::json& j, const CmaEs::State& s) {
          numbers(s.drawn)};
 }
 inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
-    const auto vector = [](const nlohmann::json& from) {
+    const auto numbers = [](const nlohmann::json& from, Eigen::Index count) {
         const auto all = from.get<std::vector<double>>();
-        return Eigen::VectorXd(
-            Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size())));
+        expect_fit(all.size() == static_cast<std::size_t>(count));
+        return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(all.data(), count));
     };
     const auto moving = j.at(0).get<std::vector<double>>();
-    for (std::size_t i = 0; i + 2 < moving.size(); i += 3)
+    expect_fit(moving.size() % 3 == 0);
+    for (std::size_t i = 0; i < moving.size(); i += 3)
         s.moving.push_back({static_cast<std::size_t>(moving[i]), moving[i + 1], moving[i + 2]});
-    s.first = vector(j.at(1));
-    const Eigen::Index n = s.first.size();
-    const auto matrix = [&](const nlohmann::json& from) {
-        const Eigen::VectorXd all = vector(from);
-        if (all.size() != n * n)
-            throw UsageError("the checkpoint does not fit its pipeline; expected one that was written by it");
-        return Eigen::MatrixXd(Eigen::Map<const Eigen::MatrixXd>(all.data(), n, n));
-    };
+    const auto n = static_cast<Eigen::Index>(s.moving.size());
+    s.first = numbers(j.at(1), n);
     const auto& c = j.at(2);
-    s.cloud.mean = vector(c.at(0));
+    s.cloud.mean = numbers(c.at(0), n);
     s.cloud.sigma = c.at(1);
-    s.cloud.covariance = matrix(c.at(2));
-    s.cloud.path_sigma = vector(c.at(3)), s.cloud.path_c = vector(c.at(4));
-    s.cloud.axes = matrix(c.at(5));
-    s.cloud.scales = vector(c.at(6));
+    s.cloud.covariance = numbers(c.at(2), n * n).reshaped(n, n);
+    s.cloud.path_sigma = numbers(c.at(3), n), s.cloud.path_c = numbers(c.at(4), n);
+    s.cloud.axes = numbers(c.at(5), n * n).reshaped(n, n);
+    s.cloud.scales = numbers(c.at(6), n);
     s.cloud.learnt = c.at(7), s.cloud.drawn = c.at(8);
     const auto& r = j.at(3);
     s.record = {r.at(0), r.at(1), r.at(2), r.at(3)};
@@ -247,11 +242,8 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     s.run = {j.at(5).at(0), j.at(5).at(1), j.at(5).at(2)};
     j.at(6).get_to(s.children);
     s.ended = j.at(7);
-    const Eigen::VectorXd drawn = vector(j.at(8));
     const auto children = static_cast<Eigen::Index>(s.children.size());
-    if (drawn.size() != n * children)
-        throw UsageError("the checkpoint does not fit its pipeline; expected one that was written by it");
-    s.drawn = drawn.reshaped(n, children);
+    s.drawn = numbers(j.at(8), n * children).reshaped(n, children);
 }
 ///@}
 

@@ -81,13 +81,11 @@ struct Cloud {
     Eigen::VectorXd whitened(const Eigen::VectorXd& y) const {
         return axes * (axes.transpose() * y).cwiseQuotient(scales);
     }
-    /// Learns from steps (x - mean)/sigma, a column each, best first; where there are less than lambda, the
-    /// weights of the last are not used and the positive ones sum to 1 again.
+    /// Learns from steps (x - mean)/sigma, a column each, one at least, best first; where there are less than
+    /// lambda, the weights of the last are not used and the positive ones sum to 1 again.
     void learn(const CmaConstants& c, const Eigen::MatrixXd& steps) {
         const Eigen::Index n = mean.size(), used = std::min(steps.cols(), c.weights.size());
         const Eigen::Index parents = std::min(c.mu, used);
-        if (used == 0)
-            return;
         Eigen::VectorXd weights = c.weights.head(used);
         weights.head(parents) /= weights.head(parents).sum();
         const Eigen::VectorXd step = steps.leftCols(parents) * weights.head(parents); // Eq. 41

@@ -90,8 +90,8 @@ struct Front : Operator {
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         auto front = ga::front_of(population);
         if (front.empty())
-            throw NothingLeft(context.path() + ": none of " + std::to_string(population.size()) +
-                              " holds its constraints");
+            throw NothingLeft(context.path() + ": every one of " + std::to_string(population.size()) +
+                              " individuals failed; the first: " + population.front().fitness.reason());
         return front;
     }
     ///@}

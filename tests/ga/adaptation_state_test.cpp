@@ -1,4 +1,6 @@
 #include "ga/adaptation/adaptation.hpp"
+#include "ga/checkpoint.hpp"
+#include "tests/folder.hpp"
 #include "tests/ga/functions.hpp"
 
 #include <catch2/catch.hpp>
@@ -178,4 +180,123 @@ TEST_CASE("a step size is inherited from oneself: its logarithm walks on with ev
     run(Stage<Function>(sample(2000)) | score() | Stage<Function>(repeat(3, Stage<Function>(walk) | score())),
         Function{8, functions::sphere}, nobody);
     CHECK(generation == 3);
+}
+
+TEST_CASE("a run that stopped inside an operator that learns is resumed to the uninterrupted result") {
+    const tests::Folder folder;
+    const Function steps{3, [](const Vector& x) { return std::floor(functions::sphere(x)); }};
+    const Stage<Function> pipeline =
+        Stage<Function>(sample(1)) | score() | Stage<Function>(repeat(90, cma_es() | score()));
+    const auto whole = run(pipeline, steps, nobody);
+    Checkpoints<Function> kept(folder / "run", "", false), resumed(folder / "run", "", true);
+    const std::size_t one = sizeof(Individual<Vector>) + 3 * sizeof(double);
+    const auto part = run(pipeline, steps, nobody, {.population_bytes = 10 * one}, {}, &kept);
+    CHECK(part.stopped == "pipeline/repeat.1/cma-es.1: a population of 14 exceeds the 0 MB for one");
+    CHECK(part.counters.asked < whole.counters.asked);
+    const auto rest = run(pipeline, steps, nobody, {}, {}, &resumed);
+    CHECK(json(rest.population) == json(whole.population));
+    CHECK(json(*rest.best) == json(*whole.best));
+    CHECK(json(rest.counters) == json(whole.counters));
+}
+
+TEST_CASE("a checkpoint of CMA-ES that does not fit is refused though its seal is whole") {
+    const tests::Folder folder;
+    const Function f{3, functions::sphere};
+    const Stage<Function> pipeline =
+        Stage<Function>(sample(1)) | score() | Stage<Function>(repeat(30, cma_es() | score()));
+    Checkpoints<Function> write(folder / "run", "", false);
+    run(pipeline, f, nobody, {.budget = {.evaluations = 40}}, {}, &write);
+    const json good = json::from_cbor(opened(folder / "run"));
+    const auto resumed_with = [&](const std::string& place, const json& value) {
+        json altered = good;
+        for (auto& frame : altered["snapshot"][0])
+            for (auto& state : frame[4])
+                state[json::json_pointer(place)] = value;
+        const auto bytes = json::to_cbor(altered);
+        seal(folder / "run", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        Checkpoints<Function> resume(folder / "run", "", true);
+        return run(pipeline, f, nobody, {}, {}, &resume);
+    };
+    for (const std::string place :
+         {"/0", "/1", "/2", "/2/0", "/2/2", "/2/3", "/2/4", "/2/5", "/2/6", "/3", "/8"})
+        for (const json& value : {json(Vector{1, 2}), json(Vector(10, 1.0)), json("text")}) {
+            CAPTURE(place, value);
+            CHECK_THROWS_WITH(resumed_with(place, value),
+                              "the checkpoint does not fit its pipeline; expected "
+                              "one that was written by it");
+        }
+    CHECK(resumed_with("/7", false).stopped.empty()); // as it was
+}
+
+TEST_CASE("CMA-ES that gets no whole child of its own back draws from the same cloud again") {
+    /// Others in everybody's place.
+    struct Strangers : Operator {
+        std::string text() const { return "strangers"; }
+        void check(Known&) const {}
+        Population<Vector> operator()(Population<Vector> population, Context<Function>& context) const {
+            for (auto& each : population)
+                context.make_child(each, Parents());
+            return population;
+        }
+    };
+    const Function sphere{3, functions::sphere};
+    const auto check = [&](const auto& between) {
+        int looked = 0;
+        const auto cma =
+            watched(cma_es(), [&](const CmaEs::State& before, const CmaEs::State& now, const auto&) {
+                if (before.moving.empty())
+                    return;
+                CHECK(now.cloud.mean == before.cloud.mean);
+                CHECK(now.cloud.covariance == before.cloud.covariance);
+                CHECK(now.cloud.sigma == before.cloud.sigma);
+                CHECK(now.record.spent == 0);
+                CHECK(now.drawn != before.drawn);
+                ++looked;
+            });
+        const auto result = run(Stage<Function>(sample(1)) | score() |
+                                    Stage<Function>(repeat(5, Stage<Function>(cma) | between | score())),
+                                sphere, nobody);
+        CHECK(looked == 4);
+        return result.population.front().genome.size();
+    };
+    CHECK(check(Strangers()) == 3);
+    CHECK(check(transform("cut", [](Vector x) { return x.resize(2), x; })) == 2);
+}
+
+TEST_CASE("a stage that is left with too few, or nobody it can use, ends the run and says how many it had") {
+    Function f{2, functions::sphere};
+    f.features = {{"none", [](const Vector&) { return std::nan(""); }, -1, 1}};
+    const Combine<Vector> none{"none", [](const auto&, const auto&) { return std::optional<Vector>(); }};
+    const auto ends = [&](const Stage<Function>& stage, const std::string& message) {
+        CHECK_THROWS_WITH(run(Stage<Function>(sample(3)) | score() | stage | score(), f, nobody),
+                          "pipeline/" + message);
+        CHECK_THROWS_AS(run(Stage<Function>(sample(3)) | score() | stage | score(), f, nobody), NothingLeft);
+    };
+    const auto again = [](const auto& op) { return Stage<Function>(repeat(2, op | score())); };
+    ends(islands(4, {}, Stage<Function>(score())),
+         "islands.1: 3 individuals for 4 islands; expected one each at least");
+    ends(again(l_shade()), "repeat.1/l-shade.1: 3 individuals; expected 4 at least");
+    ends(differential_evolution(), "de.1: 3 individuals; expected 4 at least");
+    ends(pair(Stage<Function>(score()) | best(2), Stage<Function>(score()), none),
+         "pair.1: 2 and 3 individuals gave no child by none");
+    ends(again(map_elites({"none"})), "repeat.1/map-elites.1: nobody has descriptors that are numbers");
+    f.f = [](const Vector& x) { return x[0] > 50 ? std::nan("") : x[0]; };
+    f.list.push_back({"g", [](const double& y) { return -y; }, true});
+    const auto away = transform("away", [](const Vector&) { return Vector{99, 99}; });
+    ends(Stage<Function>(away) | pareto({"f", "g"}) | front(),
+         "front.1: every one of 3 individuals failed; the first: fitness f is nan");
+}
+
+TEST_CASE("where no gene may move, differential evolution leaves genomes as they are and CMA-ES says so") {
+    const auto start = population<Vector>({{1, 2}, {3, 4}, {5, 6}, {7, 8}});
+    const auto after = run(Stage<Function>(score()) | differential_evolution() | score(),
+                           Function{0, functions::sphere}, start)
+                           .population;
+    for (std::size_t i = 0; i < 4; ++i)
+        CHECK(after[i].genome == start[i].genome);
+    CHECK_THROWS_WITH(run(Stage<Function>(score()) | Stage<Function>(repeat(2, cma_es() | score())),
+                          Function{2, functions::sphere, 1, 1}, start),
+                      "cma-es: the genome has no gene that may move");
+    CHECK_THROWS_WITH(cma_es(0.3, "bipop", 1),
+                      "stage 'cma-es': population is '1'; expected 0, or 2 at least");
 }

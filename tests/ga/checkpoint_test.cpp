@@ -344,3 +344,45 @@ TEST_CASE("a program without standard input keeps its checkpoints") {
     CHECK(trouble.empty());
     CHECK(opened(folder / "run") == "all");
 }
+
+TEST_CASE(
+    "a run of permutations, and one whose memory has grown old, are resumed to the uninterrupted result") {
+    /// The sum of distances between neighbours of an order.
+    struct Tour {
+        using Genome = Permutation;
+        using Outcome = double;
+        double evaluate(const Genome& g) const {
+            double length = 0;
+            for (std::size_t i = 0; i + 1 < g.size(); ++i)
+                length += std::abs(static_cast<double>(g.order[i]) - static_cast<double>(g.order[i + 1]));
+            return length;
+        }
+        const std::vector<Objective<double>>& objectives() const {
+            static const std::vector<Objective<double>> list = {
+                {"length", [](const double& y) { return y; }, true}};
+            return list;
+        }
+        Genome sample(Stream& stream) const { return Permutation::random(7, stream); }
+    };
+    const tests::Folder folder;
+    const auto pipeline =
+        sample(20) | score() | repeat(8, tournament(2) | cross(order()) | mutate(0.05) | score() | elite(2));
+    for (const std::size_t bytes : {std::size_t{1} << 30, std::size_t{5000}, std::size_t{3000}}) {
+        const auto whole = run(pipeline, Tour{}, {}, {.memory_bytes = bytes});
+        bool resumes = false;
+        for (long budget = 30;; budget += 30, resumes = true) {
+            Checkpoints<Tour> checkpoints(folder / "run", std::to_string(bytes), resumes);
+            const auto part =
+                run(pipeline, Tour{}, {}, {.memory_bytes = bytes, .budget = {.evaluations = budget}}, {},
+                    &checkpoints);
+            if (!part.stopped.empty())
+                continue;
+            CHECK(json(part.population) == json(whole.population));
+            CHECK(json(part.counters) == json(whole.counters));
+            break;
+        }
+        CHECK(resumes);
+        if (bytes == 3000) // some was forgotten, and what was old was written
+            CHECK(whole.counters.evaluations > run(pipeline, Tour{}, {}).counters.evaluations);
+    }
+}

@@ -202,3 +202,33 @@ TEST_CASE(
         CHECK(done == 20);
     }
 }
+
+TEST_CASE("an evaluation that throws what is no std::exception marks its individual all the same") {
+    struct Odd : Vectors {
+        Outcome evaluate(const Genome& x) const {
+            if (x[0] < 0)
+                throw 7;
+            return x;
+        }
+    };
+    const auto result = run(sample(20) | score(), Odd{}, nobody, {.threads = 2});
+    REQUIRE(result.counters.failures > 3);
+    for (const auto& each : result.population)
+        CHECK(each.fitness.reason() == (each.genome[0] < 0 ? "an exception that is no std::exception" : ""));
+}
+
+TEST_CASE("an evaluator that throws on islands ends the run with its words, and no island waits for ever") {
+    struct Cut : Serial<Vectors> {
+        int batches = 0;
+        void outcomes(const Vectors& problem, std::span<Call<Vectors>> calls, const Watch& watch) override {
+            if (++batches == 3)
+                throw std::runtime_error("the cable is cut");
+            Serial<Vectors>::outcomes(problem, calls, watch);
+        }
+    } cut;
+    CHECK_THROWS_WITH(
+        run_by(cut,
+               sample(9) | score() | islands(3, {.rounds = 4}, mutate(1, gaussian(0.1)) | score() | elite(1)),
+               Vectors{}, nobody),
+        "the cable is cut");
+}

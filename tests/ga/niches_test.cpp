@@ -278,3 +278,41 @@ TEST_CASE("bounds of genes that a genome lacks are left alone") {
     for (const auto& each : run(Stage<Function>(emit(50, {"x"})) | score(), f, start).population)
         CHECK(each.genome.size() == 3);
 }
+
+TEST_CASE("genes without room, and those that one genome lacks, count as the distance says") {
+    CHECK(distance(Function{2, functions::sphere, 1, 1}, {1, 1}, {4, 6}) == 0);
+    CHECK(distance(Function{2, functions::sphere, 0, 10}, {1}, {4}) == Approx(0.3));
+    CHECK(distance(Function{2, functions::sphere, 0, 10}, {}, {}) == 0);
+    CHECK(distance(Bits{}, {}, {}) == 0);
+}
+
+TEST_CASE("MAP-Elites passes over who failed and whose descriptors are no numbers") {
+    Function f{1, [](const Vector& x) { return x[0] < 0 ? std::nan("") : x[0]; }, -1, 1};
+    f.features = {{"x", [](const Vector& x) { return x[0] == 0.25 ? std::nan("") : x[0]; }, -1, 1}};
+    const auto archive = [&](const std::vector<Vector>& genomes) {
+        return first_genes(run(Stage<Function>(score()) | Stage<Function>(repeat(1, map_elites({"x"}, 4))), f,
+                               population(genomes))
+                               .population);
+    };
+    CHECK(archive({{0.25}, {-0.5}, {0.6}, {0.3}, {0.4}, {0.7}}) == archive({{0.6}, {0.3}, {0.4}, {0.7}}));
+    CHECK(archive({{0.25}, {-0.5}, {0.6}, {0.3}, {0.4}, {0.7}}) == Vector{0.3, 0.6});
+}
+
+TEST_CASE("in crowding a child of one parent meets that one, and who is nobody's child meets nobody") {
+    const auto start = scored(hills(), {{0.1}, {0.3}, {0.5}, {0.7}, {0.9}, {0.25}});
+    const auto after = [&](const auto& body) {
+        return run(Stage<Function>(repeat(1, body)), hills(), start).population;
+    };
+    const auto mutant = mutate(1, gaussian(0.1)) | score();
+    const auto crowded = after(mutant | crowding()), duelled = after(mutant | duel());
+    std::size_t born = 0;
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        CHECK(crowded[i].identity == duelled[i].identity);
+        CHECK(crowded[i].value() >= start[i].value());
+        born += crowded[i].parents.size();
+    }
+    CHECK(born > 0);
+    CHECK(born < start.size());
+    const auto alone = after(sample(40) | score() | crowding());
+    CHECK(first_genes(alone) == first_genes(start));
+}

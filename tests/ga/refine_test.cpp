@@ -351,3 +351,115 @@ TEST_CASE("a refinement follows the direction of its objective") {
     for (std::size_t i = 0; i < 5; ++i)
         CHECK(after[i].value() < before[i].value());
 }
+
+TEST_CASE("a derivative that is missing, of a wrong size or not finite leaves everybody where he was") {
+    struct Faulty : CurveFit {
+        int fault = 0;
+        Sensitivity sensitivity(const Genome& g, const std::string& objective) const {
+            Sensitivity at = CurveFit::sensitivity(g, objective);
+            switch (fault) {
+            case 0:
+                throw std::domain_error("none here");
+            case 1:
+                throw 7;
+            case 2:
+                at.jacobian.conservativeResize(5, 2);
+                break;
+            case 3:
+                at.jacobian.conservativeResize(4, 3);
+                break;
+            case 4:
+                at.residuals[2] = std::nan("");
+                break;
+            case 5:
+                at.jacobian(1, 1) = HUGE_VAL;
+                break;
+            default:
+                at = {VectorXd(), Eigen::MatrixXd(0, 3)};
+            }
+            return at;
+        }
+        std::vector<double> gradient(const Genome&, const std::string&) const {
+            switch (fault) {
+            case 0:
+                throw std::domain_error("none here");
+            case 1:
+                throw 7;
+            case 2:
+                return {1, 1};
+            case 3:
+                return {1, 1, 1, 1};
+            case 4:
+                return {1, std::nan(""), 1};
+            case 5:
+                return {1, 1, HUGE_VAL};
+            default:
+                return {};
+            }
+        }
+    };
+    const auto start = run(score(), CurveFit{}, CurveFit::start(3)).population;
+    for (Faulty problem; problem.fault < 7; ++problem.fault) {
+        CAPTURE(problem.fault);
+        const auto check = [&](const auto& method) {
+            const auto result = run(refine(method), problem, start);
+            CHECK(result.counters.gradients >= 3);
+            for (std::size_t i = 0; i < 3; ++i) {
+                CHECK(result.population[i].genome == start[i].genome);
+                CHECK(result.population[i].value() == start[i].value());
+            }
+        };
+        check(lm(5));
+        check(mma(5));
+        check(minimax(5));
+        check(nlopt_method("LD_LBFGS", 5));
+    }
+}
+
+TEST_CASE("a start without residuals is the end of minimax") {
+    const auto result =
+        run(score() | refine(minimax(9)), CurveFit{}, population<CurveFit::Genome>({{2, 1.5, 0.5}}));
+    CHECK(result.counters.gradients == 1);
+    CHECK(result.population[0].genome == CurveFit::Genome{2, 1.5, 0.5});
+}
+
+TEST_CASE("a refinement in which everything fails leaves those who were scored before as they were") {
+    struct Broken : CurveFit {
+        Outcome evaluate(const Genome&) const { throw std::domain_error("out of order"); }
+    };
+    const auto start = run(score(), CurveFit{}, CurveFit::start(3)).population;
+    for (const std::size_t n : {1, 3}) {
+        const Population<CurveFit::Genome> some(start.begin(), start.begin() + static_cast<long>(n));
+        const auto result = run(refine(nlopt_method("LN_COBYLA", 8)), Broken{}, some);
+        CHECK(result.counters.evaluations >= 3);
+        for (std::size_t i = 0; i < n; ++i)
+            CHECK(result.population[i].genome == start[i].genome);
+    }
+}
+
+TEST_CASE("what a problem's conversion of genes throws comes through NLopt as it was") {
+    struct Brittle : CurveFit {
+        bool odd = false;
+        Genome with_genes(const Genome&, const std::vector<double>& genes) const {
+            if (odd)
+                throw 7;
+            throw std::domain_error("cannot be " + number(genes.size() + 0.0));
+        }
+    };
+    for (const std::size_t n : {1, 3}) {
+        CHECK_THROWS_WITH(run(score() | refine(nlopt_method("LN_COBYLA", 8)), Brittle{}, CurveFit::start(n)),
+                          "cannot be 3");
+        CHECK_THROWS_WITH(run(score() | refine(minimax(8)), Brittle{}, CurveFit::start(n)), "cannot be 3");
+        CHECK_THROWS_AS(run(score() | refine(mma(8)), Brittle{{}, true}, CurveFit::start(n)), int);
+    }
+}
+
+TEST_CASE("what NLopt refuses is refused under the algorithm's name") {
+    const Variables<CurveFit::Genome> free{"free", [](const CurveFit::Genome&) {
+                                               return std::vector<Variable>{{0, -HUGE_VAL, HUGE_VAL}};
+                                           }};
+    CHECK_THROWS_WITH(
+        run(score() | refine(nlopt_method("GN_CRS2_LM", 8), free), CurveFit{}, CurveFit::start(2)),
+        "refine Controlled random search (CRS2) with local mutation (global, no-derivative): "
+        "finite domain required for global algorithm");
+}

@@ -1,4 +1,7 @@
+#include "ga/checkpoint.hpp"
+#include "tests/folder.hpp"
 #include "tests/ga/curve_fit.hpp"
+#include "tests/ga/vectors.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -223,4 +226,108 @@ TEST_CASE("a run that is told nothing draws by seed 1") {
                other = run(pipeline, CurveFit{}, CurveFit::start(5), {.seed = 2});
     CHECK(all_of(plain) == all_of(seeded));
     CHECK(all_of(plain) != all_of(other));
+}
+
+namespace {
+
+/// Given values whose reading throws: under 0 a std::exception, above 100 something else.
+struct Fragile : Given {
+    const std::vector<Objective<double>>& objectives() const {
+        static const auto read = [](const double& value) {
+            if (value < 0)
+                throw std::domain_error("under 0");
+            if (value > 100)
+                throw 7;
+            return value;
+        };
+        static const std::vector<Objective<double>> list = {{"value", read},
+                                                            {"other", [](const double& y) { return -y; }}};
+        return list;
+    }
+};
+
+} // namespace
+
+TEST_CASE("an objective that throws, whatever it throws, marks its individual with the reason") {
+    const std::vector<std::string> reasons = {"", "under 0", "an exception that is no std::exception"};
+    const auto start = Fragile::of({1, -1, 101});
+    const auto check = [&](const Stage<Fragile>& stage) {
+        for (const int threads : {1, 2}) {
+            const auto result = run(stage, Fragile{}, start, {.threads = threads});
+            REQUIRE(result.population.size() == 3);
+            for (std::size_t i = 0; i < 3; ++i)
+                CHECK(result.population[i].fitness.reason() == reasons[i]);
+            CHECK(result.best->identity == 0);
+        }
+    };
+    check(score());
+    check(pareto({"other", "value"}));
+    check(pareto({"value", "other"}));
+    CHECK(run(score("other"), Fragile{}, start).counters.failures == 0);
+}
+
+TEST_CASE("a transformation that throws, whatever it throws, leaves the genome and marks its individual") {
+    const auto half = transform("half", [](const std::vector<double>& g) {
+        if (g[0] < 0)
+            throw std::domain_error("under 0");
+        if (g[0] > 100)
+            throw 7;
+        return std::vector<double>{g[0] / 2};
+    });
+    const tests::Folder folder;
+    for (const bool scored : {false, true}) {
+        Checkpoints<Given> keeper(folder / "run", "", false, 0);
+        const Stage<Given> before = scored ? Stage<Given>(score() | half) : Stage<Given>(half);
+        const auto result = run(before | half | score(), Given{}, Given::of({8, -1, 101}), {}, {}, &keeper);
+        CHECK(result.population[0].value() == 2);
+        CHECK(result.population[1].genome == std::vector<double>{-1});
+        CHECK(result.population[1].fitness.reason() == "under 0");
+        CHECK(result.population[2].genome == std::vector<double>{101});
+        CHECK(result.population[2].fitness.reason() == "an exception that is no std::exception");
+    }
+}
+
+TEST_CASE("an objective or a transformation that throws Stopped ends the run, and nobody has failed") {
+    struct Ending : Given {
+        const std::vector<Objective<double>>& objectives() const {
+            static const std::vector<Objective<double>> list = {
+                {"value", [](const double& y) { return y > 2 ? throw Stopped{"asked"} : y; }}};
+            return list;
+        }
+    };
+    const auto asked = [](const Stage<Ending>& stage, const std::vector<double>& start) {
+        const auto result = run(stage, Ending{}, Given::of(start), {.threads = 2});
+        CHECK(result.stopped == "asked");
+        CHECK(result.counters.failures == 0);
+    };
+    asked(score(), {1, 2, 3});
+    asked(score() |
+              transform("end",
+                        [](const std::vector<double>& g) { return g[0] > 1 ? throw Stopped{"asked"} : g; }) |
+              score(),
+          {1, 2});
+}
+
+TEST_CASE("a pair's twins are one child, and who gives no child is passed over") {
+    const auto result = run(score() | pair(score(), score(), mean) | score(), CurveFit{}, CurveFit::start(3));
+    CHECK(result.population.size() == 3); // of nine pairs three are of one and three are twins
+    CHECK(result.population[0].parents == Parents(0, 1));
+}
+
+TEST_CASE("what islands remark stands among the run's notes, each under its island's path") {
+    const auto pipeline =
+        score() | islands(2, {.rounds = 1, .migrants = 0}, score() | above(50, at_least(2)));
+    const auto result = run(pipeline, Given{}, Given::of({1, 2, 3, 4, 5, 6}));
+    CHECK(result.notes ==
+          std::vector<std::string>{"pipeline/islands.1/island1/above.1: 0 of 3 above 50; took the 2 best",
+                                   "pipeline/islands.1/island2/above.1: 0 of 3 above 50; took the 2 best"});
+}
+
+TEST_CASE("a problem without an objective is refused") {
+    struct Aimless : Given {
+        std::vector<Objective<double>> none;
+        const std::vector<Objective<double>>& objectives() const { return none; }
+    };
+    CHECK_THROWS_WITH(run(score(), Aimless{}, Given::of({1})),
+                      "the problem has no objective; expected one at least");
 }

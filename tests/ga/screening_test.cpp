@@ -113,21 +113,26 @@ TEST_CASE("screening leaves the same survivors with the same fitness, for a part
 }
 
 TEST_CASE("in a generation the start competes: children that cannot replace it are given up") {
-    const auto half_of_parents = transform("mix", [](const Penalties::Genome& g) {
+    const auto mix = transform("mix", [](const Penalties::Genome& g) {
         Penalties::Genome mixed = g;
         std::rotate(mixed.begin(), mixed.begin() + 7, mixed.end());
         mixed[3] *= 1.3;
         return mixed;
     });
-    for (const std::size_t mu : {0, 20}) {
-        // Half of the children are new individuals, the others are parents in another shape.
-        const auto generations =
-            score() | best(40) |
-            repeat(4, tournament(2) | cross(uniform()) | half_of_parents | score() | plus(mu));
-        const Ran whole = run_with(generations, false), screened = run_with(generations, true);
-        CHECK(same(whole.result.population, screened.result.population));
-        CHECK(screened.read < whole.read);
-    }
+    for (const std::size_t mu : {0, 20})
+        for (const double rate : {1.0, 0.5}) {
+            // Where not all are crossed, the others are parents: as they were, or in another shape.
+            const auto check = [&](const auto& reshape) {
+                const auto generations =
+                    score() | best(40) |
+                    repeat(4, tournament(2) | cross(uniform(), rate) | reshape | score() | plus(mu));
+                const Ran whole = run_with(generations, false), screened = run_with(generations, true);
+                CHECK(same(whole.result.population, screened.result.population));
+                CHECK(screened.read < whole.read);
+            };
+            check(mix);
+            check(cross(one_point(), 0.3));
+        }
 }
 
 TEST_CASE("nobody is given up where nobody asked for it") {
@@ -211,4 +216,33 @@ TEST_CASE("one is kept if too few are known or hoped to be better, or above the 
     CHECK_FALSE(floor.would_keep(0.6, 3));
     CHECK(floor.would_keep(0.9, 7));
     CHECK_FALSE(Floor({.above = 0.5}).would_keep(0.4, 0));
+}
+
+TEST_CASE("an appraisal that throws, whatever it throws, leaves the word to the evaluation") {
+    /// One in seven cannot be appraised, one in five no further than a few penalties.
+    struct Fragile : Penalties {
+        struct Breaking : Reading {
+            using Reading::Reading;
+            double bound(std::size_t objective) override {
+                if (known > 3)
+                    throw 7;
+                return Reading::bound(objective);
+            }
+        };
+        std::unique_ptr<Appraisal<Outcome>> appraise(const Genome& genome) const {
+            const auto kind = static_cast<long>(genome[5] * 1e6);
+            if (kind % 7 == 0)
+                throw 7;
+            if (kind % 7 == 1)
+                throw std::domain_error("cannot be appraised");
+            return kind % 5 == 0 ? std::make_unique<Breaking>(*this, genome) : Penalties::appraise(genome);
+        }
+    };
+    for (const int threads : {1, 2}) {
+        const Fragile fragile;
+        const auto result =
+            run(score() | best(5), fragile, start(600), {.threads = threads, .screening = true});
+        CHECK(same(result.population, run_with(score() | best(5), false).result.population));
+        CHECK(result.counters.given_up > 0);
+    }
 }

@@ -51,7 +51,7 @@ struct Adaptive : Operator {
         const double now = population[0].value();
         state.step *= now > state.best ? std::exp(0.8) : std::exp(-0.2);
         state.best = std::max(state.best, now);
-        state.generation = context.where.generation();
+        state.generation = context.where.generations().back();
         for (std::size_t i = 0; i < population.size(); ++i) {
             Stream stream = context.stream(i);
             for (double& gene : population[i].genome)
@@ -262,4 +262,17 @@ TEST_CASE("a population that is not scored is no improvement") {
     CHECK(improves(Progress<std::vector<double>>{2, 0, 0, better}, memory));
     CHECK_FALSE(improves(Progress<std::vector<double>>{3, 0, 0, better}, memory));
     CHECK(memory[2] == 2);
+}
+
+TEST_CASE("who failed is to stagnation as if he were not there") {
+    const auto start = run(sample(5) | score(), Vectors{}, nobody).population;
+    auto with_failed = start;
+    for (const std::size_t i : {0, 3, 6})
+        with_failed.insert(with_failed.begin() + static_cast<long>(i), start[1])->fitness =
+            Fitness::failed(start[1].fitness.objective_name(), reason("no"));
+    Numbers memory, other;
+    CHECK(improves(Progress<std::vector<double>>{4, 0, 0, start}, memory));
+    CHECK(improves(Progress<std::vector<double>>{4, 0, 0, with_failed}, other));
+    CHECK(memory == other);
+    CHECK(memory[1] == start[ranking(start)[0]].value());
 }

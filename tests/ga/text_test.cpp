@@ -292,3 +292,14 @@ TEST_CASE("the listing names every operator with its parameters, and what a geno
     CHECK(list.find("a number from 0 to 1, by default 1: a pair's chance to be crossed") !=
           std::string::npos);
 }
+
+TEST_CASE("what is used wrongly is refused in a line") {
+    refused(
+        "score | front",
+        "pipeline, column 9: stage 'front' needs a population ranked by pareto; expected pareto before it");
+    auto registry = domain_words();
+    CHECK_THROWS_WITH(registry.add<Best>(), "operator 'best' is registered twice");
+    CHECK_NOTHROW(Syntax(std::string(999995, ' ') + "score", "it").read());
+    CHECK_THROWS_WITH(Syntax(std::string(999996, ' ') + "score", "it"),
+                      "it, column 1000000: the text is longer than 1000000 characters");
+}

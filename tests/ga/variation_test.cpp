@@ -388,3 +388,77 @@ TEST_CASE("of two genes the one may change its place with the other") {
     CHECK(turned > 15); // half of them: one gene is drawn, or the other
     CHECK(turned < 45);
 }
+
+TEST_CASE("genomes of no gene, one, and fewer than the bounds name are varied as far as they go") {
+    /// Bounds of three genes whatever the genome has; the second has no room.
+    struct Three : Any<std::vector<double>> {
+        std::vector<Variable> bounds(const std::vector<double>&) const {
+            return {{0, 0, 1}, {1, 0.5, 0.5}, {2, 0, 1}};
+        }
+    };
+    const auto born = [](const auto& stage, const auto& problem, const auto& genomes) {
+        std::vector<typename std::remove_cvref_t<decltype(genomes)>::value_type> all;
+        for (const auto& each : run(stage | score(), problem, population(genomes)).population)
+            all.push_back(each.genome);
+        return all;
+    };
+    using Reals = std::vector<std::vector<double>>;
+    const Reals none = {{}, {}}, one = {{0.25}, {0.75}}, two = {{0.25, 0.5}, {0.75, 0.5}};
+    const auto check = [&](const Stage<Three>& stage) {
+        CHECK(born(stage, Three{}, none) == none);
+        for (const auto& each : born(stage, Three{}, one)) {
+            CHECK(each.size() == 1);
+            CHECK((each[0] >= 0 && each[0] <= 1));
+        }
+        for (const auto& each : born(stage, Three{}, two)) {
+            CHECK(each.size() == 2);
+            CHECK(each[1] == 0.5);
+        }
+    };
+    check(mutate(1));
+    check(mutate(1, uniform_step()));
+    check(mutate(1, polynomial()));
+    check(mutate(1, reset()));
+    check(cross(sbx()));
+    check(cross(blend()));
+    check(cross(uniform()));
+    CHECK(born(mutate(1, gaussian()), Three{}, one) != one);
+    for (const Stage<Three>& still : {Stage<Three>(mutate(1, swap())), Stage<Three>(mutate(1, reverse())),
+                                      Stage<Three>(cross(one_point())), Stage<Three>(cross(n_points(3)))}) {
+        CHECK(born(still, Three{}, none) == none);
+        CHECK(born(still, Three{}, one) == one);
+    }
+    CHECK(born(cross(n_points(2)), Three{}, Reals{{1, 2, 3}, {4}}) == Reals{{1, 2, 3}, {4}});
+    const std::vector<Permutation> orders = {{{0}}, {{0}}}, unequal = {{{0, 1, 2}}, {{1, 0}}};
+    CHECK(born(cross(order()), Any<Permutation>{}, orders) == orders);
+    CHECK(born(cross(order()), Any<Permutation>{}, unequal) == unequal);
+    CHECK(born(mutate(1), Any<Permutation>{}, orders) == orders);
+    /// Whole numbers of which the first has one value, and the third is not there.
+    struct Fixed : Any<std::vector<int>> {
+        std::vector<Variable> bounds(const std::vector<int>&) const {
+            return {{0, 4, 4}, {1, 0, 1}, {2, 0, 9}};
+        }
+    };
+    CHECK(born(mutate(1), Fixed{}, std::vector<std::vector<int>>{{4, 0}}) ==
+          std::vector<std::vector<int>>{{4, 1}});
+}
+
+TEST_CASE("a problem's own mutation and cross-over at points stand under the common names") {
+    struct Own : Any<std::vector<double>> {
+        bool mutate(std::vector<double>& genome, double rate, Stream&) const {
+            genome[0] += rate;
+            return genome[0] < 2;
+        }
+        void cross_points(std::vector<double>& a, std::vector<double>& b, std::size_t n, Stream&) const {
+            a[0] = b[0] = static_cast<double>(n);
+        }
+    };
+    const auto start = run(score(), Own{}, population<std::vector<double>>({{1}, {3}})).population;
+    const auto mutants = run(mutate(0.25) | score(), Own{}, start).population;
+    CHECK(mutants[0].genome[0] == 1.25);
+    CHECK(mutants[0].parents == Parents(0));
+    CHECK(mutants[1].identity == 1); // it says that nothing changed
+    for (const auto& each : run(cross(n_points(3)) | score(), Own{}, start).population)
+        CHECK(each.genome[0] == 3);
+    CHECK(run(cross(one_point()) | score(), Own{}, start).population[0].genome[0] == 1);
+}
