@@ -39,6 +39,11 @@ class Where {
                 generations.push_back(*place.generation);
         return generations;
     }
+    /// Of the innermost block of generations, from 0; 0 outside any.
+    std::size_t generation() const {
+        const std::vector<std::size_t> all = generations();
+        return all.empty() ? 0 : all.back();
+    }
     /// The best of the population at the start of the innermost generation, as many as `elite` and `plus`
     /// read.
     const Population<G>& generation_start() const { return *starts_.back(); }

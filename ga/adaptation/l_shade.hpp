@@ -239,6 +239,8 @@ inline void from_json(const nlohmann::json& j, LShade::State& s) {
     j.at(4).get_to(s.trials);
     s.initial = j.at(5);
     s.spent = j.at(6);
+    const std::size_t entries = s.history.F.size(); // none before its first generation
+    expect_fit(s.history.CR.size() == entries && s.history.next < entries + (s.initial == 0 ? 1 : 0));
 }
 ///@}
 

@@ -199,33 +199,41 @@ TEST_CASE("a run that stopped inside an operator that learns is resumed to the u
     CHECK(json(rest.counters) == json(whole.counters));
 }
 
-TEST_CASE("a checkpoint of CMA-ES that does not fit is refused though its seal is whole") {
+TEST_CASE("a checkpoint of what learns is refused where it does not fit, though its seal is whole") {
     const tests::Folder folder;
     const Function f{3, functions::sphere};
-    const Stage<Function> pipeline =
-        Stage<Function>(sample(1)) | score() | Stage<Function>(repeat(30, cma_es() | score()));
-    Checkpoints<Function> write(folder / "run", "", false);
-    run(pipeline, f, nobody, {.budget = {.evaluations = 40}}, {}, &write);
-    const json good = json::from_cbor(opened(folder / "run"));
-    const auto resumed_with = [&](const std::string& place, const json& value) {
-        json altered = good;
-        for (auto& frame : altered["snapshot"][0])
-            for (auto& state : frame[4])
-                state[json::json_pointer(place)] = value;
-        const auto bytes = json::to_cbor(altered);
-        seal(folder / "run", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-        Checkpoints<Function> resume(folder / "run", "", true);
-        return run(pipeline, f, nobody, {}, {}, &resume);
+    const auto refused = [&](const Stage<Function>& pipeline, const std::vector<std::string>& places,
+                             const std::vector<json>& values, const std::string& place_of,
+                             const json& as_it_is) {
+        Checkpoints<Function> write(folder / "run", "", false);
+        run(pipeline, f, nobody, {.budget = {.evaluations = 40}}, {}, &write);
+        const json good = json::from_cbor(opened(folder / "run"));
+        const auto resumed_with = [&](const std::string& place, const json& value) {
+            json altered = good;
+            for (auto& frame : altered["snapshot"][0])
+                for (auto& state : frame[4])
+                    state[json::json_pointer(place)] = value;
+            const auto bytes = json::to_cbor(altered);
+            seal(folder / "run", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+            Checkpoints<Function> resume(folder / "run", "", true);
+            return run(pipeline, f, nobody, {}, {}, &resume);
+        };
+        for (const std::string& place : places)
+            for (const json& value : values) {
+                CAPTURE(place, value);
+                CHECK_THROWS_WITH(resumed_with(place, value),
+                                  "the checkpoint does not fit its pipeline; expected "
+                                  "one that was written by it");
+            }
+        CHECK(resumed_with(place_of, as_it_is).stopped.empty());
     };
-    for (const std::string place :
-         {"/0", "/1", "/2", "/2/0", "/2/2", "/2/3", "/2/4", "/2/5", "/2/6", "/3", "/8"})
-        for (const json& value : {json(Vector{1, 2}), json(Vector(10, 1.0)), json("text")}) {
-            CAPTURE(place, value);
-            CHECK_THROWS_WITH(resumed_with(place, value),
-                              "the checkpoint does not fit its pipeline; expected "
-                              "one that was written by it");
-        }
-    CHECK(resumed_with("/7", false).stopped.empty()); // as it was
+    refused(Stage<Function>(sample(1)) | score() | Stage<Function>(repeat(30, cma_es() | score())),
+            {"/0", "/1", "/2", "/2/0", "/2/2", "/2/3", "/2/4", "/2/5", "/2/6", "/3", "/8"},
+            {Vector{1, 2}, Vector(10, 1.0), "text"}, "/7", false);
+    const auto shade =
+        Stage<Function>(sample(10)) | score() | Stage<Function>(repeat(30, l_shade() | score() | duel()));
+    refused(shade, {"/0", "/1"}, {Vector{1, 2}, Vector(7, 1.0), Vector(), "text"}, "/5", 10);
+    refused(shade, {"/2"}, {6, "text"}, "/5", 10);
 }
 
 TEST_CASE("CMA-ES that gets no whole child of its own back draws from the same cloud again") {

@@ -51,7 +51,7 @@ struct Adaptive : Operator {
         const double now = population[0].value();
         state.step *= now > state.best ? std::exp(0.8) : std::exp(-0.2);
         state.best = std::max(state.best, now);
-        state.generation = context.where.generations().back();
+        state.generation = context.where.generation();
         for (std::size_t i = 0; i < population.size(); ++i) {
             Stream stream = context.stream(i);
             for (double& gene : population[i].genome)
@@ -73,12 +73,15 @@ struct Counting : Operator {
     struct State {
         std::size_t calls = 0;
     };
-    std::shared_ptr<std::vector<std::size_t>> before = std::make_shared<std::vector<std::size_t>>();
+    using Numbers = std::shared_ptr<std::vector<std::size_t>>;
+    Numbers before = std::make_shared<std::vector<std::size_t>>();
+    Numbers generations = std::make_shared<std::vector<std::size_t>>();
     std::string text() const { return "counting"; }
     void check(Known&) const {}
-    Population<std::vector<double>> operator()(Population<std::vector<double>> population, Context<Vectors>&,
-                                               State& state) const {
+    Population<std::vector<double>> operator()(Population<std::vector<double>> population,
+                                               Context<Vectors>& context, State& state) const {
         before->push_back(state.calls++);
+        generations->push_back(context.where.generation());
         return population;
     }
 };
@@ -113,6 +116,12 @@ TEST_CASE("a state begins anew when its block does, and every island has its own
             Vectors{}, nobody);
     for (const auto& each : apart.population)
         CHECK(each.value() > -1e-4);
+}
+
+TEST_CASE("an operator sees the generation of the innermost block, and 0 outside any") {
+    Counting seen;
+    run(sample(1) | score() | seen | repeat(2, repeat(3, seen)), Vectors{}, nobody);
+    CHECK(*seen.generations == std::vector<std::size_t>{0, 0, 1, 2, 0, 1, 2});
 }
 
 TEST_CASE("every restart begins with an operator that has learnt nothing") {
