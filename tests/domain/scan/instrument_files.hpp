@@ -29,8 +29,13 @@ inline std::string sdf_file(int type = 5) {
     put(bytes, 46, 2e-6), put(bytes, 54, 3e-6), put(bytes, 62, 1e-8), put(bytes, 70, 0.0);
     bytes[78] = 0, bytes[79] = char(type), bytes[80] = 0;
     for (std::size_t i = 0; i < map_heights.size(); ++i)
-        if (type == 5)
+        if (type == 4)
+            rough::append_little_endian(bytes, std::int8_t(map_heights[i])); // has no mark of a missing value
+        else if (type == 5)
             rough::append_little_endian(bytes, std::int16_t(i == map_gap ? -32768 : map_heights[i]));
+        else if (type == 6)
+            rough::append_little_endian(bytes,
+                                        i == map_gap ? std::numeric_limits<int>::min() : map_heights[i]);
         else
             rough::append_little_endian(bytes, i == map_gap ? std::nan("") : double(map_heights[i]));
     return bytes;
@@ -80,18 +85,28 @@ inline std::string x3p_xml() {
            "<ValidPointsLink>bindata/valid.bin</ValidPointsLink></DataLink></Record3></p:ISO5436_2>";
 }
 
-inline std::string x3p_data() {
+template <class Number = std::int16_t>
+std::string x3p_data() {
     std::string data;
     for (const int height : map_heights)
-        rough::append_little_endian(data, std::int16_t(height));
+        rough::append_little_endian(data, Number(height));
     return data;
 }
 
-inline std::string x3p_file() {
-    std::string valid(3, '\xFF');
+/// Heights of a type other than I, the archive's paths from here.
+inline std::string x3p_file(char type = 'I') {
+    std::string valid(3, '\xFF'), xml = x3p_xml();
     valid[map_gap / 8] = char(~(1 << map_gap % 8));
-    return rough::zipped(
-        {{"main.xml", x3p_xml()}, {"bindata/data.bin", x3p_data()}, {"bindata/valid.bin", valid}});
+    xml[xml.find("<DataType>I") + 10] = type;
+    if (type != 'I')
+        for (const std::string path : {"bindata/data", "bindata/valid"})
+            xml.replace(xml.find(path), 0, "./");
+    return rough::zipped({{"main.xml", xml},
+                          {"bindata/data.bin", type == 'L'   ? x3p_data<std::int32_t>()
+                                               : type == 'F' ? x3p_data<float>()
+                                               : type == 'D' ? x3p_data<double>()
+                                                             : x3p_data()},
+                          {"bindata/valid.bin", valid}});
 }
 
 } // namespace testing

@@ -38,13 +38,17 @@ std::string x3p_of(const std::string& xml, const std::string& data = testing::x3
 
 TEST_CASE("every instrument's format holds the same map, in millimetres, rows along x") {
     for (const auto& [name, bytes] : {std::pair("SDF of integers", testing::sdf_file()),
+                                      {"SDF of long integers", testing::sdf_file(6)},
                                       {"SDF of doubles", testing::sdf_file(7)},
                                       {"SUR of 32 bits", testing::sur_file()},
                                       {"SUR of 16 bits", testing::sur_file(16)},
                                       {"GSF", testing::gsf_file()},
                                       {"GSF, padded by 4", testing::gsf_file("four")},
                                       {"GSF, padded by 2", testing::gsf_file("of")},
-                                      {"X3P", testing::x3p_file()}}) {
+                                      {"X3P", testing::x3p_file()},
+                                      {"X3P of long integers", testing::x3p_file('L')},
+                                      {"X3P of floats", testing::x3p_file('F')},
+                                      {"X3P of doubles", testing::x3p_file('D')}}) {
         INFO(name);
         const auto map = binary_map(bytes, "map");
         REQUIRE(map);
@@ -70,6 +74,14 @@ TEST_CASE("every instrument's format holds the same map, in millimetres, rows al
             CHECK_THAT(refusal(bytes, {.row = row}), Catch::Contains("the row to take, 1 to 2"));
         CHECK_THAT(refusal(bytes, {.spacing = 7, .row = 1}), Catch::Contains("spacing"));
     }
+}
+
+TEST_CASE("an SDF of bytes has heights of its whole range") {
+    const auto map = binary_map(testing::sdf_file(4), "map");
+    REQUIRE(map);
+    for (std::size_t i = 0; i < map->heights.size(); ++i)
+        CHECK(map->heights[i] * map->height_factor * map->height_unit.in_mm ==
+              Approx(1e-5 * testing::map_heights[i]));
 }
 
 TEST_CASE("an ASCII surface data file of several profiles is a map as well") {
@@ -147,6 +159,11 @@ TEST_CASE("a damaged file of an instrument is refused in one line that says what
     CHECK_THAT(refusal(x3p_of(changed(xml, "<AxisType>I", "<AxisType>A"))), Catch::Contains("incremental"));
     CHECK_THAT(refusal(x3p_of(changed(xml, "<DataType>I", "<DataType>Q"))), Catch::Contains("type 'Q'"));
     CHECK_THAT(refusal(x3p_of(changed(xml, "data.bin", "none.bin"))), Catch::Contains("not in the archive"));
+    CHECK_THAT(refusal(x3p_of(changed(xml, "1e-8", "0"))), Catch::Contains("increment 0 of heights"));
+    CHECK_THAT(refusal(x3p_of(changed(changed(xml, "<SizeX>9", "<SizeX>1e6"), "<SizeY>2", "<SizeY>1e6"))),
+               Catch::Contains("1000000 rows of 1000000 heights, expected at most"));
+    CHECK_THAT(refusal("GWYP" + std::string(8, '\0')), Catch::Contains("(a Gwyddion file)"));
+    CHECK_THAT(refusal("\x89HDF\r\n" + std::string(8, '\0')), Catch::Contains("(an HDF5 file)"));
     CHECK_THAT(refusal(x3p_of(xml, "short")), Catch::Contains("ends early"));
     CHECK_THAT(refusal(x3p_of(xml, std::string(1000, ' '))), Catch::Contains("too large"));
 }

@@ -3,6 +3,7 @@
 #include "domain/scan/x3p.hpp"
 #include "domain/text/bytes.hpp"
 #include "tests/domain/contact/maps.hpp"
+#include "tests/domain/scan/instrument_files.hpp"
 #include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
@@ -52,6 +53,17 @@ TEST_CASE("a matrix and points x, y, height in any order are the same map", "[ma
         for (Index k = 0; k < 6; ++k)
             CHECK(map->heights.heights[k] == Approx(1e-3 * double(k + 1)));
     }
+}
+
+TEST_CASE("a text that names its format is read as that map", "[map]") {
+    const Map map = read("aISO-1.0\nNumPoints = 3\nNumProfiles = 2\nXscale = 1e-5\nYscale = 2e-5\n"
+                         "Zscale = 1e-6\nDataType = 5\n*\n1 2 3\n4 5 6\n*\n");
+    CHECK(map.heights.shape() == Extent{3, 2});
+    CHECK(map.heights.spacing == Approx(0.01));
+    CHECK(map.heights.row_spacing == Approx(0.02));
+    for (Index k = 0; k < 6; ++k)
+        CHECK(map.heights.heights[k] == Approx(1e-3 * double(k + 1)));
+    CHECK_THAT(refusal(testing::gsf_file()), Catch::Contains("row 2: no height in column 8, expected 9"));
 }
 
 TEST_CASE("what is no whole map is refused with its place", "[map]") {

@@ -160,6 +160,11 @@ std::vector<QuirkFile> headers() {
         {"SPIP's keys, the lengths' unit by its own",
          "# x-pixels = 8\n# x-length = 4\n# x-unit = um\n# z-unit = nm\n" +
              one_column({.height_unit = 1e-6})},
+        {"a width in brackets",
+         "# Width: 4 [\xC2\xB5m]\n# Value units: nm\n" + one_column({.height_unit = 1e-6})},
+        {"a first width of nothing and a factor of no unit",
+         "Width = 0 um\nHeight conversion factor (of a volt) = 3\nPixel size = 0.5 um\nValue units: nm\n" +
+             one_column({.height_unit = 1e-6})},
         {"pixel size and height factor",
          "pixel size = 0.5 um\nheight conversion factor (-> m) = 1e-6\n" + one_column({.height_unit = 1e-3})},
     };

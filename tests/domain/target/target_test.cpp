@@ -62,6 +62,8 @@ TEST_CASE("bad targets are refused by file, line and column") {
     CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm\n1,2\n1,3\n"), Contains("point 2"));
     CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm\n1,-2\n"), Contains("greater than 0"));
     CHECK_THROWS_WITH(read_text("pressure_MPa,contact_fraction\n1,1.5\n"), Contains("at most 1"));
+    CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm,contact_fraction\n1,2,0.5\n"),
+                      Contains("more than one curve given, expected one a file"));
     CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm,lower\n1,2,1\n"), Contains("lower"));
     CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm,lower,upper\n1,2,2.5,3\n"),
                       Contains("lower"));
