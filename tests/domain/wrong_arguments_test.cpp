@@ -1,10 +1,14 @@
+#include "domain/accuracy/respond_within.hpp"
 #include "domain/contact/datum.hpp"
 #include "domain/contact/solve.hpp"
 #include "domain/design/own_waves.hpp"
+#include "domain/design/shape_to_waves.hpp"
 #include "domain/design/statistical.hpp"
 #include "domain/errors.hpp"
+#include "domain/problem/response.hpp"
 #include "domain/profile/areal.hpp"
 #include "domain/profile/roughness.hpp"
+#include "domain/response/response.hpp"
 #include "domain/theory/asperities.hpp"
 #include "domain/theory/realisation.hpp"
 
@@ -55,6 +59,29 @@ TEST_CASE("what a caller in code gives wrongly is refused with its value and wha
              roughness(line_of({0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}), 0.6);
          },
          "7 nodes in whole sections, expected at least 10"},
+        {[&] {
+             roughness(line_of({0, 1e-90, 0, 1e-90, 0, 0, 1e-90, 0, 1e-90, 0, 1e-90, 0}));
+         },
+         "roughness: its parameters do not fit double precision"},
+        {[&] {
+             step_displacements(line_of({0, nan}), body, {.steps = 2}, {});
+         },
+         "profile: a height is not finite"},
+        {[&] { scaled(respond(good, body, {.steps = 2}), huge); },
+         ", expected a factor whose pressures and displacements fit double precision"},
+        {[&] {
+             DesignSetup setup;
+             setup.max_pressure = huge;
+             eq_11(setup, scaled(respond(good, body, {.steps = 2}), 1e-6));
+         },
+         " MPa, expected two whose ratio fits double precision"},
+        {[&] {
+             Model model;
+             model.body.hardness = 1;
+             respond_within(good, model, 0.01);
+         },
+         "accuracy: given with a hardness, expected one of them"},
+        {[&] { shaped_as(good, {Series{.lambda = 0.1}}, 0.2); }, "series: its longest wave is 0.1"},
         {[&] { areal_parameters(map); }, "areal parameters: the map is constant, expected a rough one"},
         {[&] { random_surface(changed([](SelfAffine& s) { s.hurst = 1; })); },
          "hurst: 1 given, expected a number between 0 and 1"},

@@ -1,3 +1,4 @@
+#include "domain/design/like.hpp"
 #include "domain/errors.hpp"
 #include "domain/target/like.hpp"
 #include "domain/target/recorded.hpp"
@@ -9,8 +10,8 @@ using namespace rough;
 
 namespace {
 
-Profile waves() {
-    Profile profile{Eigen::VectorXd(128), 0.01};
+Profile waves(Index nodes = 128) {
+    Profile profile{Eigen::VectorXd(nodes), 0.01};
     for (Index i = 0; i < profile.nodes(); ++i)
         profile.heights[i] =
             std::cos(0.1 * static_cast<double>(i)) + 0.2 * std::cos(0.37 * static_cast<double>(i));
@@ -19,7 +20,7 @@ Profile waves() {
 
 Model model_of(const Profile& profile) {
     Model model;
-    model.grid = {profile.nodes(), profile.spacing * 127};
+    model.grid = {profile.nodes(), profile.spacing * static_cast<double>(profile.nodes() - 1)};
     return model;
 }
 
@@ -37,6 +38,22 @@ TEST_CASE("a target like a profile is that profile's own curve at even points") 
     CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 0.25 * own.to).last() ==
           0.25 * own.to);
     CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 2 * own.to).last() == own.to);
+}
+
+TEST_CASE("a design like a profile has the nodes that its areas need, and the usual ones without areas") {
+    const auto nodes_of = [&](Index nodes, std::vector<Quantity> quantities, Index points, Index given = 0) {
+        const Profile profile = waves(nodes);
+        const DesignSetup setup = like({}, profile, model_of(profile), "p", quantities, points, given);
+        CHECK(setup.targets.size() == quantities.size());
+        return std::pair(setup.model.grid.nodes, setup.targets.back().y[0]);
+    };
+    CHECK(nodes_of(2500, {Quantity::stiffness}, 10).first == 512);
+    CHECK(nodes_of(300, {Quantity::area_at_pressure}, 10, 700).first == 700);
+    CHECK(nodes_of(2500, {Quantity::area_at_pressure}, 10).first == 2048);
+    for (const Index points : {3, 40}) { // 16 nodes in contact at the first point
+        const auto [nodes, first] = nodes_of(600, {Quantity::stiffness, Quantity::area_at_pressure}, points);
+        CHECK(nodes == static_cast<Index>(std::clamp(16 / first, 600., 2048.)));
+    }
 }
 
 TEST_CASE("a target of interface stiffness carries over between datums and lengths, and over nothing else") {
