@@ -5,12 +5,15 @@
 #include "domain/design/shape_to_waves.hpp"
 #include "domain/design/statistical.hpp"
 #include "domain/errors.hpp"
+#include "domain/mwm/genome_json.hpp"
 #include "domain/problem/response.hpp"
 #include "domain/profile/areal.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/response/response.hpp"
+#include "domain/target/like.hpp"
 #include "domain/theory/asperities.hpp"
 #include "domain/theory/realisation.hpp"
+#include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -29,6 +32,7 @@ Profile line_of(std::initializer_list<double> heights, double spacing = 0.1) {
 TEST_CASE("what a caller in code gives wrongly is refused with its value and what was expected") {
     const Profile good = line_of({0, 1, 0.5, 0.2}), map{Eigen::VectorXd::Constant(144, 2), 0.1, 12, 0.1};
     const Body body, periodic{Kernel::periodic};
+    const tests::Folder folder;
     const SelfAffine rough{0.8, 0.5, 0.1, 0.05};
     const auto changed = [&](auto change) {
         SelfAffine all = rough;
@@ -75,6 +79,15 @@ TEST_CASE("what a caller in code gives wrongly is refused with its value and wha
              eq_11(setup, scaled(respond(good, body, {.steps = 2}), 1e-6));
          },
          " MPa, expected two whose ratio fits double precision"},
+        {[&] {
+             DesignSetup setup;
+             setup.targets = {target_like(good, {}, "good", Quantity::stiffness, 2)};
+             setup.max_pressure = 0;
+             validate(setup);
+         },
+         "max-pressure: 0 MPa given, expected more than 0"},
+        {[&] { read_genome(folder.write("list.json", "{\"series\": [3]}")); }, "3 given, expected an object"},
+        {[&] { read_genome_file(folder.write("length.json", "{\"length_mm\": -2}")); }, "length_mm is -2"},
         {[&] {
              Model model;
              model.body.hardness = 1;

@@ -1,5 +1,6 @@
 #include "domain/database/build.hpp"
 #include "domain/database/codec.hpp"
+#include "domain/database/merge.hpp"
 #include "domain/database/sqlite.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -88,6 +89,28 @@ TEST_CASE("a database in which anything was altered is refused, never read as so
         Sqlite(bad, Sqlite::Access::existing).run(change);
         CHECK_THROWS_AS(use(bad), InputError);
     }
+}
+
+TEST_CASE("databases that different versions of the program made are not merged") {
+    const Folder folder;
+    for (const std::uint64_t first : {0, 4}) {
+        GenomeStore store = GenomeStore::create(folder / (first == 0 ? "a.db" : "b.db"), small_setup());
+        build(store, {.genomes = 4, .first = first, .batch = 4});
+    }
+    CHECK(merge({folder / "a.db", folder / "b.db"}, folder / "both.db") == 8);
+    {
+        Sqlite b(folder / "b.db", Sqlite::Access::existing);
+        b.run("UPDATE setup SET value = '0.0.1' WHERE name = 'version'");
+        std::string text; // the checksum is that of the lines (store.cpp)
+        Statement rows(b, "SELECT name, value FROM setup WHERE name <> 'checksum' ORDER BY name");
+        while (rows.step())
+            text += std::string(rows.bytes(0)) + "=" + std::string(rows.bytes(1)) + "\n";
+        b.run("UPDATE setup SET value = '" + std::to_string(checksum(text)) + "' WHERE name = 'checksum'");
+    }
+    CHECK_NOTHROW(use(folder / "b.db"));
+    CHECK_THROWS_WITH(merge({folder / "a.db", folder / "b.db"}, folder / "c.db"),
+                      Catch::Contains("b.db: made by version 0.0.1, expected "));
+    CHECK_FALSE(fs::exists(folder / "c.db"));
 }
 
 TEST_CASE("a view that bears a table's name is not run") {

@@ -1,3 +1,4 @@
+#include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/problem/harmonics.hpp"
@@ -57,5 +58,25 @@ TEST_CASE("a genome moved to harmonics keeps its waves' amplitudes and phases an
             CHECK(after[w].phase == before[w].phase);
         }
         CHECK(genes(in_harmonics(moved, length)) == genes(moved));
+    }
+}
+
+TEST_CASE("a design on a periodic body begins at harmonics, whether from given genomes or the database") {
+    std::mt19937_64 random(6);
+    const DesignSetup setup = periodic_setup();
+    SearchOptions options;
+    options.pipeline = "score | best 2";
+    options.alternatives = 2;
+    options.threads = 1;
+    for (const bool given : {true, false}) {
+        options.starts.clear();
+        for (int i = 0; given && i < 2; ++i)
+            options.starts.push_back(rough::testing::random_genome(random, 1, 2, length, 0.02));
+        for (const Genome& start : options.starts)
+            CHECK(jump(start) > 0.01);
+        const SearchResult found = search(setup, options);
+        for (const Answer& answer : found.alternatives)
+            CHECK(jump(answer.genome) < 1e-12);
+        CHECK(found.best.similarity > 0);
     }
 }

@@ -101,6 +101,9 @@ TEST_CASE("a profile written as X3P is read back to the last bit") {
     CHECK(scan.profile.spacing == Approx(profile.spacing).epsilon(1e-15));
     CHECK((scan.profile.heights - profile.heights).cwiseAbs().maxCoeff() < 1e-18);
     CHECK_THAT(scan.account, Catch::Contains("X3P"));
+    CHECK_THAT(refusal(bytes), Catch::Contains("a row given, expected none"));
+    CHECK_THAT(refusal(bytes, {.spacing = -1}), Catch::Contains("spacing: -1, expected a length above 0"));
+    CHECK_THAT(refusal(bytes, {.row = -1}), Catch::Contains("row: -1, expected 1 or more"));
     const Zip zip(bytes, "x");
     // MD5 of the parts, as md5sum tells it
     const tests::Folder folder;
@@ -122,6 +125,8 @@ TEST_CASE("X3P lists heights in its XML, too, and names of spaces do not matter"
     CHECK(map->heights[1] == 4.5);
     CHECK(std::isnan(map->heights[2]));
     CHECK_THAT(refusal(x3p_of(changed(xml, "<q:Datum>-1</q:Datum>", ""))), Catch::Contains("other than 4"));
+    CHECK_THAT(refusal(x3p_of(changed(xml, "<q:Datum>-1<", "<q:Datum>0</q:Datum><q:Datum>-1<"))),
+               Catch::Contains("other than 4"));
     CHECK_THAT(refusal(x3p_of(changed(xml, "4.5", "high"))), Catch::Contains("'high'"));
 }
 
