@@ -163,6 +163,22 @@ TEST_CASE("an interface stiffness may exceed full contact's, but neither fall no
     CHECK(out_of_reach({light}, model).empty());
 }
 
+TEST_CASE("an area's least stiffness is that of a node alone, and its greatest a coarser grid's", "[areas]") {
+    for (const Index n : {32, 256}) {
+        Model model;
+        model.grid = {.nodes = n, .length = 1, .rows = n, .width = 1};
+        const StiffnessLimits limits = stiffness_limits(model);
+        Profile needle{Eigen::VectorXd::Zero(n * n), model.grid.spacing(), n, model.grid.row_spacing()};
+        needle.heights[n * n / 2 + n / 2] = 1;
+        const LoadStep alone = solve_contact(needle, completed(model).body, {1e-3}).steps[0];
+        CHECK(alone.contact_nodes == 1);
+        CHECK(limits.least == Approx(alone.tangent_stiffness));
+        model.grid.nodes = model.grid.rows = std::min<Index>(n, 128);
+        CHECK(limits.most == stiffness_limits(model).most);
+        CHECK(limits.most > limits.least);
+    }
+}
+
 TEST_CASE("scored stiffness stays within its limits whatever rising secants, which some attain") {
     std::mt19937_64 random(52);
     std::uniform_real_distribution<double> unit(0, 1);
