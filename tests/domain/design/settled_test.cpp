@@ -33,6 +33,14 @@ TEST_CASE("a line's target aimed at anew is off by what the curves that are not 
     judged.confirming[0][3] = -0.03;
     CHECK(aim() == Approx(1 + 0.02 - 0.01));
     CHECK(allowing_for(setup, judged).targets[0].y[4] == setup.targets[0].y[4]);
+    DesignSetup banded = setup; // the band goes with its point
+    banded.targets[0].lower = 0.9 * setup.targets[0].y;
+    banded.targets[0].upper = 1.2 * setup.targets[0].y;
+    const Target aimed = allowing_for(banded, judged).targets[0];
+    for (const Index k : {3, 4}) {
+        CHECK(aimed.lower[k] == Approx(0.9 * aimed.y[k]));
+        CHECK(aimed.upper[k] == Approx(1.2 * aimed.y[k]));
+    }
 }
 
 TEST_CASE(
