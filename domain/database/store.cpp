@@ -209,7 +209,6 @@ GenomeStore::GenomeStore(Sqlite sqlite) : sqlite_(std::make_unique<Sqlite>(std::
 }
 
 GenomeStore::GenomeStore(GenomeStore&&) noexcept = default;
-GenomeStore& GenomeStore::operator=(GenomeStore&&) noexcept = default;
 GenomeStore::~GenomeStore() = default;
 
 const std::filesystem::path& GenomeStore::file() const { return sqlite_->file(); }

@@ -47,7 +47,6 @@ class GenomeStore {
     ///@{
     /// Moves as a file handle does.
     GenomeStore(GenomeStore&&) noexcept;
-    GenomeStore& operator=(GenomeStore&&) noexcept;
     ~GenomeStore();
     ///@}
 

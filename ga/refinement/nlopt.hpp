@@ -28,7 +28,6 @@ class NloptSearch {
     NloptSearch(const NloptSearch&) = delete;
 
     /// NLopt's own object, for settings of the method.
-    nlopt::opt& operator*() { return search_; }
     /// NLopt's own object, for settings of the method.
     nlopt::opt* operator->() { return &search_; }
 

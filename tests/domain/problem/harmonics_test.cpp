@@ -75,6 +75,7 @@ TEST_CASE("a design on a periodic body begins at harmonics, whether from given g
         for (const Genome& start : options.starts)
             CHECK(jump(start) > 0.01);
         const SearchResult found = search(setup, options);
+        REQUIRE(!found.alternatives.empty());
         for (const Answer& answer : found.alternatives)
             CHECK(jump(answer.genome) < 1e-12);
         CHECK(found.best.similarity > 0);
