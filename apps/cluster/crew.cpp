@@ -72,7 +72,7 @@ void join(Words& words) {
 
 int leave(int code) {
     if (!foreman()) {
-        ranks::leave();
+        ranks::leave(farewell(), code);
         return code;
     }
     const int last = foreman()->leave(code);

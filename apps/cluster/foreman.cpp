@@ -176,10 +176,10 @@ int Foreman::leave(int code) {
          " s of handing out and taking in");
     std::cout.flush();
     if (mates_.dismiss()) {
-        ranks::leave();
+        ranks::leave(farewell(), code);
         return code;
     }
-    ranks::end_all(code == 0 ? exit_interrupted : code);
+    ranks::end_all(farewell(), code == 0 ? exit_interrupted : code);
 }
 
 } // namespace app::crew

@@ -3,11 +3,13 @@
 #ifdef RUGOSA_MPI
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <list>
 #include <mpi.h>
 #include <mutex>
 #include <set>
+#include <thread>
 
 namespace app::ranks {
 
@@ -46,6 +48,15 @@ bool launched() {
     const auto given = [](const char* name) { return std::getenv(name) != nullptr; };
     return !given(child_of_rank) &&
            (given("OMPI_COMM_WORLD_SIZE") || given("PMIX_RANK") || given("PMI_RANK"));
+}
+
+/// Ends this process after so many seconds, should MPI not let it end before: it waits for ranks that are
+/// gone.
+void end_within(double seconds, int code) {
+    std::thread([=] {
+        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+        std::_Exit(code);
+    }).detach();
 }
 
 } // namespace
@@ -112,12 +123,15 @@ Traffic traffic() {
     return counted;
 }
 
-void leave() {
-    if (int begun = 0; MPI_Initialized(&begun) == MPI_SUCCESS && begun)
-        MPI_Finalize();
+void leave(double seconds, int code) {
+    if (int begun = 0; MPI_Initialized(&begun) != MPI_SUCCESS || !begun)
+        return;
+    end_within(seconds, code);
+    MPI_Finalize();
 }
 
-void end_all(int code) {
+void end_all(double seconds, int code) {
+    end_within(seconds, code);
     if (ranks > 1)
         MPI_Abort(MPI_COMM_WORLD, code);
     std::_Exit(code);
@@ -138,8 +152,8 @@ void send(int, int, std::string) {}
 std::vector<Message> arrived() { return {}; }
 bool all_sent() { return true; }
 Traffic traffic() { return {}; }
-void leave() {}
-void end_all(int code) { std::_Exit(code); }
+void leave(double, int) {}
+void end_all(double, int code) { std::_Exit(code); }
 
 } // namespace app::ranks
 

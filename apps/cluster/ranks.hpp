@@ -30,7 +30,10 @@ struct Traffic {
 };
 Traffic traffic();
 
-void leave();                        ///< by all ranks together
-[[noreturn]] void end_all(int code); ///< by one, whatever the others do
+///@{
+/// Where MPI takes longer than `seconds`, since another rank is gone, the process ends with `code` by itself.
+void leave(double seconds, int code);                ///< by all ranks together
+[[noreturn]] void end_all(double seconds, int code); ///< by one, whatever the others do
+///@}
 
 } // namespace app::ranks

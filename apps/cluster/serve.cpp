@@ -61,7 +61,7 @@ void serve(const std::string& introduction) {
                 tell(bye, "");
                 while (!ranks::all_sent())
                     std::this_thread::sleep_for(1ms);
-                ranks::leave();
+                ranks::leave(farewell(), 0);
                 std::_Exit(0); // what is under way is not waited for
             }
         bool moved = !messages.empty();
@@ -72,7 +72,7 @@ void serve(const std::string& introduction) {
                       << " s, the run ends without it; what has checkpoints goes on with --resume\n"
                       << std::flush;
             ranks::send(0, end, ""); // should it wake up, it need not say so too
-            ranks::end_all(exit_interrupted);
+            ranks::end_all(farewell(), exit_interrupted);
         }
         for (auto done = hands.done(); done; done = hands.done()) {
             std::vector<std::string> parts{number_bytes(done->id), number_bytes(done->seconds), done->error};

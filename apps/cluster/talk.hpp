@@ -25,6 +25,9 @@ enum Word : int {
 /// s of silence until a rank is given up: --patience.
 inline double patience = 10;
 
+/// Seconds that MPI may take to end.
+inline double farewell() { return std::max(5.0, patience); }
+
 /// Seconds between two signs of life.
 inline double interval() { return std::min(0.5, patience / 5); }
 

@@ -26,7 +26,7 @@ bool has_no_mpi() {
 
 std::string mpirun(const std::string& ranks) {
     return "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-           "timeout 200 " RUGOSA_MPIRUN " -n " +
+           "timeout -k 20 200 " RUGOSA_MPIRUN " -n " +
            ranks;
 }
 
@@ -194,6 +194,20 @@ TEST_CASE("a database whose build lost a rank goes on to the same one", "[ranks]
     CHECK(own_lines(ended).size() == 1);
     REQUIRE(on_ranks(2, words, folder.path()).code == 0);
     CHECK(of_database(folder.path()) == of_database(whole.path()));
+}
+
+TEST_CASE("a rank that hangs as it ends keeps no other, and what was done is there", "[ranks]") {
+    if (has_no_mpi())
+        return;
+    const Folder folder;
+    const std::string words = "database build g.db --genomes 40 --nodes 64 --patience 2";
+    const Ended ended = app::testing::rugosa(
+        words, folder.path(),
+        mpirun("1 '" RUGOSA_PROGRAM "' " + words + " : -n 1 env LD_PRELOAD='" RUGOSA_STOPS_AT_END "'"));
+    INFO(ended.err);
+    CHECK(ended.code != 124); // the limit's
+    CHECK(own_lines(ended).empty());
+    CHECK(rough::GenomeStore::open(folder / "g.db").curves(true).index.size() == 40);
 }
 
 TEST_CASE("ranks that were not given the same words end at once with one line and exit code 2", "[ranks]") {
