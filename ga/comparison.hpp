@@ -84,11 +84,11 @@ inline std::vector<double> merits(std::span<const Fitness* const> all) {
 /// The same of a population, and of others behind it.
 template <class G>
 std::vector<double> merits(const Population<G>& population, const Population<G>& others = {}) {
-    std::vector<const Fitness*> all;
-    all.reserve(population.size() + others.size());
+    std::vector<const Fitness*> all(population.size() + others.size());
+    auto at = all.begin();
     for (const auto* part : {&population, &others})
         for (const auto& individual : *part)
-            all.push_back(&individual.fitness);
+            *at++ = &individual.fitness;
     return merits(std::span<const Fitness* const>(all));
 }
 
@@ -145,12 +145,8 @@ Population<G> joined_with(const Population<G>& start, Population<G> population) 
     return population;
 }
 
-/// Whether one is better, whatever others there are: by Deb's rules, under several objectives by dominance.
-/// Throws UsageError where they were scored by different policies.
-inline bool better(const Fitness& a, const Fitness& b) {
-    const bool rules = a.several() || b.several() || !a.feasible() || !b.feasible();
-    if (!rules && a.known() && b.known(a.objective_name())) // nearly always
-        return a.merit() > b.merit();
+/// What `better` is where there are rules or several objectives.
+inline bool better_by_rules(const Fitness& a, const Fitness& b) {
     if (!(a.several() && b.several() && a.feasible() && b.feasible())) {
         const Fitness* const both[] = {&a, &b};
         const std::vector<double> worth = merits(both);
@@ -159,6 +155,14 @@ inline bool better(const Fitness& a, const Fitness& b) {
     if (a.objective_name() != b.objective_name())
         throw UsageError("fitness under '" + a.objective() + "' was compared with '" + b.objective() + "'");
     return dominates(a.values(), b.values());
+}
+/// Whether one is better, whatever others there are: by Deb's rules, under several objectives by dominance.
+/// Throws UsageError where they were scored by different policies.
+inline bool better(const Fitness& a, const Fitness& b) {
+    const bool rules = a.several() || b.several() || !a.feasible() || !b.feasible();
+    if (!rules && a.known() && b.known(a.objective_name())) // nearly always
+        return a.merit() > b.merit();
+    return better_by_rules(a, b);
 }
 
 /// Whether all are scored, under one policy.

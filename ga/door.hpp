@@ -76,9 +76,10 @@ class Ledger : public Door<P> {
             return each->patience == Patience::finish;
         });
         evaluate(patient);
-        bool interrupted = book();
+        const bool cut_short = book();
+        bool interrupted = cut_short;
         for (Inquiry<P>* inquiry : inquiries) {
-            answer(*inquiry);
+            answer(*inquiry, cut_short);
             interrupted |= inquiry->spent;
         }
         if (!interrupted) // what a stopped stage has paid for is told from what was known before it
@@ -181,10 +182,12 @@ class Ledger : public Door<P> {
         return interrupted;
     }
 
-    void answer(Inquiry<P>& inquiry) {
-        bool open = false;
-        for (const auto& question : inquiry.questions)
-            open |= question.answer && std::holds_alternative<Pending>(*question.answer);
+    void answer(Inquiry<P>& inquiry, bool cut_short) {
+        const bool open =
+            cut_short &&
+            std::any_of(inquiry.questions.begin(), inquiry.questions.end(), [](const auto& question) {
+                return question.answer && std::holds_alternative<Pending>(*question.answer);
+            });
         try {
             if (inquiry.use)
                 inquiry.use();

@@ -36,7 +36,9 @@ class Table {
             return entries_[numbers_[slot]].value;
         marks_[slot] = mark(print);
         numbers_[slot] = static_cast<std::uint32_t>(entries_.size());
-        return entries_.emplace_back(Entry{print, {}}).value;
+        Entry& added = entries_.emplace_back();
+        added.print = print;
+        return added.value;
     }
     /// Lets the processor fetch where a fingerprint will be looked up soon.
     void prefetch(const Fingerprint& print) const {

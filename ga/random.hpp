@@ -2,6 +2,8 @@
 
 #include <boost/random/normal_distribution.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -67,16 +69,7 @@ class Stream {
         return probability != 0 && as_double((*this)()) <= probability * 0x1p64;
     }
     /// Uniform over 0 .. n-1; n >= 1.
-    std::size_t below(std::size_t n) {
-        if (n == 1)
-            return 0;
-        const std::uint64_t bucket = max() / n + (max() % n == n - 1 ? 1 : 0);
-        std::size_t number;
-        do
-            number = (*this)() / bucket;
-        while (number >= n);
-        return number;
-    }
+    std::size_t below(std::size_t n);
 
   private:
     /// The nearest double; as halves, since the processor converts signed numbers alone.
@@ -88,6 +81,36 @@ class Stream {
     std::uint64_t state_;
 };
 
+/// Uniform over 0 .. n-1; n >= 1. For many draws among as many.
+class Below {
+  public:
+    /// Among n.
+    explicit Below(std::size_t n)
+        : n_(n), words_each_(n == 1 ? 0 : Stream::max() / n + (Stream::max() % n == n - 1 ? 1 : 0)) {}
+
+    /// The next; of one there is nothing to draw.
+    std::size_t operator()(Stream& stream) const {
+        __extension__ using Wide = unsigned __int128;
+        if (n_ == 1)
+            return 0;
+        for (;;) {
+            const std::uint64_t word = stream();
+            // word / words_each_; where few share the words, by a product that is too small by one at most.
+            auto number = static_cast<std::size_t>(n_ >> 32 ? word / words_each_
+                                                            : (static_cast<Wide>(word) * n_) >> 64);
+            number += word - number * words_each_ >= words_each_ ? 1 : 0;
+            if (number < n_)
+                return number;
+        }
+    }
+
+  private:
+    std::size_t n_;
+    std::uint64_t words_each_; ///< of 64 bits, for each number
+};
+
+inline std::size_t Stream::below(std::size_t n) { return Below(n)(*this); }
+
 /// A probability with which each of a row of things is picked, by drawing how many are passed over between
 /// two: a draw for each pick, not for each thing. Under 1e-15 nothing is picked.
 class Chance {
@@ -95,29 +118,56 @@ class Chance {
     /// `probability` in [0, 1]; less counts as 0, more as 1.
     Chance(double probability)
         : probability_(probability), sure_(probability >= 1), never_(!(probability > 1e-15)),
-          log_of_rest_(std::log(1 - probability)) {}
+          log_of_rest_(std::log(1 - probability)) {
+        if (sure_ || never_)
+            return;
+        double passed = 1;
+        for (std::uint64_t& limit : limits_)
+            limit = static_cast<std::uint64_t>((passed *= 1 - probability) * 0x1p63) << 1;
+        std::size_t longest = limits_.size();
+        for (std::size_t i = 0; i < longest_.size(); ++i) {
+            while (longest > 0 && limits_[longest - 1] <= i << first_bits)
+                --longest;
+            longest_[i] = static_cast<std::uint8_t>(longest);
+        }
+    }
 
     double probability() const { return probability_; } ///< as it was given
 
     /// Calls pick(i) for the positions that are picked of 0 .. n-1.
     template <class Pick>
     void each(std::size_t n, Stream& stream, Pick pick) const {
-        for (std::size_t i = gap(stream); i < n; i += 1 + gap(stream))
+        for (std::size_t i = gap(n, stream); i < n; i += 1 + gap(n - i - 1, stream))
             pick(i);
     }
 
   private:
-    std::size_t gap(Stream& stream) const {
-        constexpr std::size_t beyond = std::numeric_limits<std::size_t>::max() / 2;
+    static constexpr int first_bits = 59; ///< the five first bits of a word begin there
+
+    /// How many are passed over, `left` where that is all of them: at least g with the probability (1 - p)^g.
+    /// Short gaps are looked up, long ones computed.
+    std::size_t gap(std::size_t left, Stream& stream) const {
         if (sure_ || never_)
-            return sure_ ? 0 : beyond;
-        return static_cast<std::size_t>(
-            static_cast<std::int64_t>(std::log(1 - stream.uniform()) / log_of_rest_));
+            return sure_ ? 0 : left;
+        const std::uint64_t word = ~stream();
+        if (left == 0 || (left <= limits_.size() && word < limits_[left - 1]))
+            return left;
+        if (word < limits_.back()) {
+            const double gap = std::log((static_cast<double>(word >> 1) + 1) * 0x1p-63) / log_of_rest_;
+            return static_cast<std::size_t>(std::min(gap, static_cast<double>(left)));
+        }
+        std::size_t gap = longest_[word >> first_bits];
+        gap -= gap > 0 && limits_[gap - 1] <= word ? 1 : 0; // nearly always enough, and no branch
+        while (gap > 0 && limits_[gap - 1] <= word)
+            --gap;
+        return gap;
     }
 
     double probability_;
     bool sure_, never_;
     double log_of_rest_;
+    std::array<std::uint64_t, 32> limits_; ///< [g - 1]: of the words whose gap is at least g
+    std::array<std::uint8_t, 32> longest_; ///< gap of the words with these first bits
 };
 
 } // namespace ga

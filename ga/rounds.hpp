@@ -3,6 +3,7 @@
 #include "ga/door.hpp"
 
 #include <condition_variable>
+#include <deque>
 #include <semaphore>
 #include <thread>
 

@@ -26,12 +26,14 @@ struct Tournament : Operator {
             return population;
         context.need_room(size, population);
         const std::vector<double> worth = merits(population);
+        const Below any(population.size());
         std::vector<std::size_t> winners(size > 0 ? size : population.size());
+        Stream next = context.stream(0); // made ahead, while the processor waits for the one before
         for (std::size_t i = 0; i < winners.size(); ++i) {
-            Stream stream = context.stream(i);
-            std::size_t winner = stream.below(population.size());
+            Stream stream = std::exchange(next, context.stream(i + 1));
+            std::size_t winner = any(stream);
             for (std::size_t draw = 1; draw < k; ++draw)
-                if (const std::size_t rival = stream.below(population.size()); worth[rival] > worth[winner])
+                if (const std::size_t rival = any(stream); worth[rival] > worth[winner])
                     winner = rival;
             winners[i] = winner;
         }

@@ -34,8 +34,9 @@ struct Cross : Operator {
     template <class P>
     requires Crosses<Way, P> PopulationOf<P>
     operator()(PopulationOf<P> population, Context<P>& context) const {
+        Stream next = context.stream(0); // made ahead, while the processor waits for the one before
         for (std::size_t i = 0; i + 1 < population.size(); i += 2) {
-            Stream stream = context.stream(i);
+            Stream stream = std::exchange(next, context.stream(i + 2));
             if (rate < 1 && !stream.chance(rate))
                 continue;
             auto &a = population[i], &b = population[i + 1];

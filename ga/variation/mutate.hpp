@@ -42,9 +42,10 @@ struct Mutate : Operator {
     requires Mutates<Way, P> PopulationOf<P>
     operator()(PopulationOf<P> population, Context<P>& context) const {
         const Chance chance(rate);
+        Stream next = context.stream(0); // made ahead, while the processor waits for the one before
         for (std::size_t i = 0; i < population.size(); ++i) {
             auto& individual = population[i];
-            Stream stream = context.stream(i);
+            Stream stream = std::exchange(next, context.stream(i + 1));
             if (!way(context.problem(), individual.genome, chance, stream))
                 continue;
             if (individual.fitness.known())
