@@ -65,7 +65,7 @@ struct Islands : Operator {
             for (std::size_t i = 0; i < population.size(); ++i)
                 frame->kept[i % n].push_back(std::move(population[i]));
         }
-        frame->expect(frame->kept.size() == n && frame->next <= migration.rounds);
+        expect_fit(frame->kept.size() == n && frame->next <= migration.rounds);
         while (frame->next < migration.rounds) {
             run_round(*frame, body, context);
             if (frame->next + 1 < migration.rounds)

@@ -35,10 +35,6 @@ struct Frame {
     std::vector<Population<G>> kept;          ///< populations the block holds aside
     std::vector<std::vector<double>> numbers; ///< numbers the block and its rules hold aside
     std::map<std::string, HeldState> states;  ///< of the operators inside, by their path
-
-    /// Throws UsageError where a frame that was read from a checkpoint is not what the block would have
-    /// written.
-    void expect(bool fits) const { expect_fit(fits); }
 };
 
 /// A run between two stages: all it needs to go on.

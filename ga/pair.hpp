@@ -41,7 +41,7 @@ struct Pair : Operator {
                     typename Context<P>::OpenFrame frame(context.kept, {});
                     if (!frame.resumed())
                         frame->kept = {std::move(population), {}};
-                    frame->expect(frame->kept.size() == 2);
+                    expect_fit(frame->kept.size() == 2);
                     if (frame->next == 0) {
                         const typename Context<P>::Scope scope(context.where, left_name, 0);
                         frame->kept[1] = (*on_left)(frame->kept[0], context);

@@ -54,7 +54,7 @@ class GenerationsStep {
             const auto began = static_cast<double>(context.counters().asked);
             numbers[0] = {began, context.seconds(), began, 0};
         }
-        frame->expect(numbers.size() == 2 + rules_.size() && numbers[0].size() == 4 &&
+        expect_fit(numbers.size() == 2 + rules_.size() && numbers[0].size() == 4 &&
                       (!frame.resumed() || frame->kept.size() == 1));
         bool sure = false, paying = false;
         for (const Rule<G>& rule : rules_) {

@@ -39,7 +39,7 @@ struct Restarts : Operator {
         typename Context<P>::OpenFrame frame(context.kept, {}, true);
         if (!frame.resumed())
             frame->kept = {std::move(population), {}}; // the start, and the answers so far
-        frame->expect(frame->kept.size() == 2);
+        expect_fit(frame->kept.size() == 2);
         try {
             for (; frame->next < n; ++frame->next) {
                 const typename Context<P>::Round round(context.where, frame->next);

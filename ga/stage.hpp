@@ -132,7 +132,7 @@ class Stage {
     /// budget is spent, NothingLeft when a selection leaves nobody.
     Population<Genome> operator()(Population<Genome> population, Context<P>& context) const {
         typename Context<P>::OpenFrame frame(context.kept, std::move(population));
-        frame->expect(frame->next <= places_.size());
+        expect_fit(frame->next <= places_.size());
         try {
             while (frame->next < places_.size()) {
                 context.expect(frame->next + 1 < places_.size() ? places_[frame->next + 1].step.demand

@@ -41,8 +41,10 @@ class Where {
     }
     /// Of the innermost block of generations, from 0; 0 outside any.
     std::size_t generation() const {
-        const std::vector<std::size_t> all = generations();
-        return all.empty() ? 0 : all.back();
+        for (auto place = places_.rbegin(); place != places_.rend(); ++place)
+            if (place->generation)
+                return *place->generation;
+        return 0;
     }
     /// The best of the population at the start of the innermost generation, as many as `elite` and `plus`
     /// read.

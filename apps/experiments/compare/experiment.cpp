@@ -231,9 +231,10 @@ Experiment compare_experiment() {
             "tests "
             "with correction, as result.json, runs.csv, ert.csv, ecdf.csv, tests.csv and report.html. In a "
             "pipeline 1/n is one gene's share, 18n 18 times the genes, objectives the names of all. "
-            "libpagmo's pagmo:cmaes, pagmo:cmaes-bounded, pagmo:de, pagmo:sade and pagmo:sga run beside "
-            "where "
-            "rugosa was built with it.",
+            "libpagmo's "
+            "pagmo:cmaes, pagmo:cmaes-bounded, pagmo:de, pagmo:sade and pagmo:sga run beside where rugosa "
+            "was "
+            "built with it.",
         .settings = compare_settings(),
         .files = {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv"},
         .run = run_compare,
