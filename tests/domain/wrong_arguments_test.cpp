@@ -94,7 +94,8 @@ TEST_CASE("what a caller in code gives wrongly is refused with its value and wha
              respond_within(good, model, 0.01);
          },
          "accuracy: given with a hardness, expected one of them"},
-        {[&] { shaped_as(good, {Series{.lambda = 0.1}}, 0.2); }, "series: its longest wave is 0.1"},
+        {[&] { shaped_as(good, {Series{.lambda = 0.1, .chromosomes = {}}}, 0.2); },
+         "series: its longest wave is 0.1"},
         {[&] { areal_parameters(map); }, "areal parameters: the map is constant, expected a rough one"},
         {[&] { random_surface(changed([](SelfAffine& s) { s.hurst = 1; })); },
          "hurst: 1 given, expected a number between 0 and 1"},

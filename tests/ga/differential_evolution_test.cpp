@@ -53,7 +53,7 @@ TEST_CASE("exponential cross-over takes genes in a row, as many as a run of succ
             ++begun[first];
     }
     for (std::size_t length = 1; length <= n; ++length) { // P(L >= l) = CR^(l - 1), within four deviations
-        const double p = std::pow(cr, length - 1.0) * (length < n ? 1 - cr : 1);
+        const double p = std::pow(cr, static_cast<double>(length - 1)) * (length < n ? 1 - cr : 1);
         CHECK(std::abs(of_length[length] - trials * p) < 4 * std::sqrt(trials * p * (1 - p)));
     }
     const double p = (1 - std::pow(cr, n - 1.0)) / n;

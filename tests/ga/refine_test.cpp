@@ -443,7 +443,7 @@ TEST_CASE("what a problem's conversion of genes throws comes through NLopt as it
         Genome with_genes(const Genome&, const std::vector<double>& genes) const {
             if (odd)
                 throw 7;
-            throw std::domain_error("cannot be " + number(genes.size() + 0.0));
+            throw std::domain_error("cannot be " + std::to_string(genes.size()));
         }
     };
     for (const std::size_t n : {1, 3}) {
