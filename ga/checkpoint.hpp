@@ -242,14 +242,15 @@ class Checkpoints : public Keeper<P> {
     void remember(json& j, const Taken& snapshot, const Ledger<P>& ledger) const {
         if constexpr (Storable<Outcome>) {
             json old = json::array(), young = json::array(), prepaid = json::array();
-            for (const auto& entry : ledger.memory().old().entries())
-                if (!std::holds_alternative<Pending>(entry.value))
-                    old.push_back(stored(entry));
-            std::size_t count = 0;
-            for (const auto& entry : ledger.memory().young().entries())
-                if (const bool known = count++ < snapshot.remembered;
-                    !std::holds_alternative<Pending>(entry.value))
-                    (known ? young : prepaid).push_back(stored(entry));
+            const auto put = [](const auto& table, std::size_t i, json& list) {
+                if (const auto& entry = table.entry(i); !std::holds_alternative<Pending>(entry.value))
+                    list.push_back(stored(entry));
+            };
+            const auto& memory = ledger.memory();
+            for (std::size_t i = 0; i < memory.old().size(); ++i)
+                put(memory.old(), i, old);
+            for (std::size_t i = 0; i < memory.young().size(); ++i)
+                put(memory.young(), i, i < snapshot.remembered ? young : prepaid);
             j["memory"] = {std::move(old), std::move(young), std::move(prepaid)};
         }
     }

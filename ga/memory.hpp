@@ -3,7 +3,7 @@
 #include "ga/fingerprint.hpp"
 #include "ga/individual.hpp"
 
-#include <deque>
+#include <memory>
 #include <variant>
 
 namespace ga {
@@ -17,26 +17,29 @@ struct Pending {
 template <class Outcome>
 using Evaluation = std::variant<Pending, Outcome, Reason>;
 
-/// Values by fingerprint: entries in the order they came, which never move, and an open-addressed index whose
-/// slots are a byte each to look at, so that a look-up for what is not there touches little memory.
+/// Values by fingerprint: entries in the order they came, in blocks that never move, and an open-addressed
+/// index whose slots are a byte each to look at, so that a look-up for what is not there touches little
+/// memory.
 template <class Value>
 class Table {
   public:
     /// Null when there is none.
     Value* find(const Fingerprint& print) {
         const std::size_t slot = marks_.empty() ? 0 : slot_of(print);
-        return marks_.empty() || marks_[slot] == 0 ? nullptr : &entries_[numbers_[slot]].value;
+        return marks_.empty() || marks_[slot] == 0 ? nullptr : &entry(numbers_[slot]).value;
     }
     /// The value of a fingerprint, made where there is none.
     Value& at(const Fingerprint& print) {
-        if (entries_.size() == room_)
+        if (size_ == room_)
             grow();
         const std::size_t slot = slot_of(print);
         if (marks_[slot] != 0)
-            return entries_[numbers_[slot]].value;
+            return entry(numbers_[slot]).value;
+        if (size_ % per_block == 0)
+            blocks_.push_back(std::make_unique<Entry[]>(per_block));
         marks_[slot] = mark(print);
-        numbers_[slot] = static_cast<std::uint32_t>(entries_.size());
-        Entry& added = entries_.emplace_back();
+        numbers_[slot] = static_cast<std::uint32_t>(size_);
+        Entry& added = entry(size_++);
         added.print = print;
         return added.value;
     }
@@ -45,7 +48,7 @@ class Table {
         if (!marks_.empty())
             __builtin_prefetch(&marks_[print.low & mask()]);
     }
-    std::size_t size() const { return entries_.size(); } ///< entries
+    std::size_t size() const { return size_; } ///< entries
     /// Forgets all.
     void clear() { *this = {}; }
 
@@ -54,17 +57,20 @@ class Table {
         Fingerprint print; ///< of the genome
         Value value;       ///< what is known
     };
-    /// In the order they came.
-    const std::deque<Entry>& entries() const { return entries_; }
+    /// The i-th that came.
+    const Entry& entry(std::size_t i) const { return blocks_[i / per_block][i % per_block]; }
 
   private:
+    static constexpr std::size_t per_block = 16;
+
+    Entry& entry(std::size_t i) { return blocks_[i / per_block][i % per_block]; }
     /// Of a slot that is taken; 0 is that of a free one.
     static std::uint8_t mark(const Fingerprint& print) { return static_cast<std::uint8_t>(print.high | 1); }
     std::size_t mask() const { return marks_.size() - 1; }
     /// Where a fingerprint is, or the free slot where it would be.
     std::size_t slot_of(const Fingerprint& print) const {
         for (std::size_t i = print.low & mask();; i = (i + 1) & mask())
-            if (marks_[i] == 0 || (marks_[i] == mark(print) && entries_[numbers_[i]].print == print))
+            if (marks_[i] == 0 || (marks_[i] == mark(print) && entry(numbers_[i]).print == print))
                 return i;
     }
     /// To four times the slots, of which at most half are taken.
@@ -72,20 +78,21 @@ class Table {
         marks_.assign(std::max<std::size_t>(64, 4 * marks_.size()), 0);
         numbers_.resize(marks_.size());
         room_ = marks_.size() / 2;
-        std::uint32_t number = 0;
-        for (const Entry& entry : entries_) {
-            std::size_t i = entry.print.low & mask();
+        for (std::uint32_t number = 0; number < size_; ++number) {
+            const Fingerprint& print = entry(number).print;
+            std::size_t i = print.low & mask();
             while (marks_[i] != 0)
                 i = (i + 1) & mask();
-            marks_[i] = mark(entry.print);
-            numbers_[i] = number++;
+            marks_[i] = mark(print);
+            numbers_[i] = number;
         }
     }
 
-    std::deque<Entry> entries_;
-    std::vector<std::uint8_t> marks_;    ///< of the slots
-    std::vector<std::uint32_t> numbers_; ///< of the entries in them
-    std::size_t room_ = 0;               ///< entries before the index must grow
+    std::vector<std::unique_ptr<Entry[]>> blocks_; ///< all full but the last
+    std::size_t size_ = 0;                         ///< entries
+    std::vector<std::uint8_t> marks_;              ///< of the slots
+    std::vector<std::uint32_t> numbers_;           ///< of the entries in them
+    std::size_t room_ = 0;                         ///< entries before the index must grow
 };
 
 /// Evaluations by fingerprint in bounded memory. Two halves: when the young half is full, the old half is
