@@ -166,8 +166,8 @@ class Chance {
     double probability_;
     bool sure_, never_;
     double log_of_rest_;
-    std::array<std::uint64_t, 32> limits_; ///< [g - 1]: of the words whose gap is at least g
-    std::array<std::uint8_t, 32> longest_; ///< gap of the words with these first bits
+    std::array<std::uint64_t, 32> limits_{}; ///< [g - 1]: of the words whose gap is at least g
+    std::array<std::uint8_t, 32> longest_{}; ///< gap of the words with these first bits
 };
 
 } // namespace ga

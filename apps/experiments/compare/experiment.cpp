@@ -221,30 +221,25 @@ Findings run_compare(const Settings& settings, const Conditions& conditions) {
 } // namespace
 
 Experiment compare_experiment() {
-    return {
-        .kind = "compare",
-        .summary =
-            "Compares variants (pipelines as text) on problems with known answers: BBOB's 24 noiseless "
-            "functions "
-            "in any dimension from 2 to 40, ZDT and DTLZ, knapsacks, tours, and the roughness problem. Gives "
-            "medians with intervals, when targets are reached (runtime ECDF, expected runtimes), and rank "
-            "tests "
-            "with correction, as result.json, runs.csv, ert.csv, ecdf.csv, tests.csv and report.html. In a "
-            "pipeline 1/n is one gene's share, 18n 18 times the genes, objectives the names of all. "
-            "libpagmo's "
-            "pagmo:cmaes, pagmo:cmaes-bounded, pagmo:de, pagmo:sade and pagmo:sga run beside where rugosa "
-            "was "
-            "built with it.",
-        .settings = compare_settings(),
-        .files = {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv"},
-        .run = run_compare,
-        .examples =
-            {"compare --quick --out out/compare",
-             "compare --problems bbob5,bbob20-10 --variants pagmo:cmaes,ga --budget 1e3*D --seeds 5",
-             "compare --problems tsp --variants \"mine=sample 50 | score | repeat 1000 { tournament 3 | "
-             "cross order | mutate 1/n reverse | score | elite 1 } | best 1\"",
-             "compare experiments/compare.ini --threads 4"},
-        .takes_file = true};
+    return {.kind = "compare",
+            .summary =
+                "Compares variants (pipelines as text) on problems with known answers: BBOB's 24 noiseless "
+                "functions in any dimension from 2 to 40, ZDT and DTLZ, knapsacks, tours, and the roughness"
+                " problem. Gives medians with intervals, when targets are reached (runtime ECDF, expected "
+                "runtimes), and rank tests with correction, as result.json, runs.csv, ert.csv, ecdf.csv, "
+                "tests.csv and report.html. In a pipeline 1/n is one gene's share, 18n 18 times the genes, "
+                "objectives the names of all. libpagmo's pagmo:cmaes, pagmo:cmaes-bounded, pagmo:de, "
+                "pagmo:sade and pagmo:sga run beside where rugosa was built with it.",
+            .settings = compare_settings(),
+            .files = {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv"},
+            .run = run_compare,
+            .examples =
+                {"compare --quick --out out/compare",
+                 "compare --problems bbob5,bbob20-10 --variants pagmo:cmaes,ga --budget 1e3*D --seeds 5",
+                 "compare --problems tsp --variants \"mine=sample 50 | score | repeat 1000 { tournament 3 | "
+                 "cross order | mutate 1/n reverse | score | elite 1 } | best 1\"",
+                 "compare experiments/compare.ini --threads 4"},
+            .takes_file = true};
 }
 
 } // namespace app

@@ -64,6 +64,8 @@ void GrowingFactor::cut(Index size) {
 }
 
 void GrowingFactor::remove(const std::vector<Index>& positions) {
+    if (positions.empty())
+        return;
     const Index head = positions.front() / width; // panels before it stay as they are
     std::vector<Index> sources;                   // where each row from panel `head` on comes from
     std::vector<int> kept;
