@@ -3,6 +3,7 @@
 #include "apps/cluster/crew.hpp"
 #include "apps/cluster/frame.hpp"
 #include "apps/cluster/ranks.hpp"
+#include "apps/cluster/watch.hpp"
 #include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/progress.hpp"
 #include "apps/prompt/voice.hpp"
@@ -25,7 +26,11 @@ std::string words_of_place(int rank, const Mate& mate) {
 } // namespace
 
 void Mates::meet(const std::string& introduction) {
-    beat_ = std::jthread([this](const std::stop_token& stop) { beat(stop); });
+    watch_ = watch();
+    beat_ = now_and_then([] {
+        for (int rank = 1; rank < ranks::count(); ++rank)
+            ranks::send(rank, alive, "");
+    });
     wait_for(patience, &Mate::introduced, {});
     for_each([&](int rank, Mate& mate) {
         if (!mate.introduced && (lost_ = true))
@@ -92,24 +97,18 @@ void Mates::expect_signs_of_life() {
 }
 
 bool Mates::dismiss() {
-    beat_ = {};
-    for_each([&](int rank, Mate&) { ranks::send(rank, end, ""); });
-    wait_for(lost_ || stop_asked() ? roll_seconds : patience, &Mate::left, {});
-    for_each([&](int rank, Mate& mate) {
-        if (!mate.left)
-            lose(rank, mate, "has not ended");
-    });
-    return !lost_;
-}
-
-void Mates::beat(const std::stop_token& stop) const {
-    std::mutex own;
-    std::condition_variable_any wait;
-    for (std::unique_lock lock(own); !stop.stop_requested();) {
-        for (int rank = 1; rank < ranks::count(); ++rank)
-            ranks::send(rank, alive, "");
-        wait.wait_for(lock, stop, std::chrono::duration<double>(interval()), [] { return false; });
+    if (!lost_) {
+        for_each([&](int rank, Mate&) { ranks::send(rank, end, ""); });
+        wait_for(stop_asked() ? roll_seconds : patience, &Mate::left, {});
+        for_each([&](int rank, Mate& mate) {
+            if (!mate.left)
+                lose(rank, mate, "has not ended");
+        });
     }
+    beat_ = {};
+    if (!lost_)
+        for_each([&](int rank, Mate&) { ranks::send(rank, part, ""); });
+    return !lost_;
 }
 
 void Mates::lose(int rank, const Mate& mate, const std::string& why) {

@@ -34,7 +34,8 @@ class Mates {
     void call_roll(const Take& take);
     /// Of those that have work.
     void expect_signs_of_life();
-    /// Whether all have ended.
+    /// Whether all have said that they are done; then they leave MPI. Where one is lost nobody does: Open
+    /// MPI's mpirun hangs now and then where a run is ended while a rank is in MPI_Finalize.
     bool dismiss();
     bool lost() const { return lost_; } ///< whether a rank is
 
@@ -48,11 +49,11 @@ class Mates {
 
   private:
     void wait_for(double seconds, bool Mate::*is, const Take& take);
-    void beat(const std::stop_token& stop) const;
     void lose(int rank, const Mate& mate, const std::string& why);
 
     std::vector<Mate> all_; ///< rank 1 and on
     bool lost_ = false;
+    std::jthread watch_;
     std::jthread beat_; ///< tells the others that rank 0 is there, whatever else it is at
 };
 

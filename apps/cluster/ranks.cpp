@@ -27,7 +27,7 @@ struct OnItsWay {
 };
 
 int ranks = 1, own_rank = 0;
-std::mutex guard; // of all below and of MPI, which takes one thread at a time
+std::timed_mutex guard; // of all below and of MPI, which takes one thread at a time
 std::list<OnItsWay> outgoing, incoming;
 Traffic counted;
 
@@ -44,10 +44,10 @@ bool tidy() {
 /// What programs that a rank starts find in their environment: they are no ranks.
 constexpr const char* child_of_rank = "RUGOSA_RANK";
 
+bool is_given(const char* name) { return std::getenv(name) != nullptr; }
+bool by_mpirun() { return is_given("OMPI_COMM_WORLD_SIZE"); } // Open MPI's
 bool launched() {
-    const auto given = [](const char* name) { return std::getenv(name) != nullptr; };
-    return !given(child_of_rank) &&
-           (given("OMPI_COMM_WORLD_SIZE") || given("PMIX_RANK") || given("PMI_RANK"));
+    return !is_given(child_of_rank) && (by_mpirun() || is_given("PMIX_RANK") || is_given("PMI_RANK"));
 }
 
 /// Ends this process after so many seconds, should MPI not let it end before: it waits for ranks that are
@@ -113,9 +113,12 @@ std::vector<Message> arrived() {
     return whole;
 }
 
-bool all_sent() {
-    const std::lock_guard lock(guard);
-    return tidy();
+bool responds(double seconds) {
+    constexpr int looks = 10; // the time of one may be a suspension's
+    for (int look = 0; look < looks; ++look)
+        if (const std::unique_lock lock(guard, std::chrono::duration<double>(seconds / looks)); lock)
+            return true;
+    return false;
 }
 
 Traffic traffic() {
@@ -127,13 +130,22 @@ void leave(double seconds, int code) {
     if (int begun = 0; MPI_Initialized(&begun) != MPI_SUCCESS || !begun)
         return;
     end_within(seconds, code);
+    const auto all_sent = [] {
+        const std::lock_guard lock(guard);
+        return tidy();
+    };
+    while (!all_sent())
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     MPI_Finalize();
 }
 
 void end_all(double seconds, int code) {
-    end_within(seconds, code);
-    if (ranks > 1)
+    // mpirun ends the others when one ends without MPI_Finalize; Open MPI 4.1's misreads the message of
+    // MPI_Abort now and then. Other launchers may have been told not to (srun --kill-on-bad-exit=0).
+    if (ranks > 1 && !by_mpirun()) {
+        end_within(seconds, code);
         MPI_Abort(MPI_COMM_WORLD, code);
+    }
     std::_Exit(code);
 }
 
@@ -150,7 +162,7 @@ int count() { return 1; }
 int own() { return 0; }
 void send(int, int, std::string) {}
 std::vector<Message> arrived() { return {}; }
-bool all_sent() { return true; }
+bool responds(double) { return true; }
 Traffic traffic() { return {}; }
 void leave(double, int) {}
 void end_all(double, int code) { std::_Exit(code); }

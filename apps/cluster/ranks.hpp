@@ -22,7 +22,11 @@ int own(); ///< from 0
 void send(int to, int word, std::string bytes);
 /// Whole messages that have come, those of a rank in their order. Does not wait.
 std::vector<Message> arrived();
-bool all_sent(); ///< what was sent is on its way
+
+/// Whether what runs in MPI comes back within so many seconds, in which this process was not suspended. Open
+/// MPI does not where a rank is stopped as it writes to memory that both share: the reader waits for the
+/// rest.
+bool responds(double seconds);
 
 /// Of what this rank has sent and received.
 struct Traffic {
@@ -32,8 +36,8 @@ Traffic traffic();
 
 ///@{
 /// Where MPI takes longer than `seconds`, since another rank is gone, the process ends with `code` by itself.
-void leave(double seconds, int code);                ///< by all ranks together
-[[noreturn]] void end_all(double seconds, int code); ///< by one, whatever the others do
+void leave(double seconds, int code);                ///< by all ranks together, once all is sent
+[[noreturn]] void end_all(double seconds, int code); ///< by one, while the others stay: they are ended
 ///@}
 
 } // namespace app::ranks

@@ -4,6 +4,7 @@
 #include "apps/cluster/hands.hpp"
 #include "apps/cluster/ranks.hpp"
 #include "apps/cluster/talk.hpp"
+#include "apps/cluster/watch.hpp"
 #include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/voice.hpp"
 #include "apps/report/units.hpp"
@@ -18,8 +19,6 @@ namespace app::crew {
 
 namespace {
 
-using namespace std::chrono_literals;
-
 /// "host, process 4711"
 std::string own_place() {
     char name[256] = "";
@@ -27,12 +26,16 @@ std::string own_place() {
     return std::string(name) + ", process " + std::to_string(::getpid());
 }
 
+/// As a launcher asks, also where rank 0 has ended with a line of its own.
+volatile std::sig_atomic_t asked_to_end = 0;
+
 } // namespace
 
 void serve(const std::string& introduction) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        std::signal(signal, SIG_IGN); // rank 0 decides
+        std::signal(signal, [](int) { asked_to_end = 1; }); // rank 0 decides
     ranks::send(0, hello, framed({own_place(), number_bytes(ga::thread_count(0)), introduction}));
+    const std::jthread watching = watch();
     Hands hands;
     std::shared_ptr<const Assignment> of;
     ga::Stopwatch told;
@@ -58,19 +61,21 @@ void serve(const std::string& introduction) {
             } else if (message.word == roll) {
                 tell(alive, "");
             } else if (message.word == end) {
+                hands.drop();
                 tell(bye, "");
-                while (!ranks::all_sent())
-                    std::this_thread::sleep_for(1ms);
+            } else if (message.word == part) {
                 ranks::leave(farewell(), 0);
                 std::_Exit(0); // what is under way is not waited for
             }
         bool moved = !messages.empty();
         if (moved)
             silence.broken();
-        if (ranks::own() == 1 && silence.too_long()) {
-            std::cerr << error_mark() << "rank 0 has not answered for " << readable(patience)
-                      << " s, the run ends without it; what has checkpoints goes on with --resume\n"
-                      << std::flush;
+        if (ranks::own() == 1 && silence.too_long(patience_with_rank_0())) {
+            if (!asked_to_end)
+                std::cerr << error_mark() << "rank 0 has not answered for "
+                          << readable(patience_with_rank_0())
+                          << " s, the run ends without it; what has checkpoints goes on with --resume\n"
+                          << std::flush;
             ranks::send(0, end, ""); // should it wake up, it need not say so too
             ranks::end_all(farewell(), exit_interrupted);
         }

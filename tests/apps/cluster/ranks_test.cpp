@@ -115,6 +115,14 @@ Ended stricken(const std::string& words, const fs::path& where, const std::strin
     return ended;
 }
 
+/// Runs on two ranks; on one a call of MPI does not return.
+Ended with_hanging(int rank, const std::string& call, const std::string& words, const fs::path& where) {
+    const std::string hanging = " env LD_PRELOAD='" RUGOSA_HANGING_MPI "' RUGOSA_HANGS=" + call;
+    return app::testing::rugosa(words, where,
+                                mpirun("1" + (rank == 0 ? hanging : "") + " '" RUGOSA_PROGRAM "' " + words +
+                                       " : -n 1" + (rank == 1 ? hanging : "")));
+}
+
 /// A design of which a rank is stricken once it has written a checkpoint.
 Ended stricken_design(const Folder& folder, const std::string& rank, int signal) {
     const Ended ended = stricken(longer + " --patience 2", folder.path(), rank, signal, "o/checkpoint.cbor");
@@ -196,14 +204,28 @@ TEST_CASE("a database whose build lost a rank goes on to the same one", "[ranks]
     CHECK(of_database(folder.path()) == of_database(whole.path()));
 }
 
+TEST_CASE("a rank whose MPI does not come back ends the run with one line, and what was stored is there",
+          "[ranks]") {
+    if (has_no_mpi())
+        return;
+    const Folder folder, whole;
+    const std::string words = "database build g.db --genomes 400 --batch 20 --nodes 64 --patience 2";
+    REQUIRE(on_ranks(1, words, whole.path()).code == 0);
+    const Ended ended = with_hanging(0, "MPI_Improbe", words, folder.path());
+    INFO(ended.err);
+    CHECK(ended.code == 130);
+    REQUIRE(own_lines(ended).size() == 1);
+    CHECK_THAT(own_lines(ended)[0], Catch::Contains("rank 0: MPI") && Catch::Contains("--resume"));
+    REQUIRE(on_ranks(2, words, folder.path()).code == 0);
+    CHECK(of_database(folder.path()) == of_database(whole.path()));
+}
+
 TEST_CASE("a rank that hangs as it ends keeps no other, and what was done is there", "[ranks]") {
     if (has_no_mpi())
         return;
     const Folder folder;
     const std::string words = "database build g.db --genomes 40 --nodes 64 --patience 2";
-    const Ended ended = app::testing::rugosa(
-        words, folder.path(),
-        mpirun("1 '" RUGOSA_PROGRAM "' " + words + " : -n 1 env LD_PRELOAD='" RUGOSA_STOPS_AT_END "'"));
+    const Ended ended = with_hanging(1, "MPI_Finalize", words, folder.path());
     INFO(ended.err);
     CHECK(ended.code != 124); // the limit's
     CHECK(own_lines(ended).empty());
