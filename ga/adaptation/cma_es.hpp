@@ -11,11 +11,11 @@ namespace ga {
 /// CMA-ES with active covariance adaptation (Hansen and Ostermeier 2001; Hansen 2016, see CmaConstants). Each
 /// generation learns from those of its children that are in the population still, and puts new ones in its
 /// place; the first begins at the best of the population. A gene's step is in widths between its bounds; one
-/// that passes a bound is mirrored there, as often as it takes, and what is learnt is where it was drawn: to
-/// what is learnt the landscape goes on beyond its mirrors. Children that were refined
-/// since are taken at most sqrt(n) + 2n/(n + 2) deviations from the mean (Hansen 2011, Injecting external
-/// solutions into CMA-ES). A run that is over (`over`) is followed by another (CmaPlan) whose mean is uniform
-/// between the bounds; a gene without bounds begins where the first run did.
+/// that passes a bound is mirrored there, as often as it takes; of the worse children, those that were
+/// mirrored teach nothing. Children that were refined since are taken at most sqrt(n) + 2n/(n + 2) deviations
+/// from the mean (Hansen 2011, Injecting external solutions into CMA-ES). A run that is over (`over`) is
+/// followed by another (CmaPlan) whose mean is uniform between the bounds; a gene without bounds begins where
+/// the first run did.
 struct CmaEs : Operator {
     double sigma = 0.3;             ///< first step, in widths between bounds, > 0
     std::size_t population = 0;     ///< children of the first run; 0 for 4 + 3 ln n
@@ -30,7 +30,7 @@ struct CmaEs : Operator {
         CmaPlan plan;                   ///< of the runs
         CmaPlan::Run run{0, 1, 0};      ///< this one
         std::vector<Identity> children; ///< drawn last, ascending
-        Eigen::MatrixXd drawn;          ///< where, a column each
+        std::vector<bool> mirrored;     ///< whether one was
         bool ended = false;             ///< no further run
     };
 
@@ -122,6 +122,7 @@ struct CmaEs : Operator {
         const auto n = static_cast<double>(state.first.size());
         Eigen::MatrixXd steps(state.first.size(), static_cast<Eigen::Index>(state.children.size()));
         std::vector<double> values;
+        std::vector<bool> altered;
         for (const std::size_t i : order) {
             const auto& individual = population[i];
             const Fitness& fitness = individual.fitness;
@@ -133,24 +134,18 @@ struct CmaEs : Operator {
             const auto genes = genes_of(problem, individual.genome);
             if (genes.size() <= state.moving.back().gene)
                 continue;
-            Eigen::VectorXd x = coordinates(genes, state.moving);
-            for (Eigen::Index i = 0; i < x.size(); ++i) {
-                const Variable& v = state.moving[static_cast<std::size_t>(i)];
-                const double drawn = state.drawn(i, child - state.children.begin());
-                if (genes[v.gene] == mirrored(drawn * width(v), v)) // nobody has changed it since
-                    x[i] = drawn;
-            }
-            Eigen::VectorXd step = (x - state.cloud.mean) / state.cloud.sigma;
+            Eigen::VectorXd step = (coordinates(genes, state.moving) - state.cloud.mean) / state.cloud.sigma;
             if (individual.origin)
                 step *= std::min(1.0, (std::sqrt(n) + 2 * n / (n + 2)) / state.cloud.whitened(step).norm());
             steps.col(static_cast<Eigen::Index>(values.size())) = step;
+            altered.push_back(state.mirrored[static_cast<std::size_t>(child - state.children.begin())]);
             values.push_back(fitness.has_failed() ? -HUGE_VAL
                              : fitness.feasible() ? fitness.merit()
                                                   : -fitness.violation());
         }
         if (values.empty())
             return;
-        state.cloud.learn(constants, steps.leftCols(static_cast<Eigen::Index>(values.size())));
+        state.cloud.learn(constants, steps.leftCols(static_cast<Eigen::Index>(values.size())), altered);
         state.record.note(values, state.run.lambda);
     }
 
@@ -174,18 +169,20 @@ struct CmaEs : Operator {
         std::vector<double> genes = genes_of(context.problem(), like);
         Population<G> fresh(state.run.lambda);
         state.children.clear();
-        state.drawn.resize(state.first.size(), static_cast<Eigen::Index>(fresh.size()));
+        state.mirrored.assign(fresh.size(), false);
         for (std::size_t k = 0; k < fresh.size(); ++k) {
             Stream stream = context.stream(k);
             Eigen::VectorXd z(state.first.size());
             for (double& each : z)
                 each = stream.normal();
             const Eigen::VectorXd x = state.cloud.at(z);
-            state.drawn.col(static_cast<Eigen::Index>(k)) = x;
             for (std::size_t i = 0; i < state.moving.size(); ++i) {
                 const Variable& v = state.moving[i];
+                const double drawn = x[static_cast<Eigen::Index>(i)] * width(v);
+                if (drawn < v.lower || drawn > v.upper)
+                    state.mirrored[k] = true;
                 if (v.gene < genes.size())
-                    genes[v.gene] = mirrored(x[static_cast<Eigen::Index>(i)] * width(v), v);
+                    genes[v.gene] = mirrored(drawn, v);
             }
             fresh[k].genome = with_genes(context.problem(), like, genes);
             context.make_child(fresh[k], Parents());
@@ -213,7 +210,7 @@ inline void to_json(nlohmann::json& j, const CmaEs::State& s) {
          {s.run.lambda, s.run.shrink, s.run.most},
          s.children,
          s.ended,
-         numbers(s.drawn)};
+         s.mirrored};
 }
 inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     const auto numbers = [](const nlohmann::json& from, Eigen::Index count) {
@@ -242,8 +239,8 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     s.run = {j.at(5).at(0), j.at(5).at(1), j.at(5).at(2)};
     j.at(6).get_to(s.children);
     s.ended = j.at(7);
-    const auto children = static_cast<Eigen::Index>(s.children.size());
-    s.drawn = numbers(j.at(8), n * children).reshaped(n, children);
+    j.at(8).get_to(s.mirrored);
+    expect_fit(s.mirrored.size() == s.children.size());
 }
 ///@}
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ga {
 
@@ -82,12 +83,17 @@ struct Cloud {
         return axes * (axes.transpose() * y).cwiseQuotient(scales);
     }
     /// Learns from steps (x - mean)/sigma, a column each, one at least, best first; where there are less than
-    /// lambda, the weights of the last are not used and the positive ones sum to 1 again.
-    void learn(const CmaConstants& c, const Eigen::MatrixXd& steps) {
+    /// lambda, the weights of the last are not used and the positive ones sum to 1 again. Nor are weights
+    /// below 0 of those that were not drawn so (`altered`, of any size): Eq. 46 takes their length for
+    /// chance's.
+    void learn(const CmaConstants& c, const Eigen::MatrixXd& steps, const std::vector<bool>& altered = {}) {
         const Eigen::Index n = mean.size(), used = std::min(steps.cols(), c.weights.size());
         const Eigen::Index parents = std::min(c.mu, used);
         Eigen::VectorXd weights = c.weights.head(used);
         weights.head(parents) /= weights.head(parents).sum();
+        for (Eigen::Index i = parents; i < used; ++i)
+            if (const auto k = static_cast<std::size_t>(i); k < altered.size() && altered[k])
+                weights[i] = 0;
         const Eigen::VectorXd step = steps.leftCols(parents) * weights.head(parents); // Eq. 41
         mean += sigma * step;                                                         // Eq. 42
         path_sigma = (1 - c.c_sigma) * path_sigma +

@@ -15,7 +15,7 @@ const std::map<std::string, Contestants>& usual_contestants() {
                "sample 40 | score | " + on +
                    "tournament 2 | cross blend | mutate 1/n gaussian 0.02 | score | plus } | best 1"},
               {"bobyqa", "sample 1 | score | refine nlopt LN_BOBYQA 2000"},
-              {"bipop-cma-es", "sample 10 | score | best 1 | " + on + "cma-es sigma=0.2 | score } | best 1"},
+              {"bipop-cma-es", "sample 10 | score | best 1 | " + on + "cma-es | score } | best 1"},
               {"rand-1-bin", "sample 20 | score | " + converged + "{ de F=0.8 | score | duel } | best 1"},
               {"rand-1-exp",
                "sample 20 | score | " + converged + "{ de F=0.8 crossing=exp | score | duel } | best 1"},
