@@ -214,6 +214,14 @@ std::vector<std::string> Settings::names_under(const std::string& prefix) const 
     return names;
 }
 
+std::vector<std::pair<std::string, std::string>> Settings::texts_under(const std::string& prefix) const {
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const std::string& name : names_under(prefix))
+        if (const auto text = rough::trim(this->text(prefix + name)); !text.empty())
+            texts.emplace_back(name, text);
+    return texts;
+}
+
 Settings read_command_line(const std::vector<std::string>& words, const std::vector<Setting>& known,
                            const std::vector<std::string>& positional) {
     po::options_description with_words = options_of(known);

@@ -56,6 +56,9 @@ class Settings {
     Settings with(const std::map<std::string, std::string>& values) const;
     /// The names given whose beginning is `prefix`, without it, in alphabetical order.
     std::vector<std::string> names_under(const std::string& prefix) const;
+    /// The same names with what stands for them, as those of variants with their pipelines; "" takes one
+    /// away.
+    std::vector<std::pair<std::string, std::string>> texts_under(const std::string& prefix) const;
 
   private:
     std::filesystem::path beside(const std::string& name, const std::string& word) const;

@@ -357,6 +357,11 @@ SearchResult searched_area(const DesignSetup& given, const SearchOptions& option
 
 } // namespace
 
+void expect_searchable(const DesignSetup& given, const std::string& way) {
+    const DesignSetup setup = completed(given);
+    ga::check(design_pipeline(setup, way), DesignProblem(setup), ga::population(std::vector<Genome>(1)));
+}
+
 SearchResult search(const DesignSetup& given, const SearchOptions& options,
                     std::vector<ga::Observer<Genome>> observers) {
     const ga::Stopwatch clock;

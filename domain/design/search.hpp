@@ -49,8 +49,8 @@ struct SearchOptions {
     /// more than 0.005, that is done in 4 times as many (in_finer_steps, twice at most). `default`,
     /// `in-line`, `multistart` only; their own last stages, which refine what is judged, are left out.
     bool settles_steps = false;
-    /// Begins anew from other starts while the seconds or evaluations given are not spent and nothing is worth
-    /// the name: `default` and `multistart`. `like` goes on from what it has.
+    /// Begins anew from other starts while the seconds or evaluations given are not spent and nothing is
+    /// worth the name: `default` and `multistart`. `like` goes on from what it has.
     bool begins_anew = false;
     std::size_t alternatives = 3; ///< different answers to return, the best among them
     /// Answers of the pipeline, and best ones of its way, compared on the finer grid at the end. On an area,
@@ -108,6 +108,10 @@ struct SearchResult {
 /// `gco`, `cco`, `mcco` and `nsga2` (two targets), `atlas`, `esch`, `crs2`. Those that do not begin with
 /// `shape`, `own` or `sample` work on the Sobol database.
 const std::map<std::string, std::string>& design_variants();
+
+/// Throws ga::UsageError where one of design_variants, by its name, or a pipeline as text cannot search a
+/// set-up.
+void expect_searchable(const DesignSetup& setup, const std::string& way);
 
 /// Whether the genome (in final amplitude) is within every limit.
 bool holds_limits(const DesignSetup& setup, const Genome& genome);

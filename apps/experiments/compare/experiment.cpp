@@ -98,8 +98,8 @@ Contestants contestants_of(const Settings& settings, const std::string& kind) {
         }
         return given;
     }
-    for (const std::string& name : settings.names_under(kind + "."))
-        given.emplace_back(name, meaning(std::string(rough::trim(settings.text(kind + "." + name)))));
+    for (const auto& [name, text] : settings.texts_under(kind + "."))
+        given.emplace_back(name, meaning(text));
     return given.empty() ? usual : given;
 }
 

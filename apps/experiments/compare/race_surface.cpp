@@ -1,12 +1,10 @@
 #include "apps/experiments/compare/benchmarks.hpp"
-#include "domain/design/pipelines.hpp"
 #include "domain/design/search.hpp"
 
 namespace app {
 
 void expect_fits(const rough::DesignSetup& setup, const std::string& variant) {
-    if (!rough::design_variants().count(variant))
-        rough::design_pipeline(setup, variant);
+    rough::expect_searchable(setup, variant);
 }
 
 Reached raced(const rough::DesignSetup& setup, const std::string& variant, const std::vector<double>& targets,

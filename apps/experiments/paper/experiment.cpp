@@ -45,14 +45,14 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
     variants.push_back({"gco-minimax", gco(words, Form::minimax)});
     variants.push_back({"cco-minimax", cco(words, Form::minimax)});
     ga::Variants texts = paper_variants(words);
-    const auto own = settings.names_under("variants.");
-    for (const auto& name : own) {
+    const auto own = settings.texts_under("variants.");
+    for (const auto& [name, text] : own) {
         if (texts.count(name))
             throw rough::InputError(settings.place("variants." + name) +
                                     ": the name of one of the paper's variants, expected another");
-        texts[name] = settings.text("variants." + name);
+        texts[name] = text;
     }
-    for (const auto& name : own)
+    for (const auto& [name, text] : own)
         variants.push_back({name, read_at(settings, "variants." + name,
                                           [&] { return paper_pipeline(words, texts, name); })});
     return variants;

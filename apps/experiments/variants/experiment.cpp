@@ -199,11 +199,14 @@ Race raced(const Settings& settings, const Conditions& conditions) {
     race.budget = settings.whole("experiment.budget", 1, 1000000000);
     const long seeds = settings.whole("experiment.seeds", 1, 1000);
     const auto evaluator = design_evaluator(race.origin.threads);
+    const auto ways = settings.texts_under("variants.");
+    for (const RaceTarget& target : race.targets) // before any is run
+        for (const auto& [name, way] : ways)
+            read_at(settings, "variants." + name, [&] { rough::expect_searchable(target.setup, way); });
     for (RaceTarget& target : race.targets) {
         const bool area = target.setup.model.grid.is_area();
         const auto memory = area ? std::make_shared<rough::ResponseMemory>() : nullptr;
-        for (const std::string& name : settings.names_under("variants.")) {
-            const std::string way(rough::trim(settings.text("variants." + name)));
+        for (const auto& [name, way] : ways) {
             const bool named = rough::design_variants().count(way) > 0;
             RaceVariant variant{name, way, {}};
             for (long i = 0; i < seeds && !conditions.stop; ++i) {

@@ -30,10 +30,15 @@ TEST_CASE("ways to search are compared on the same targets with the same budget 
     const std::string table = rough::read_whole(folder / "r" / "variants.csv");
     CHECK(table.starts_with("target,variant,seed,curves_and_gradients,seconds,similarity\n"));
     CHECK(table.find("heldout,default,2,") != std::string::npos);
+}
 
-    check_refused(rugosa("run '" RUGOSA_SOURCE "/experiments/variants.ini' --set variants.mine=bets --out s",
-                         folder.path()),
-                  "bets");
+TEST_CASE("a way that cannot search is refused before any other has begun") {
+    const Folder folder;
+    const std::string long_race = "run '" RUGOSA_SOURCE "/experiments/variants.ini' --set "
+                                  "experiment.budget=1000000000 --out s --set variants.mine=";
+    for (const std::string way : {"bets", "'score | elite 1'"})
+        check_refused(rugosa(long_race + way, folder.path(), "timeout 200"), "variants.mine");
+    CHECK_FALSE(std::filesystem::exists(folder / "s"));
 }
 
 TEST_CASE("the paper's algorithms run on areas and on profiles, and the page shows both", "[areas]") {
@@ -49,7 +54,7 @@ TEST_CASE("the paper's algorithms run on areas and on profiles, and the page sho
     CHECK(result_in(folder / "r" / "drawn-32")["nodes"] == 32);
     const std::string page = rough::read_whole(folder / "r" / "report.html");
     for (const char* words : {"An area of 16 x 16 nodes", "A profile of 32 nodes", "Areas beside profiles",
-                              "Where it touches at the last load", "<image"}) {
+                              "Where it touches at the last load", "<image", "Figure 1."}) {
         INFO(words);
         CHECK(page.find(words) != std::string::npos);
     }
