@@ -29,8 +29,9 @@ import sites
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WORK = ROOT / ".build-mutation"
 HOOK = '#include "tests/mutation/mutant.hpp"\n#line 1\n'
-# Which test programs look at a folder; those without [long] and hidden tests.
-PROGRAMS = {"ga": ["tests_ga"], "domain": ["tests_domain"], "apps": ["tests_apps"]}
+# Which test programs look at a folder; those without [long] and hidden tests. The Python module's are files of tests.
+PYTHON = "rugosa_python"
+PROGRAMS = {"ga": ["tests_ga"], "domain": ["tests_domain"], "apps": ["tests_apps", PYTHON]}
 SPEC = "~[long]~[.]"
 REMARK = re.compile(r"\bprogress\.|\.reserve\(")  # what a terminal shows for a moment; memory taken early
 MEMORY = 6 << 30  # bytes that a test may ask for
@@ -127,19 +128,27 @@ def build(tree, folder, targets, mutants, jobs):
 
 
 class Test:
-    """A test case: its program, name and source file; once measured its processor time and the breaks it comes by."""
+    """A test case, or a file of Python's: its build, program, name and source file; once measured its processor time and
+    the breaks it comes by."""
 
-    def __init__(self, program, name, file):
-        self.program, self.name, self.file, self.seconds, self.reached = program, name, file, 0.0, set()
+    def __init__(self, folder, program, name, file):
+        self.folder, self.program, self.name, self.file = folder, program, name, file
+        self.seconds, self.reached = 0.0, set()
+
+    def command(self):
+        if self.program == PYTHON:
+            return [sys.executable, self.file]
+        return [self.folder / "tests" / self.program, re.sub(r"([\\,\[])", r"\\\1", self.name)]
 
     def run(self, number, limit, reached=os.devnull):
         """(why it fails or None, processor seconds), for one break."""
-        environment = dict(os.environ, RUGOSA_MUTANT=str(number), RUGOSA_MUTANTS_REACHED=reached, OMP_NUM_THREADS="1")
-        spec = re.sub(r"([\\,\[])", r"\\\1", self.name)
+        environment = dict(os.environ, RUGOSA_MUTANT=str(number), RUGOSA_MUTANTS_REACHED=reached, OMP_NUM_THREADS="1",
+                           PYTHONPATH=str(self.folder / "python"), PYTHONDONTWRITEBYTECODE="1",
+                           RUGOSA=str(self.folder / "rugosa"), RUGOSA_SOURCE=str(ROOT))
         with tempfile.TemporaryDirectory() as folder:
-            process = subprocess.Popen(["prlimit", f"--cpu={int(limit) + 1}", f"--as={MEMORY}",
-                                        self.program, spec], env=environment, cwd=folder, start_new_session=True,
-                                       stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            process = subprocess.Popen(["prlimit", f"--cpu={int(limit) + 1}", f"--as={MEMORY}", *self.command()],
+                                       env=environment, cwd=folder, start_new_session=True, stdin=subprocess.DEVNULL,
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             stuck = threading.Timer(60 + 20 * limit, lambda: os.killpg(process.pid, signal.SIGKILL))
             stuck.start()  # a break may also wait for ever
             _, status, usage = os.wait4(process.pid, 0)
@@ -151,17 +160,20 @@ class Test:
 
 def measured(folder, program, jobs, chosen, limit):
     """All tests of a program that take no longer than the limit, each run alone without a break; once a build."""
-    path, tests = folder / "tests" / program, []
-    memory, built = folder / f"{program}.measured.json", path.stat().st_mtime_ns
+    path = next((folder / "python/rugosa").glob("_rugosa*.so")) if program == PYTHON else folder / "tests" / program
+    tests, memory, built = [], folder / f"{program}.measured.json", path.stat().st_mtime_ns
     kept = json.loads(memory.read_text()) if memory.exists() else {}
     if kept.get("built") == built and kept["chosen"] == chosen:
         for name, file, seconds, reached in kept["tests"]:
-            tests.append(Test(path, name, pathlib.Path(file)))
+            tests.append(Test(folder, program, name, pathlib.Path(file)))
             tests[-1].seconds, tests[-1].reached = seconds, set(reached)
         return tests
+    if program == PYTHON:
+        tests = [Test(folder, program, file.stem, file) for file in sorted((ROOT / "tests/apps/python").glob("*_test.py"))
+                 if re.search(chosen, file.stem)]
     for file in sorted((ROOT / "tests" / program.removeprefix("tests_")).rglob("*.cpp")):
         listed = subprocess.run([path, "-#", "--list-test-names-only", f"[#{file.stem}]{SPEC}"], capture_output=True, text=True)
-        tests += [Test(path, name, file) for name in listed.stdout.splitlines() if name and re.search(chosen, file.stem)]
+        tests += [Test(folder, program, name, file) for name in listed.stdout.splitlines() if name and re.search(chosen, file.stem)]
 
     def measure(test):
         with tempfile.NamedTemporaryFile("r") as log:

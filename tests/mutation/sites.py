@@ -103,7 +103,7 @@ def sites(text, choose):
         expression = text[start:end]
         if "\x01" in mask[start:end] and '"' in expression or not free(start, end) or "co_" in expression or "//" in expression:
             continue
-        if re.search(r", [\w*.>\[\]-]+ = ", expression):  # the next of several declarations or assignments
+        if re.search(r", (?:[\w*.>\[\]-]+ = |\+\+|--)", expression):  # the next of several declarations or assignments
             continue
         other = changed(expression, mask[start:end], choose)
         if other is None:
