@@ -3,6 +3,7 @@
 #include "apps/cluster/hands.hpp"
 #include "domain/mwm/genome.hpp"
 #include "domain/problem/stored.hpp"
+#include "tests/apps/program.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -28,6 +29,13 @@ TEST_CASE("programs that differ in version, build, processor or words cannot sha
                    Catch::StartsWith(name) && Catch::Contains("'another'"));
     }
     CHECK_FALSE(crew::difference(own, "").empty());
+}
+
+TEST_CASE("the patience with ranks is a tenth of a second to a million, and no word of the command") {
+    for (const char* given : {"0.1", "1e6"})
+        CHECK(app::testing::rugosa(std::string("operators --patience ") + given).code == 0);
+    for (const char* given : {"0.09", "1.1e6", "soon"})
+        check_refused(app::testing::rugosa(std::string("operators --patience=") + given), given);
 }
 
 TEST_CASE("a rank's hands answer chunks in their order, and leave out those that are not wanted any more") {

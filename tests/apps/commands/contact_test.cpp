@@ -142,7 +142,10 @@ TEST_CASE("the load may end at a pressure or stand at given ones") {
 TEST_CASE("a hardness is held, counted and told; friction writes partial slip beside the curve") {
     const Folder folder;
     folder.write("g.json", one_wave);
-    REQUIRE(rugosa("contact --genome g.json --friction 0.3 --out c.csv", folder.path()).code == 0);
+    const Ended rubbed =
+        rugosa("contact --genome g.json --friction 0.3 --out c.csv --verbose", folder.path());
+    REQUIRE(rubbed.code == 0);
+    CHECK_THAT(rubbed.out, Catch::Contains("c-slip.csv: partial slip under the last load, f = 0.300; assumed"));
     const auto normal = rows_of(folder / "c.csv"),
                slip = rows_of(folder / "c-slip.csv", "tangential_displacement_mm,tangential_traction_MPa,"
                                                      "tangential_stiffness_MPa_per_mm,stick_fraction");

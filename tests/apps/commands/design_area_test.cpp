@@ -46,6 +46,8 @@ TEST_CASE("a design on an area has the same files, and its similarities follow f
         CHECK(result["nodes"] == json({20, 18}));
         CHECK(result["length_mm"] == json({0.84942, 0.8}));
         CHECK(result["datum_mm"].is_null());
+        CHECK((ended.out.find("an area on a half-space needs no datum") != std::string::npos) ==
+              (kernel == std::string("free")));
         const json& variant = result["variants"]["pipeline"];
         const rough::Genome genome = rough::genome_from_json(variant["genome"], "genome");
         const rough::DesignSetup setup = setup_of(result);

@@ -28,6 +28,8 @@ TEST_CASE("a program in another language is minimised over real vectors") {
     INFO(ended.err);
     REQUIRE(ended.code == 0);
     const json result = desk.result("out");
+    CHECK_THAT(ended.out, Catch::StartsWith("out: best ") &&
+                              Catch::Contains(" after " + result["evaluations"].dump() + " evaluations ("));
     CHECK(result["best"]["objectives"][0] < 0.01);
     CHECK(result["minimise"] == json::array({1}));
     CHECK(result["evaluations"] <= 4000);
@@ -123,6 +125,20 @@ TEST_CASE("a run that spent its evaluations goes on with --resume to the result 
     CHECK(desk.optimise(words + "--evaluations 900 --out cut").code == 2);
     REQUIRE(desk.optimise(words + "--evaluations 900 --out cut --resume").code == 0);
     CHECK(timeless(desk.result("cut")) == timeless(desk.result("whole")));
+}
+
+TEST_CASE("a run that is gone on with knows the best of its first part, which its population has lost") {
+    const Desk desk;
+    desk.write("late.sh", "while read line; do echo \"$line\" | sed 's/.*\"id\":\\([0-9]*\\).*/"
+                          "{\"id\":\\1,\"objectives\":[\\1]}/'; done\n"); // what is asked first is best
+    const std::string words = "--genes real:2:0:1 --evaluate 'sh late.sh' --minimise --threads 1 --pipeline "
+                              "'repeat 10 { sample 10 | score }' --out out --evaluations ";
+    REQUIRE(desk.optimise(words + "30").code == 0);
+    const json first = desk.result("out")["best"];
+    CHECK(first["objectives"][0] == 1);
+    REQUIRE(desk.optimise(words + "60 --resume").code == 0);
+    CHECK(desk.result("out")["evaluations"] == 60);
+    CHECK(desk.result("out")["best"] == first);
 }
 
 TEST_CASE("a child that ends on its way ends the run with one line, and the best so far is written") {

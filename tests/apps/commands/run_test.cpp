@@ -26,6 +26,9 @@ TEST_CASE("the paper's experiment gives six variants on both targets, each simil
     REQUIRE(ended.code == 0);
     for (const char* place : {"r", "r/heldout"}) {
         const json result = result_in(folder / place);
+        const std::string curves = rough::read_whole(folder / place / "curves.csv");
+        CHECK(std::count(curves.begin(), curves.end(), '\n') ==
+              1 + result["steps"].get<long>() * static_cast<long>(result["variants"].size()));
         std::set<std::string> names;
         for (const auto& [name, variant] : result["variants"].items())
             names.insert(name);

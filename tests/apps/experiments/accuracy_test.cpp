@@ -67,8 +67,10 @@ TEST_CASE("an error is covered by an estimate that is no smaller, and the page c
     CHECK(covered != std::string::npos);
     CHECK(within != std::string::npos);
     CHECK(covered < within);
-    CHECK(page.find(">2.00<") != std::string::npos); // the worst error over the accuracy
-    CHECK(page.find(">3.00<") != std::string::npos); // the saving
+    CHECK(page.find(">2.00<") != std::string::npos);                    // the worst error over the accuracy
+    CHECK(page.find(">3.00<") != std::string::npos);                    // the saving
+    CHECK_THAT(page, Catch::Contains("smooth, full load: 0.01, 2000")); // milliseconds, under the pointer
+    CHECK_THAT(page, Catch::Contains("smooth, full load: 0.01, 3<"));   // the saving
     Outline parts{"# What accuracy costs",
                   "figure figure-1",
                   "figure figure-2",

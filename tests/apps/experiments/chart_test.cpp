@@ -186,7 +186,15 @@ TEST_CASE("the chart's page says which method to take, and its table has a row a
     CHECK(enumerated({"a", "b", "c"}) == "a, b and c");
     CHECK(fastest_by_grid(data).rows.size() == 1);
     CHECK(fastest_by_error(data, error_kinds[1]).rows.size() == 1);
+    const Plot errors = error_plot(data, 0, error_kinds[0]);
+    REQUIRE(errors.series.front().colour ==
+            Colour::text); // the front of all methods: better where it is slower
+    REQUIRE(errors.series.front().x.size() >= 1);
+    for (Index k = 1; k < errors.series.front().x.size(); ++k)
+        CHECK(errors.series.front().y[k] < errors.series.front().y[k - 1]);
+    CHECK_THAT(chart_page({data.scenes, {}, {}, 1, {}}), Catch::Contains("none of the settings tried"));
     const std::string page = chart_page(data);
+    CHECK_THAT(page, Catch::Contains(scene.words + "; measured against the exact solution."));
     CHECK_THAT(page, Catch::Contains("<b>If in doubt take auto</b>"));
     CHECK_THAT(page, Catch::Contains("Fastest method for a curve of 20 steps"));
     CHECK_THAT(page, !Catch::Contains("ended early"));
@@ -248,6 +256,13 @@ TEST_CASE("models err as they must: lines are exact on ridges alone, theories wh
     }
     CHECK(chart.scenes[1].aspect_ratio > 0.5);
     CHECK(chart.scenes[2].aspect_ratio < 0.2);
+    Eigen::Vector3d errors(3, NAN, -4);
+    CHECK(root_mean_square(errors) == Approx(std::sqrt(12.5)));
+    Page page("", "");
+    add_models(page, chart);
+    const std::string html = page.html();
+    for (const char* label : {"theories", "one line", "solved"})
+        CHECK_THAT(html, Catch::Contains(label));
     int looked_at = 0;
     const ModelChart none = charted_models(64, [&] { return ++looked_at > 0; });
     CHECK(none.runs.empty());

@@ -48,9 +48,23 @@ TEST_CASE("a comparison writes medians, runtimes, shares and tests, the same on 
                 before = one["share"][i];
             }
         }
+    const json& first = sphere["variants"].items().begin().value()["runs"][0];
+    const long met =
+        std::count_if(first["evaluations_to_targets"].begin(), first["evaluations_to_targets"].end(),
+                      [](const json& one) { return !one.is_null(); });
+    const std::string name = sphere["variants"].items().begin().key(),
+                      runs = rough::read_whole(folder / "t1/runs.csv");
+    const auto row = runs.find("bbob5-1," + name + ",1," + first["evaluations"].dump() + ",");
+    REQUIRE(row != std::string::npos);
+    const std::string cells = runs.substr(row, runs.find('\n', row) - row);
+    CHECK_THAT(cells, Catch::Contains("," + std::to_string(met) + ","));
     const std::string page = rough::read_whole(folder / "t1/report.html");
-    CHECK(page.find("one-plus-one") != std::string::npos);
     CHECK(page.find("<svg") != std::string::npos);
+    for (const auto& [group, one] : result["groups"].items())
+        for (const auto& [variant, numbers] : one["variants"].items()) {
+            INFO(group << " " << variant);
+            CHECK_THAT(page, Catch::Contains(">" + variant + "</text>")); // in a picture's key
+        }
 }
 
 TEST_CASE("variants given by flag or by file run in the place of the usual ones") {

@@ -103,6 +103,11 @@ TEST_CASE(
         return std::string("none");
     };
     CHECK(kind(0, 0.1) == "shared");
+    for (const json& one : target.verdicts) // 1.349 deviations lie between a normal's quartiles
+        if (one["feature"] == "f") {
+            CHECK(one["answers_quartiles"].get<double>() == Approx(0.1349).epsilon(0.15));
+            CHECK(one["misses_quartiles"].get<double>() == Approx(1.349).epsilon(0.15));
+        }
     CHECK(target.verdicts[0]["feature"] == "f");
     CHECK(target.laws.size() == 3 * 3); // of all, of the shared one, of waves
     CHECK(kind(2, 1) == "shifted");

@@ -12,6 +12,7 @@ inline nlohmann::json finished(const std::string& words, const Folder& where, co
     const Ended ended = rugosa(words + " --out " + out, where.path());
     INFO(ended.err);
     REQUIRE(ended.code == 0);
+    CHECK_THAT(ended.out, Catch::Contains(out + ": ") && Catch::EndsWith(" s\n"));
     return result_in(where / out);
 }
 

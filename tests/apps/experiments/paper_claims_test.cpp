@@ -143,6 +143,11 @@ TEST_CASE("eight ridges are one cosine of their wave length") {
         for (const Eigen::VectorXd& ridge : example.ridges)
             sum += ridge;
         CHECK((sum - example.sum).cwiseAbs().maxCoeff() < 1e-15);
+        const auto falls = [](const Eigen::VectorXd& ridge) {
+            return ridge[1] < 0;
+        }; // a phase over half a turn
+        CHECK(std::any_of(example.ridges.begin(), example.ridges.end(), falls));
+        CHECK_FALSE(std::all_of(example.ridges.begin(), example.ridges.end(), falls));
     }
 }
 

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <numbers>
 
 using namespace app;
 
@@ -53,6 +54,8 @@ TEST_CASE("the answers' surfaces are drawn about their means, and their spectra 
     const Figure surfaces = profiles_figure(run), spectra = spectra_figure(run);
     REQUIRE(surfaces.panels.size() == 2);
     REQUIRE(spectra.panels.size() == 4); // discrete and continuous of each target
+    CHECK(surfaces.panels[0].title == "Drawn target");
+    CHECK(spectra.panels[0].x.from == Approx(0.8 * 2 * std::numbers::pi / L));
     for (std::size_t t = 0; t < 2; ++t) {
         REQUIRE(surfaces.panels[t].series.size() == 3);
         REQUIRE(spectra.panels[2 * t].series.size() == 3);
@@ -87,6 +90,19 @@ TEST_CASE("what is best so far is drawn stage by stage, and every threshold's sh
         CHECK(plot.y.from == Approx(0.95));
 }
 
+TEST_CASE("candidates are drawn from before the refinements to behind both") {
+    PaperRun run = run_of_three();
+    for (TargetRun& target : run.targets)
+        for (VariantRun& variant : target.variants)
+            variant.stages = {
+                {"score.1", {{4, {}, 0.7}}}, {"refine.1", {{4, {}, 0.8}}}, {"refine.2", {{4, {}, 0.9}}}};
+    for (const Plot& plot : stages_figure(run).panels) {
+        REQUIRE(plot.series.size() == 1);
+        CHECK(plot.series[0].label == "no. 4");
+        CHECK(plot.series[0].y == Eigen::Vector3d(0.7, 0.8, 0.9));
+    }
+}
+
 TEST_CASE("both targets stand among the database's curves") {
     PaperRun run = run_of_three();
     run.database.push_back(run.targets[0].variants[0].answer);
@@ -108,6 +124,10 @@ TEST_CASE("shares of phase sets are drawn in per cent against the number of ridg
     CHECK(series[0].y.isApprox(Eigen::Vector2d(100, 100)));
     CHECK(series[1].y.isApprox(Eigen::Vector2d(90, 95)));
     CHECK(series[2].y.isApprox(Eigen::Vector2d(50, 45)));
+    const auto says = [](const Figure& one) { return one.caption.markup(); };
+    CHECK_THAT(says(figure), Catch::Contains(" for M = 2 to 8."));
+    CHECK_THAT(says(ridges_figure({{2, 1, 0.8, 0.5}, {8, 1, 0.99, 0.5}})),
+               Catch::Contains(" for no M tried."));
 }
 
 TEST_CASE("a fractal profile and its dominant bands are drawn node by node over the length") {
@@ -115,6 +135,10 @@ TEST_CASE("a fractal profile and its dominant bands are drawn node by node over 
     study.whole = {Eigen::Vector4d(0, 2e-3, -1e-3, 0), 0.5};
     study.reduced = {Eigen::Vector4d(0, 1e-3, -1e-3, 0), 0.5};
     study.whole_response = study.reduced_response = response();
+    study.bands.resize(2);
+    study.bands[0].longest = 2, study.bands[0].shortest = 1;
+    study.bands[1].longest = 0.5, study.bands[1].shortest = 0.25;
+    study.dominant = {true, false};
     const Figure figure = fractal_figure(study);
     REQUIRE(figure.panels.size() == 3);
     const Plot& heights = figure.panels[0];
@@ -123,4 +147,5 @@ TEST_CASE("a fractal profile and its dominant bands are drawn node by node over 
     CHECK(heights.series[0].x.isApprox(Eigen::Vector4d(0, 0.5, 1, 1.5)));
     CHECK(heights.series[0].y.isApprox(Eigen::Vector4d(0, 2, -1, 0)));
     CHECK(heights.y.label.find("µm") != std::string::npos);
+    CHECK_THAT(figure.caption.markup(), Catch::Contains("keeps 1 of 2 (1.0–2.0 mm)."));
 }

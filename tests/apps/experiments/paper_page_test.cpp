@@ -32,6 +32,10 @@ TEST_CASE("the report shows Figures 1 to 11, a verdict for every claim, and how 
     const std::string html = page_of(folder, "--set paper.sweep-points=2");
     CHECK(html.find("Other readings") != std::string::npos);
     CHECK(html.find("of 1440 readings") != std::string::npos);
+    CHECK(html.find("claims reproduced</") != std::string::npos);
+    const std::string three = "SOG 0[.\\d]+, GCO 0[.\\d]+, CCO 0[.\\d]+";
+    CHECK(found(html, "(drawn target: " + three + "; held-out target: " + three + ")").size() ==
+          2); // readings
     for (int figure = 1; figure <= 11; ++figure)
         CHECK(found(html, "<figure (id=\"figure-" + std::to_string(figure) + "\")").size() == 1);
     CHECK(outline(html) == Outline{"# The answers",

@@ -2,6 +2,7 @@
 #include "tests/apps/experiments/finished.hpp"
 
 #include <map>
+#include <regex>
 #include <sstream>
 
 using namespace app;
@@ -44,11 +45,37 @@ TEST_CASE(
     CHECK(deviations({2, 0, 1}) == 2);
 }
 
+TEST_CASE("a claim stands in the picture's row of a value by the share of cells in which it holds") {
+    ReadingCross cross;
+    cross.claims = {{"a", "A"}, {"b", "B"}};
+    cross.targets = {"t"};
+    cross.databases = 1;
+    cross.cells = {cell({}, 0, "1?"), cell({2}, 0, "0?")};
+    Page page("", "");
+    fill_readings_page(page, cross);
+    const std::string html = page.html();
+    // Of the body's values the first holds always, the third never; other choices' first, half of the time.
+    for (const char* key : {"always", "never", "&lt; 90 %"})
+        CHECK_THAT(html, Catch::Contains(std::string(">") + key));
+    for (const char* none : {"&lt; 50 %", "&lt; 100 %"})
+        CHECK_THAT(html, !Catch::Contains(std::string(">") + none));
+}
+
 TEST_CASE(
     "readings are tried one choice at a time, each on every body's own targets, and goes on where it was") {
     const Folder folder;
     const json result = app::testing::finished(coarse, folder);
-    CHECK(result["readings"].size() == 15); // ours, and each value of each choice that is not
+    CHECK(result["readings"].size() == 15);                // ours, and each value of each choice that is not
+    for (const char* table : {"runs.csv", "claims.csv"}) { // every row as wide as the header, none cut
+        const auto rows = lines_of(folder / "r" / table);
+        const auto cells = [](std::string row) {
+            row = std::regex_replace(row, std::regex("\"[^\"]*\""), "");
+            return std::count(row.begin(), row.end(), ',');
+        };
+        for (const std::string& row : rows)
+            CHECK(cells(row) == cells(rows[0]));
+    }
+    CHECK(lines_of(folder / "r/claims.csv")[1].starts_with("1,"));
     const auto cells = lines_of(folder / "r/cells.csv");
     // Four targets; the database with other phases has no first point of Sobol's.
     CHECK(cells.size() == 1 + 4 * (15 + 14));

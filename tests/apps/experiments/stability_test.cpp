@@ -187,9 +187,29 @@ TEST_CASE("rugosa stability writes its table and its page") {
     CHECK(table.rfind("scene,kernel,method,outcome,kkt_residual,iterations,seconds,message\n", 0) == 0);
     CHECK(std::count(table.begin(), table.end(), '\n') == 16);
     const std::string page = rough::read_whole(folder / "s" / "stability.html");
+    CHECK(found(page, "(<tr><td data-label=\"Scene\">spike</td>)").size() == 3); // a row a kernel
     CHECK_THAT(page, Catch::Contains("15 solved") && Catch::Contains("an oracle in extended precision"));
     CHECK(app::testing::outline(page) == app::testing::Outline{"table Each method over all scenes",
                                                                "# Scene by scene", "table Every scene"});
     CHECK(rugosa("stability --scene spike --out s", folder.path()).code == 2);
     check_refused(rugosa("stability --scene spice", folder.path()), "did you mean 'spike'");
+}
+
+TEST_CASE("a rough scene repeats without a jump, and a fault is told in digits that show it") {
+    for (const auto& scene : app::stability_scenes())
+        if (scene.name == "modulus-1e-6") {
+            const Eigen::VectorXd& z = scene.profile.heights;
+            const rough::Index n = z.size();
+            const double steepest = (z.tail(n - 1) - z.head(n - 1)).cwiseAbs().maxCoeff();
+            CHECK(std::abs(z[0] - z[n - 1]) <= steepest);
+        }
+    const app::StabilityScene scene = parabola(40);
+    app::ContactTrial trial = try_contact(scene, {});
+    trial.curve.steps[1].pressure = 0.123456789012;
+    app::StabilityReference(scene).judge(trial, 1e-6);
+    CHECK_THAT(trial.message, Catch::Contains("is 0.123456789012 where"));
+    const double before = app::processor_seconds();
+    const app::ContactTrial timed = try_contact(scene, {});
+    CHECK(timed.seconds >= 0);
+    CHECK(timed.seconds <= app::processor_seconds() - before);
 }

@@ -1,11 +1,12 @@
 #include "tests/apps/experiments/finished.hpp"
+#include "tests/apps/found.hpp"
 
 using app::testing::Folder;
 using app::testing::rugosa;
 
 TEST_CASE("a design without heights writes parameters, curves and surfaces that the program reads") {
     const Folder folder;
-    const std::string run = "run '" RUGOSA_SOURCE "/experiments/statistical.ini' --pictures off --set "
+    const std::string run = "run '" RUGOSA_SOURCE "/experiments/statistical.ini' --set "
                             "statistical.nodes=64 --set statistical.realisations=1 --set "
                             "'statistical.pipeline=sample 60 | score | best 1' ";
     const auto result = app::testing::finished(run, folder);
@@ -14,6 +15,8 @@ TEST_CASE("a design without heights writes parameters, curves and surfaces that 
     CHECK(result["parameters"]["longest_mm"] > result["parameters"]["shortest_mm"]);
     CHECK(result["similarity_realised"].size() == 1);
     CHECK(result["curves"].size() == 15);
+    CHECK(app::testing::outline(rough::read_whole(folder / "r/report.html")) ==
+          app::testing::Outline{"figure curves", "table Similarity (Eq. 12) to the target", "# How"});
     const auto read = rugosa(
         "profile --surface r/surface-1.x3p --periodic --pictures off --detrend none --out p", folder.path());
     INFO(read.err);

@@ -242,6 +242,11 @@ TEST_CASE("every help page has a usage and examples, and the program takes the f
         CHECK(help.code == 0);
         CHECK(help.err.empty());
         CHECK_THAT(help.out, Catch::StartsWith("Usage: rugosa " + command));
+        std::istringstream lines(help.out); // what it is for, behind the usage, is folded
+        std::string line;
+        for (int paragraph = 0; paragraph < 2 && std::getline(lines, line); paragraph += line.empty())
+            if (paragraph == 1)
+                CHECK(line.size() <= 100);
         CHECK(rugosa(command + " -h", desk.path()).out == help.out);
         CHECK(rugosa(command + " --help --quiet", desk.path()).out == help.out);
         std::istringstream examples(lines_of(help.out, "  rugosa "));

@@ -1,6 +1,7 @@
 #include "apps/commands/optimise/child.hpp"
 #include "apps/outside/solution.hpp"
 #include "domain/errors.hpp"
+#include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -62,6 +63,22 @@ TEST_CASE("how a child ended is told, with the line it left unfinished") {
     awaited(killed);
     CHECK(killed.end() == "was ended by signal 11");
     CHECK_THROWS_AS(Child({"no-program-of-this-name"}, nowhere.file), rough::InputError);
+}
+
+TEST_CASE("a child may finish its work when its input ends; one that does not end is ended and waited for") {
+    const Nowhere nowhere;
+    const tests::Folder folder;
+    const std::string mark = (folder / "mark").string();
+    { const Child last({"sh", "-c", "cat >/dev/null; echo done >'" + mark + "'"}, nowhere.file); }
+    CHECK(std::filesystem::exists(mark));
+    pid_t deaf = 0;
+    {
+        Child child({"sh", "-c", "trap '' TERM; echo $$; exec sleep 1000"}, nowhere.file);
+        deaf = std::stoi(awaited(child).value());
+        CHECK(kill(deaf, 0) == 0);
+    }
+    CHECK(kill(deaf, 0) == -1); // not even a zombie is left
+    CHECK(errno == ESRCH);
 }
 
 TEST_CASE("the best and the front depend on what was evaluated, not on its order") {

@@ -50,6 +50,10 @@ TEST_CASE("nothing drawn at random betters a known front, and the front can be r
         INFO(name);
         const RealInstance instance = front_instance(name);
         CHECK(instance.front->size() > 100);
+        for (std::size_t f = 0; f + 1 < instance.objectives; ++f) // up to its rim
+            CHECK(std::any_of(instance.front->begin(), instance.front->end(), [&](const ga::Point& point) {
+                return std::abs(point[f] - (name == "zdt6" ? 0.2807753191 : 0)) < 1e-12;
+            }));
         ga::Stream stream(3);
         for (int i = 0; i < 200; ++i) {
             const auto f = instance.evaluate(drawn(instance, stream)).objectives;

@@ -1,0 +1,20 @@
+#include "apps/commands/design/schedule.hpp"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("of a time limit that is long for its curves the search gets most, and of none everything") {
+    rough::DesignSetup setup;
+    setup.model.grid.nodes = 64;
+    rough::Target target;
+    target.x = Eigen::VectorXd::LinSpaced(3, 1e-5, 1e-4);
+    target.y = Eigen::VectorXd::LinSpaced(3, 1, 2);
+    setup.targets = {target};
+    setup = completed(setup);
+    const app::Schedule day(ga::Stopwatch(), 86400, setup, {}, 1, false);
+    CHECK(day.for_search() > 0.5 * 86400);
+    CHECK(day.for_search() < 86400);
+    CHECK(day.compared() == 3);
+    const app::Schedule endless(ga::Stopwatch(), HUGE_VAL, setup, {}, 1, true);
+    CHECK(endless.for_search() == HUGE_VAL);
+    CHECK(endless.has_time_for_page());
+}
