@@ -262,11 +262,23 @@ TEST_CASE("models err as they must: lines are exact on ridges alone, theories wh
     add_models(page, chart);
     const std::string html = page.html();
     for (const char* label : {"theories", "one line", "solved"})
-        CHECK_THAT(html, Catch::Contains(label));
+        CHECK_THAT(html, Catch::Contains(std::string(">") + label + "</text>")); // in a picture's key
     int looked_at = 0;
     const ModelChart none = charted_models(64, [&] { return ++looked_at > 0; });
     CHECK(none.runs.empty());
     CHECK(models_table(chart).rows().size() == 12 * chart.runs.size());
+}
+
+TEST_CASE("a chart's table grows as it is measured: what is there when the program is stopped is kept") {
+    const app::testing::Folder folder;
+    const int code =
+        app::testing::rugosa_stopped(0, "r/chart.csv", "chart --quick --minutes 1 --out r", folder.path());
+    CHECK(code == 130); // it was stopped on its way
+    std::istringstream table(rough::read_whole(folder / "r" / "chart.csv"));
+    std::string header, line;
+    std::getline(table, header);
+    REQUIRE(std::getline(table, line));
+    CHECK(line.starts_with("hertz,"));
 }
 
 TEST_CASE("rugosa chart refuses a folder that holds a chart") {

@@ -160,6 +160,8 @@ TEST_CASE(
         for (std::size_t j = 0; j < i; ++j)
             least = std::min(least, difference(answers[i], answers[j]));
     CHECK(least >= 0.001);
+    CHECK_THAT(result["words"].dump(),
+               Catch::Contains("Its 40 answers share: ") && Catch::Contains("May be chosen freely: "));
     const json& target = result["targets"]["drawn"];
     CHECK(target["answers"] == 40);
     std::vector<std::string> controlled;

@@ -1,5 +1,8 @@
+#include "apps/experiments/paper/chromosome_example.hpp"
 #include "apps/experiments/paper/claims.hpp"
 #include "apps/experiments/paper/lookup.hpp"
+#include "apps/experiments/paper/readings.hpp"
+#include "apps/experiments/paper/variant_runs.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -132,6 +135,45 @@ TEST_CASE("condition (10) holds always, Eq. 8 for half of all phases, and a lost
         else
             CHECK(count.last_missing < 1);
     }
+}
+
+TEST_CASE("a threshold's row counts its children, and those above 0.95") {
+    VariantRun run;
+    run.name = "gco";
+    run.similarity = 0.99;
+    run.stages = {stage("gco/pair.1/left/above.1", {{0, 0.96}, {1, 0.97}}),
+                  stage("gco/pair.1/right/above.1", {{0, 0.96}, {1, 0.97}, {2, 0.98}}),
+                  stage("gco/score.1", {{3, 0.95}, {4, 0.951}, {5, 0.4}, {6, 0.2}}),
+                  stage("gco/best.1", {{4, 0.99}})};
+    run.stages.back().candidates.front().parents = {0, 2};
+    const ThresholdRow found = threshold_row(run, 3);
+    CHECK(found.p_bar == 3);
+    CHECK(found.u1 == 2);
+    CHECK(found.u2 == 3);
+    CHECK(found.children == 4);
+    CHECK(found.share_above == 0.25);
+    CHECK(found.best_child == 0.951);
+    CHECK(found.parents == std::vector<std::uint64_t>{0, 2});
+    CHECK(found.similarity == 0.99);
+}
+
+TEST_CASE("half of the waves gone changes both curves, and another datum the similarity") {
+    PaperRun run;
+    run.model.grid.nodes = 64;
+    run.model.loading.steps = 8;
+    run.model = completed(run.model);
+    run.max_pressure = 1e-4;
+    run.database = answered({rough::Genome{1, {{1, 0.8, 2, run.model.grid.length, {{1, {0.3}}, {2, {1}}}}}}},
+                            run.model, run.max_pressure, 1);
+    const Readings readings = readings_of(run);
+    REQUIRE(readings.without_coarse.size() == 1);
+    REQUIRE(readings.without_fine.size() == 1);
+    for (const Removal& removal : {readings.without_coarse[0], readings.without_fine[0]}) {
+        CHECK(removal.stiffness > 0);
+        CHECK(removal.area > 0);
+    }
+    CHECK(readings.without_coarse[0].stiffness > readings.without_fine[0].stiffness);
+    CHECK(readings.datum_similarity[0] < 1);
 }
 
 TEST_CASE("eight ridges are one cosine of their wave length") {

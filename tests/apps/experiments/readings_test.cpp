@@ -65,8 +65,9 @@ TEST_CASE(
     "readings are tried one choice at a time, each on every body's own targets, and goes on where it was") {
     const Folder folder;
     const json result = app::testing::finished(coarse, folder);
-    CHECK(result["readings"].size() == 15);                // ours, and each value of each choice that is not
-    for (const char* table : {"runs.csv", "claims.csv"}) { // every row as wide as the header, none cut
+    CHECK(result["readings"].size() == 15); // ours, and each value of each choice that is not
+    for (const char* table :
+         {"cells.csv", "runs.csv", "claims.csv"}) { // every row as wide as the header, none cut
         const auto rows = lines_of(folder / "r" / table);
         const auto cells = [](std::string row) {
             row = std::regex_replace(row, std::regex("\"[^\"]*\""), "");

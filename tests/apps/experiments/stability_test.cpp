@@ -195,13 +195,15 @@ TEST_CASE("rugosa stability writes its table and its page") {
     check_refused(rugosa("stability --scene spice", folder.path()), "did you mean 'spike'");
 }
 
-TEST_CASE("a rough scene repeats without a jump, and a fault is told in digits that show it") {
+TEST_CASE("a rough scene repeats, and a fault is told in digits that show it") {
     for (const auto& scene : app::stability_scenes())
         if (scene.name == "modulus-1e-6") {
+            // Whole numbers of waves, the shortest of four nodes: nothing is in the grid's own.
             const Eigen::VectorXd& z = scene.profile.heights;
-            const rough::Index n = z.size();
-            const double steepest = (z.tail(n - 1) - z.head(n - 1)).cwiseAbs().maxCoeff();
-            CHECK(std::abs(z[0] - z[n - 1]) <= steepest);
+            double alternating = 0;
+            for (rough::Index k = 0; k < z.size(); ++k)
+                alternating += k % 2 ? -z[k] : z[k];
+            CHECK(std::abs(alternating) < 1e-12 * z.cwiseAbs().sum());
         }
     const app::StabilityScene scene = parabola(40);
     app::ContactTrial trial = try_contact(scene, {});
