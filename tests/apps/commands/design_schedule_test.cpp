@@ -5,10 +5,7 @@
 TEST_CASE("of a time limit that is long for its curves the search gets most, and of none everything") {
     rough::DesignSetup setup;
     setup.model.grid.nodes = 64;
-    rough::Target target;
-    target.x = Eigen::VectorXd::LinSpaced(3, 1e-5, 1e-4);
-    target.y = Eigen::VectorXd::LinSpaced(3, 1, 2);
-    setup.targets = {target};
+    setup.targets = {rough::read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
     setup = completed(setup);
     const app::Schedule day(ga::Stopwatch(), 86400, setup, {}, 1, false);
     CHECK(day.for_search() > 0.5 * 86400);

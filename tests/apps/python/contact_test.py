@@ -94,6 +94,12 @@ class Contact(WithFolder):
                 ends.append(rugosa.contact(genome.with_genes(genes), **options).pressure)
             numpy.testing.assert_allclose(whole.pressure_gradient[:, gene], (ends[1] - ends[0]) / 2e-7,
                                           atol=1e-4 * abs(whole.pressure_gradient).max())
+        with self.assertRaisesRegex(TypeError, "unknown keyword 'step'"):
+            rugosa.contact(genome, step=3)
+        genes = genome.genes.copy()
+        genes[2] = 0.5  # gamma, which is larger than 1
+        with self.assertRaisesRegex(rugosa.InputError, "gamma"):
+            genome.with_genes(genes)
 
     def test_an_area_gives_the_bits_of_the_program(self):
         heights = numpy.random.default_rng(3).normal(0, 1e-3, (12, 20))

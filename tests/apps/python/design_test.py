@@ -96,6 +96,8 @@ class Design(WithFolder):
             rugosa.design(PRESSURE, STIFFNESS, pipeline="shape 2 | scor")
         with self.assertRaisesRegex(rugosa.InputError, "increasing|expected"):
             rugosa.Target(PRESSURE[::-1], STIFFNESS)
+        with self.assertRaisesRegex(TypeError, "unknown keyword 'kernell'"):
+            rugosa.Target.like(rough_heights(), 0.004, kernell="free")
 
 
 class Memory(unittest.TestCase):
@@ -129,6 +131,13 @@ class Database(WithFolder):
         numpy.testing.assert_allclose([each.similarity for each in other], [each.similarity for each in found],
                                       rtol=1e-9)
         self.assertEqual([f"{s.index} {s.similarity:.6f}" for s in found], [f"{r[1]} {r[2]}" for r in rows])
+
+    def test_interrupt_keeps_what_is_stored(self):
+        file = self.folder / "long.db"
+        threading.Timer(1, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            rugosa.Database.create(file, 10_000_000, nodes=256)
+        self.assertLess(len(rugosa.Database(file)), 10_000_000)
 
 
 if __name__ == "__main__":
