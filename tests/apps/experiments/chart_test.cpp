@@ -182,6 +182,8 @@ TEST_CASE("the chart's page says which method to take, and its table has a row a
     for (const ChartRun& run : data.runs)
         CHECK(data.at(run.setting) == &run);
     CHECK(data.at(nested(4096, 20)) == nullptr);
+    CHECK(data.contact(0) == data.at(nested(512, 20))->contact_fraction);
+    CHECK(data.contact(1) == 0);
     CHECK(enumerated({"a"}) == "a");
     CHECK(enumerated({"a", "b", "c"}) == "a, b and c");
     CHECK(fastest_by_grid(data).rows.size() == 1);

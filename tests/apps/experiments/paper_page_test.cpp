@@ -89,6 +89,8 @@ TEST_CASE("a report on a handful of nodes, another body or the other reading is 
         const std::string html =
             page_of(folder, "--set database.pairs=2 --set paper.sweep-points=1 " + std::string(model));
         CHECK(found(html, "<figure (id=\"figure-\\d+\")").size() == 11);
+        CHECK((html.find("Datum of the half-plane") != std::string::npos) ==
+              !std::string(model).starts_with("--set model.kernel"));
     }
 }
 
