@@ -54,7 +54,7 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
     }
     for (const auto& [name, text] : own)
         variants.push_back({name, read_at(settings, "variants." + name,
-                                          [&] { return paper_pipeline(words, texts, name); })});
+                                          [&, &name = name] { return paper_pipeline(words, texts, name); })});
     return variants;
 }
 

@@ -202,7 +202,8 @@ Race raced(const Settings& settings, const Conditions& conditions) {
     const auto ways = settings.texts_under("variants.");
     for (const RaceTarget& target : race.targets) // before any is run
         for (const auto& [name, way] : ways)
-            read_at(settings, "variants." + name, [&] { rough::expect_searchable(target.setup, way); });
+            read_at(settings, "variants." + name,
+                    [&, &way = way] { rough::expect_searchable(target.setup, way); });
     for (RaceTarget& target : race.targets) {
         const bool area = target.setup.model.grid.is_area();
         const auto memory = area ? std::make_shared<rough::ResponseMemory>() : nullptr;
@@ -222,8 +223,8 @@ Race raced(const Settings& settings, const Conditions& conditions) {
                 options.memory = memory; // an area's database is pressed once for all ways
                 if (area)
                     options.alternatives = 1;
-                RaceRun run =
-                    read_at(settings, "variants." + name, [&] { return run_once(target, name, options); });
+                RaceRun run = read_at(settings, "variants." + name,
+                                      [&, &name = name] { return run_once(target, name, options); });
                 if (!std::isnan(run.run.judged())) // an area's may be stopped before it is judged
                     variant.runs.push_back(std::move(run));
             }

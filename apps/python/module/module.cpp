@@ -104,7 +104,7 @@ rough::Model model_from(Keywords& keywords) {
 
 rough::Model model_from(Keywords& keywords, const rough::Profile& surface) {
     const auto [columns, rows] = surface.shape();
-    return model_on(keywords, [&](bool wraps) {
+    return model_on(keywords, [&, columns = columns, rows = rows](bool wraps) {
         const auto length = [&](double spacing, rough::Index n) {
             return spacing * static_cast<double>(wraps ? n : n - 1);
         };
