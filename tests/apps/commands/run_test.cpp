@@ -29,6 +29,8 @@ TEST_CASE("the paper's experiment gives six variants on both targets, each simil
         const std::string curves = rough::read_whole(folder / place / "curves.csv");
         CHECK(std::count(curves.begin(), curves.end(), '\n') ==
               1 + result["steps"].get<long>() * static_cast<long>(result["variants"].size()));
+        CHECK(rows_of(folder / place / "scores.csv", "id,similarity,similarity_low,similarity_high").size() ==
+              30); // five genomes of each of the six pairs
         std::set<std::string> names;
         for (const auto& [name, variant] : result["variants"].items())
             names.insert(name);

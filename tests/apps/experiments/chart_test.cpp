@@ -265,6 +265,9 @@ TEST_CASE("models err as they must: lines are exact on ridges alone, theories wh
     const std::string html = page.html();
     for (const char* label : {"theories", "one line", "solved"})
         CHECK_THAT(html, Catch::Contains(std::string(">") + label + "</text>")); // in a picture's key
+    for (const ModelScene& scene : chart.scenes)
+        CHECK(testing::found(html, "(<p>" + scene.name + "</p>)").size() ==
+              4); // area, stiffness; two figures
     int looked_at = 0;
     const ModelChart none = charted_models(64, [&] { return ++looked_at > 0; });
     CHECK(none.runs.empty());

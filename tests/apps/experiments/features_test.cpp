@@ -46,6 +46,7 @@ TEST_CASE("features of one cosine are the cosine's, whatever its amplitude and s
     CHECK(value(hill, "mean depth") == Approx(0.5).epsilon(0.02));
     CHECK(value(hill, "Rq") == Approx(1 / std::sqrt(8.)).epsilon(0.02));
     CHECK(value(hill, "bearing 50 %") == Approx(0.5).epsilon(0.02));
+    CHECK(value(hill, "peaks' distance") == Approx(1)); // from end to end
     CHECK(value(hill, "slope") == Approx(std::log10(std::numbers::pi / std::sqrt(2.))).margin(0.02));
     CHECK(value(hill, "waves about L and longer") == Approx(0).margin(1e-12));
     CHECK(value(hill, "spots at 50 % of the approach") == Approx(std::log10(2.)));

@@ -77,6 +77,8 @@ TEST_CASE(
             CHECK(cells(row) == cells(rows[0]));
     }
     CHECK(lines_of(folder / "r/claims.csv")[1].starts_with("1,"));
+    for (const ReadingAxis& axis : reading_axes())
+        CHECK(result["readings"][0].contains(axis.name));
     const auto cells = lines_of(folder / "r/cells.csv");
     // Four targets; the database with other phases has no first point of Sobol's.
     CHECK(cells.size() == 1 + 4 * (15 + 14));

@@ -1,3 +1,4 @@
+#include "apps/experiments/variants/run.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
@@ -30,6 +31,19 @@ TEST_CASE("ways to search are compared on the same targets with the same budget 
     const std::string table = rough::read_whole(folder / "r" / "variants.csv");
     CHECK(table.starts_with("target,variant,seed,curves_and_gradients,seconds,similarity\n"));
     CHECK(table.find("heldout,default,2,") != std::string::npos);
+}
+
+TEST_CASE("how good a way is when so much was spent is its best by then, in the median over the seeds") {
+    app::RaceVariant variant{"v", "", {}};
+    for (const double better : {0.0, 0.1, 0.2}) {
+        app::RaceRun run{1, {{10, 1, 0.5 + better}, {20, 2, 0.7 + better}}, {}};
+        run.run.similarity_worst = 0.6 + better;
+        variant.runs.push_back(run);
+    }
+    CHECK(variant.median_at(9) == -1); // nothing yet
+    CHECK(variant.median_at(10) == Approx(0.6));
+    CHECK(variant.median_at(1000) == Approx(0.8));
+    CHECK(variant.median_at_seconds(1.5) == Approx(0.6));
 }
 
 TEST_CASE("a way that cannot search is refused before any other has begun") {

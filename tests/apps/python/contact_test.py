@@ -94,6 +94,7 @@ class Contact(WithFolder):
                 ends.append(rugosa.contact(genome.with_genes(genes), **options).pressure)
             numpy.testing.assert_allclose(whole.pressure_gradient[:, gene], (ends[1] - ends[0]) / 2e-7,
                                           atol=1e-4 * abs(whole.pressure_gradient).max())
+        self.assertEqual(repr(genome), "<rugosa.Genome of 1 series, 2 chromosomes>")
         with self.assertRaisesRegex(TypeError, "unknown keyword 'step'"):
             rugosa.contact(genome, step=3)
         genes = genome.genes.copy()

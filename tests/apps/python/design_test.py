@@ -84,6 +84,9 @@ class Design(WithFolder):
         self.assertEqual([t.quantity for t in design.targets], ["stiffness", "area"])
         found = rugosa.design(like=rough_heights(), spacing=0.004, nodes=64, evaluations=30, threads=1)
         self.assertIn("own", found.pipeline)  # the search that the program takes for a scan's area
+        both = rugosa.design(PRESSURE, STIFFNESS, target_contact_fraction=numpy.linspace(0.05, 0.5, len(PRESSURE)),
+                             pipeline="shape 2 | score | best 1", nodes=64)
+        self.assertEqual([t.quantity for t in both.targets], ["stiffness", "area"])
         with self.assertRaisesRegex(TypeError, "expected one of them"):
             rugosa.design(PRESSURE, STIFFNESS, like=rough_heights(), spacing=0.004)
 

@@ -40,6 +40,7 @@ TEST_CASE("a command is split at its blanks, but not inside quotes") {
     CHECK(split_command("awk '{ print \"x\\n\" }'") == Words{"awk", "{ print \"x\\n\" }"});
     CHECK(split_command("a \"b \\\"c\\\\ $d\" '' e\\ f g'h'\"i\"") ==
           Words{"a", "b \"c\\ $d", "", "e f", "ghi"});
+    CHECK(split_command("a b\\") == Words{"a", "b\\"}); // nothing follows the last one
     CHECK_THROWS_AS(split_command("a 'b"), rough::InputError);
     CHECK_THROWS_AS(split_command(" "), rough::InputError);
 }

@@ -231,6 +231,8 @@ TEST_CASE("Gallagher's highest peak is the optimum, and its others are lower by 
         for (int i = 0; i < 3000; ++i)
             low += function(somewhere(5, stream)) - function.value() < 1;
         CHECK(low < 30); // (10 - 9.1)^2 is the next peak's
+        CHECK(function({996, 0, 0, 0, 0}) - function({995, 0, 0, 0, 0}) ==
+              Approx(991.0 * 991 - 990.0 * 990)); // f_pen alone, far from all peaks
         for (const double xi : function.optimum())
             CHECK(std::abs(xi) <= (f == 21 ? 4.0 : 3.92));
     }
