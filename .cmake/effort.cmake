@@ -7,22 +7,25 @@ set_source_files_properties(domain/contact/solvers/certificate.cpp domain/contac
 file(GLOB words CONFIGURE_DEPENDS domain/text/*.cpp domain/scan/*.cpp domain/database/*.cpp)
 set_source_files_properties(${words} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
 
-# The files of a folder of apps are compiled together; without, a change to one costs less.
-option(RUGOSA_UNITY "Compile files that read the same headers together" ON)
+# The files of a folder are compiled together; without, a change to one costs less. The engine's are a group of their
+# own, as are those of `apps` that are as long as all others together; solvers keep each its own constants.
+function(rugosa_unity target)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    foreach(source ${ARGN})
+        get_filename_component(folder ${source} DIRECTORY)
+        file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
+        string(MAKE_C_IDENTIFIER ${folder} folder)
+        if(NOT source MATCHES "/pipelines_|/solvers/")
+            set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+        endif()
+    endforeach()
+endfunction()
 if(RUGOSA_UNITY)
-    set_target_properties(rugosa_domain PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    rugosa_unity(rugosa_domain ${DOMAIN_SOURCES})
     set_source_files_properties(domain/problem/pipeline.cpp domain/paper/variants.cpp domain/design/pipelines.cpp
         domain/design/search.cpp domain/design/within_limits.cpp
         PROPERTIES UNITY_GROUP engine)
     if(TARGET rugosa_apps)
-        set_target_properties(rugosa_apps PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-        foreach(source ${APP_SOURCES})
-            get_filename_component(folder ${source} DIRECTORY)
-            file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
-            string(MAKE_C_IDENTIFIER ${folder} folder)
-            if(NOT source MATCHES "/pipelines_") # each as long as all others together
-                set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
-            endif()
-        endforeach()
+        rugosa_unity(rugosa_apps ${APP_SOURCES})
     endif()
 endif()

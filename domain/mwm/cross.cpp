@@ -9,25 +9,25 @@ namespace rough {
 
 namespace {
 
-/// A chromosome with the genes of the series it comes from.
-struct LengthScale {
+/// A chromosome with the genes of the series that it comes from.
+struct Owned {
     Series genes; ///< without chromosomes
     Chromosome chromosome;
 };
 
-std::vector<LengthScale> by_wave_length(const Genome& genome) {
-    std::vector<LengthScale> scales;
+std::vector<Owned> by_wave_length(const Genome& genome) {
+    std::vector<Owned> scales;
     for (const auto& series : folded(genome).series)
         for (const auto& chromosome : series.chromosomes)
             scales.push_back({{series.A, series.H, series.gamma, series.lambda, {}}, chromosome});
-    std::stable_sort(scales.begin(), scales.end(), [](const LengthScale& a, const LengthScale& b) {
+    std::stable_sort(scales.begin(), scales.end(), [](const Owned& a, const Owned& b) {
         return wave_length(a.genes, a.chromosome.n) > wave_length(b.genes, b.chromosome.n);
     });
     return scales;
 }
 
 /// A series takes a chromosome if its genes are equal and the place n is free.
-bool takes(const Series& series, const LengthScale& scale) {
+bool takes(const Series& series, const Owned& scale) {
     const auto& genes = scale.genes;
     return series.A == genes.A && series.H == genes.H && series.gamma == genes.gamma &&
            series.lambda == genes.lambda &&
@@ -35,7 +35,7 @@ bool takes(const Series& series, const LengthScale& scale) {
                         [&](const Chromosome& other) { return other.n == scale.chromosome.n; });
 }
 
-Genome genome_of(const std::vector<LengthScale>& scales) {
+Genome genome_of(const std::vector<Owned>& scales) {
     Genome genome;
     for (const auto& scale : scales) {
         auto home = std::find_if(genome.series.begin(), genome.series.end(),
