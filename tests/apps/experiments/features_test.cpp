@@ -1,5 +1,6 @@
 #include "apps/experiments/features/run.hpp"
 #include "domain/mwm/genome_json.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "domain/problem/problem.hpp"
 #include "domain/profile/difference.hpp"
 #include "tests/apps/experiments/finished.hpp"
@@ -148,14 +149,42 @@ TEST_CASE(
     const json genomes = json::parse(rough::read_whole(folder / "r/genomes.json"));
     REQUIRE(genomes.size() == 80);
     std::vector<rough::Profile> answers;
+    std::vector<std::vector<double>> felt(wave_octaves); // by each answer's phase that is felt most
+    const rough::DesignProblem problem(setup);
     for (const json& one : genomes) {
         const auto genome = rough::genome_from_json(one["genome"], "genome");
         const double s = similarity(setup, genome);
         CHECK(s == Approx(one["similarity"].get<double>()).margin(1e-9));
         CHECK((s >= 0.9) == (one["group"] == "answer"));
-        if (one["group"] == "answer")
-            answers.push_back(sample(genome, setup.model.grid));
+        if (one["group"] != "answer")
+            continue;
+        answers.push_back(sample(genome, setup.model.grid));
+        const auto jacobian = problem.sensitivity(genome, "similarity").jacobian;
+        const auto places = rough::gene_places(genome);
+        std::map<std::size_t, double> most;
+        for (std::size_t g = 0; g < places.size(); ++g)
+            if (places[g].kind == rough::GenePlace::Kind::phase) {
+                const rough::Series& series = genome.series[places[g].series];
+                double& octave =
+                    most[wave_octave(wave_length(series, series.chromosomes[places[g].chromosome].n),
+                                     setup.model.grid.length)];
+                const auto column = jacobian.col(static_cast<Eigen::Index>(g));
+                octave = std::max(octave, column.norm() / std::sqrt(static_cast<double>(column.size())));
+            }
+        for (const auto& [octave, size] : most)
+            felt[octave].push_back(size);
     }
+    std::istringstream octaves(rough::read_whole(folder / "r/octaves.csv"));
+    int compared = 0;
+    for (std::string line; std::getline(octaves, line);)
+        for (std::size_t octave = 0; octave < wave_octaves; ++octave)
+            if (const std::string row = "drawn," + octave_name(octave) + ",";
+                line.starts_with(row) && felt[octave].size() == answers.size()) {
+                CHECK(std::stod(line.substr(row.size())) ==
+                      Approx(rough::median(felt[octave])).epsilon(1e-6));
+                ++compared;
+            }
+    CHECK(compared > 2);
     double least = 2;
     for (std::size_t i = 0; i < answers.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
