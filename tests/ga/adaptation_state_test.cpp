@@ -251,6 +251,8 @@ TEST_CASE("a checkpoint of what learns is refused where it does not fit, though 
     refused(Stage<Function>(sample(1)) | score() | Stage<Function>(repeat(30, cma_es() | score())),
             {"/0", "/1", "/2", "/2/0", "/2/2", "/2/3", "/2/4", "/2/5", "/2/6", "/3", "/8"},
             {Vector{1, 2}, Vector(10, 1.0), "text"}, "/7", false);
+    refused(Stage<Function>(sample(1)) | score() | Stage<Function>(repeat(30, cma_es() | score())), {"/8"},
+            {std::vector<bool>(2), std::vector<bool>(50)}, "/7", false);
     const auto shade =
         Stage<Function>(sample(10)) | score() | Stage<Function>(repeat(30, l_shade() | score() | duel()));
     refused(shade, {"/0", "/1"}, {Vector{1, 2}, Vector(7, 1.0), Vector(), "text"}, "/5", 10);

@@ -432,8 +432,9 @@ TEST_CASE("operators that learn are refused where nothing is repeated, and words
     for (const std::string name : {"cma-es", "l-shade", "self-adaptive"})
         CHECK(refused("sample 9 | score | " + name + " | score")
                   .find("learns from one generation to the next") != std::string::npos);
-    CHECK(refused("sample 9 | repeat 2 { cma-es | score }").find("needs a scored population") !=
-          std::string::npos);
+    for (const std::string name : {"cma-es", "de"})
+        CHECK(refused("sample 9 | repeat 2 { " + name + " | score }").find("needs a scored population") !=
+              std::string::npos);
     CHECK(refused("sample 9 | score | repeat 2 { cma-es restarts=often | score }")
               .find("expected bipop, ipop or none") != std::string::npos);
     CHECK(refused("sample 9 | score | repeat 2 { de worst | score }")

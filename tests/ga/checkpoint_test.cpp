@@ -168,6 +168,8 @@ TEST_CASE("a checkpoint that nests without end, or does not fit its pipeline, is
     Checkpoints<Vectors> deep(file, "", true);
     CHECK_THROWS_WITH(run(sample(3) | score(), Vectors{}, nobody, {}, {}, &deep),
                       "checkpoint '" + file.string() + "' nests too deep; expected one that a run wrote");
+    CHECK(read_cbor(std::string(63, '\x81') + '\x80', file).size() == 1); // 64 arrays
+    CHECK_THROWS_AS(read_cbor(std::string(64, '\x81') + '\x80', file), UsageError);
     const auto pipeline = sample(8) | score() | repeat(6, tournament(2) | mutate(1) | score() | elite(1));
     Checkpoints<Vectors> write(file, "", false, 0);
     run(pipeline, Vectors{}, nobody, {.budget = {.evaluations = 30}}, {}, &write);

@@ -88,6 +88,15 @@ TEST_CASE("what the memory holds is never evaluated again, whoever asks") {
                                       refine(nlopt_method("LN_COBYLA", 4)))) == 0);
 }
 
+TEST_CASE("an evaluator that records hands derivatives on, and notes whose they are") {
+    Serial<CurveFit> serial;
+    Recording<CurveFit> record(serial);
+    const auto pipeline = score() | refine(lm(3));
+    const auto result = run_by(record, pipeline, CurveFit{}, CurveFit::start(6));
+    CHECK(bits_of(result) == bits_of(run(pipeline, CurveFit{}, CurveFit::start(6), {})));
+    CHECK(record.differentiated.size() == static_cast<std::size_t>(result.counters.gradients));
+}
+
 TEST_CASE("searches of several individuals ask together") {
     Serial<CurveFit> serial;
     Recording<CurveFit> record(serial);

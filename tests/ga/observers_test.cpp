@@ -36,6 +36,14 @@ std::string timeless(const std::string& table) {
 
 } // namespace
 
+TEST_CASE("a log of a run that showed nothing has its heading") {
+    const tests::Folder folder;
+    Log log(folder / "log.csv");
+    log.close();
+    CHECK(contents(folder / "log.csv") ==
+          "path,generation,individuals,best,median,diversity,asked,evaluations,gradients,failures,seconds\n");
+}
+
 TEST_CASE("the log has a row for every stage with what a population is worth") {
     const tests::Folder folder;
     const fs::path file = folder / "log.csv";

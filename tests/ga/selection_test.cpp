@@ -97,6 +97,10 @@ TEST_CASE("below keeps those under the threshold in their order") {
     CHECK(result.population[0].identity == 0);
     CHECK(result.population[1].identity == 2);
     CHECK(run(score() | below(0, at_least(2)), Given{}, Given::of({2, 5, 1, 3})).population[1].identity == 2);
+    const auto enough = run(score() | above(2.5, at_least(2)), Given{}, Given::of({2, 3, 1, 5}));
+    REQUIRE(enough.population.size() == 2);
+    CHECK(enough.population[0].identity == 1); // in their order, not the best first
+    CHECK(enough.notes.empty());
 }
 
 TEST_CASE("what chooses in proportion to the fitness is refused where there is no one number") {

@@ -249,6 +249,13 @@ TEST_CASE("what a pipeline lacks is refused at the column of the stage that lack
                                     "expected one of fit, low, high");
 }
 
+TEST_CASE("two letters that changed places are one edit, at the beginning and at the end of a word too") {
+    CHECK(edits("csore", "score") == 1);
+    CHECK(edits("scoer", "score") == 1);
+    CHECK(edits("ab", "ba") == 1);
+    CHECK(edits("abc", "cab") == 2);
+}
+
 TEST_CASE("named pipelines stand as stages in each other and are expanded in place") {
     const auto registry = domain_words();
     Parser<CurveFit> parser(registry, {{"start", "score | best 3"}, {"all", "start | refine lm 3 | start"}});
