@@ -1,8 +1,10 @@
 #include "domain/contact/solve.hpp"
 
 #include "domain/contact/kernel.hpp"
+#include "domain/contact/names.hpp"
 #include "domain/contact/solvers/active_set.hpp"
 #include "domain/contact/solvers/capped.hpp"
+#include "domain/contact/solvers/certificate.hpp"
 #include "domain/contact/solvers/choice.hpp"
 #include "domain/contact/solvers/nested.hpp"
 #include "domain/contact/solvers/nnls.hpp"
@@ -14,19 +16,25 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace rough {
 
 namespace {
 
+/// At the displacements given, mm; under load control at those found.
 ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& displacements,
-                      Solution solution, bool states) {
+                      Solution solution, const SolverChoice& choice, const ContactOptions& options) {
     ContactCurve curve;
+    curve.solver = choice.solver;
+    curve.choice = choice.reason;
     curve.iterations = solution.iterations;
     for (std::size_t j = 0; j < solution.steps.size(); ++j) {
         StepSolution& found = solution.steps[j];
-        curve.steps.push_back(load_step(problem, displacements[j], found));
-        if (states) {
+        curve.steps.push_back(load_step(
+            problem, problem.load.empty() ? displacements[j] : found.approach * problem.displacement_unit,
+            found));
+        if (options.states) {
             // w = H_AA^-1 1 in MPa/mm, so that dP/dDelta = (delta/L) sum w
             const double tangent_unit = problem.stiffness_unit * problem.elements;
             curve.states.push_back({std::move(found.nodes), found.pressure * problem.pressure_unit,
@@ -48,60 +56,61 @@ StepSolution first_touch(const ContactProblem& problem, const ContactOptions& op
     return step_solution(touching, load, tangent, options.states);
 }
 
-void solve_by(Solver solver, const ContactProblem& problem, const ContactOptions& options,
+void solve_by(Solver solver, const ContactProblem& problem, const ContactOptions& options, double most_work,
               Solution& solution) {
     switch (solver) {
     case Solver::nnls:
-        solution = solve_nnls(problem, options);
-        break;
+        return solve_nnls(problem, options, solution);
     case Solver::polonsky_keer:
-        solution = solve_polonsky_keer(problem, options);
-        break;
+        return solve_polonsky_keer(problem, options, solution);
     case Solver::active_set:
-        solve_active_set(problem, options, solution);
-        break;
+        return solve_active_set(problem, options, solution);
     default:
-        expect_factor_to_fit(problem, options);
-        solution = solve_nested(problem, options);
+        return solve_nested(problem, options, most_work, solution);
     }
 }
 
-/// The solver chosen goes first; where it fails, the other one goes on with the step that it failed at.
+/// The others take displacements: Newton's method finds those of the loads.
+bool takes_loads(Solver solver, const ContactProblem& problem) {
+    if (problem.load.empty())
+        return true;
+    return !std::isfinite(problem.cap) && (solver == Solver::nested || solver == Solver::polonsky_keer ||
+                                           (solver == Solver::active_set && problem.is_area()));
+}
+
+/// The chosen solver goes first. If it fails, the other one continues with the step that it failed at, and
+/// last Polonsky-Keer. Each has its limit: the factor of memory and work, the others of iterations.
 void solve_by_choice(SolverChoice& choice, ContactProblem problem, const ContactOptions& options,
                      Solution& solution) {
-    const auto solve_rest = [&](Solver solver, double most_work) {
-        if (solver == Solver::nested)
-            solve_nested(problem, options, most_work, solution);
-        else
-            solve_active_set(problem, options, solution);
-    };
-    std::string failure;
-    try {
-        solve_rest(choice.solver, most_nested_work(problem));
-        return;
-    } catch (const NotConverged& error) {
-        failure = error.what();
-    } catch (const InputError& error) { // a factor that grows beyond the memory
-        failure = error.what();
-    }
-    check_stop(options);
-    const auto solved = static_cast<std::ptrdiff_t>(solution.steps.size());
-    problem.approach.erase(problem.approach.begin(), problem.approach.begin() + solved);
-    choice.solver = choice.solver == Solver::nested ? Solver::active_set : Solver::nested;
-    choice.reason += "; after " + std::to_string(solved) + " load steps handed over to " +
-                     (choice.solver == Solver::nested ? "nested" : "active-set") + ": " + failure;
-    try {
-        solve_rest(choice.solver, std::numeric_limits<double>::infinity());
-    } catch (const InputError& error) {
-        throw NotConverged(failure + "; " + error.what());
-    } catch (const NotConverged& error) {
+    const Solver other = choice.solver == Solver::nested ? Solver::active_set : Solver::nested;
+    const double most_work = most_nested_work(problem);
+    std::vector<double>& steps = problem.load.empty() ? problem.approach : problem.load;
+    std::string failures;
+    for (const Solver solver : {choice.solver, other, Solver::polonsky_keer}) {
+        if (solver == Solver::active_set && !takes_loads(solver, problem))
+            continue;
+        const std::size_t solved = solution.steps.size();
+        if (!failures.empty())
+            choice.reason += "; after " + std::to_string(solved) + " load steps handed over to " +
+                             name_of(solver) + ": " + failures;
+        choice.solver = solver;
+        try {
+            return solve_by(solver, problem, options, most_work, solution);
+        } catch (const NotConverged& error) {
+            failures += (failures.empty() ? "" : "; ") + std::string(error.what());
+        } catch (const InputError& error) { // a factor that grows beyond the memory
+            failures += (failures.empty() ? "" : "; ") + std::string(error.what());
+        }
         check_stop(options);
-        throw NotConverged(failure + "; " + error.what());
+        steps.erase(steps.begin(),
+                    steps.begin() + static_cast<std::ptrdiff_t>(solution.steps.size() - solved));
     }
+    throw NotConverged(failures);
 }
 
 /// The steps without approach, then those with.
 Solution solve(SolverChoice& choice, ContactProblem problem, const ContactOptions& options) {
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
     const auto loaded = std::upper_bound(problem.approach.begin(), problem.approach.end(), 0.0);
     const std::vector<StepSolution> touches(
         static_cast<std::size_t>(loaded - problem.approach.begin()),
@@ -112,10 +121,18 @@ Solution solve(SolverChoice& choice, ContactProblem problem, const ContactOption
         solution = solve_capped(problem, options);
     else if (options.solver == Solver::automatic)
         solve_by_choice(choice, problem, options, solution);
-    else
-        solve_by(choice.solver, problem, options, solution);
+    else {
+        if (choice.solver == Solver::nested)
+            expect_factor_to_fit(problem, options);
+        solve_by(choice.solver, problem, options, unlimited, solution);
+    }
     solution.steps.insert(solution.steps.begin(), touches.begin(), touches.end());
     return solution;
+}
+
+SolverChoice chosen(const ContactProblem& problem, const ContactOptions& options) {
+    return options.solver == Solver::automatic ? choose_solver(problem, options)
+                                               : SolverChoice{options.solver, "asked for"};
 }
 
 void check_solver(const Body& body, const ContactOptions& options) {
@@ -141,7 +158,7 @@ LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, c
                     LoadStep from) {
     constexpr double met = 1e-9, little = 0.75;
     const double highest = largest_displacement(profile, body);
-    double below = from.displacement, above = body.yields() ? highest : HUGE_VAL;
+    double below = from.displacement, above = HUGE_VAL;
     if (from.pressure > pressure) // by no more than the solver's tolerance
         below = 0, above = from.displacement;
     bool halve = false;
@@ -179,43 +196,80 @@ void check_bearable(double pressure, const Profile& profile, const Body& body) {
                most, " MPa, is expected");
 }
 
-/// Under load control the active set goes on from step to step on an area, where one solution costs much.
-bool takes_loads(const Profile& profile, const Body& body, const ContactOptions& options) {
-    return profile.is_area() && profile.nodes() > always_nested && !body.yields() &&
-           (options.solver == Solver::automatic || options.solver == Solver::active_set);
-}
-
-/// From the mean pressure on at which no node of a periodic surface is under tension all touch: p = P + H^-1
-/// Z.
-void check_full_contact(double pressure, const Profile& profile, const Body& body) {
-    if (body.kernel != Kernel::periodic)
-        return;
-    const ContactProblem problem = make_problem(profile, body, {});
+/// Pressures of full contact on a periodic body, less their mean: p = P + H^-1 Z.
+Eigen::VectorXd full_contact_pressure(const ContactProblem& problem) {
     const Eigen::ArrayXd spectrum = spectrum_on(problem, problem.shape);
     FourierOperator inverse =
         FourierOperator::circulant(problem.shape, (spectrum > 0).select(1 / spectrum, 0).matrix());
     Eigen::VectorXd::Map(inverse.input(), problem.nodes()) = -problem.gap;
-    const double most =
-        -Eigen::VectorXd::Map(inverse.apply(), problem.nodes()).minCoeff() * problem.pressure_unit;
+    return Eigen::VectorXd::Map(inverse.apply(), problem.nodes());
+}
+
+/// Refuses what needs more than full contact, in which no node is under tension.
+void check_full_contact(double pressure, const ContactProblem& problem) {
+    const double most = -full_contact_pressure(problem).minCoeff() * problem.pressure_unit;
     if (pressure > most)
         refuse("mean pressure ", pressure, " MPa was given, at most that of full contact, ", most,
                " MPa, is expected");
 }
 
-/// By a solver that takes loads.
-template <class SolveLoads>
-ContactCurve solved_at(const Profile& profile, const Body& body, const std::vector<double>& pressures,
-                       const ContactOptions& options, SolveLoads solve_loads) {
-    const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
-    ContactProblem problem =
-        make_problem(profile, body, {std::min(range > 0 ? range : 1, largest_displacement(profile, body))});
-    std::vector<double> loads, displacements;
-    for (const double pressure : pressures)
-        loads.push_back(pressure / problem.pressure_unit * problem.elements);
-    Solution solution = solve_loads(problem, loads, options);
-    for (const double approach : problem.approach)
-        displacements.push_back(approach * problem.displacement_unit);
-    return in_units(problem, displacements, std::move(solution), options.states);
+/// The state of full contact under a load, if no node of it is under tension or at the hardness: every such
+/// load has the same displacement. K is that of all nodes except the least loaded one, as just below full
+/// contact.
+std::optional<StepSolution> pressed_flat(double load, const ContactProblem& problem,
+                                         const Eigen::VectorXd& deviation, const ContactOptions& options) {
+    Loaded state(problem.nodes()), tangent(problem.nodes());
+    state.pressure = deviation.array() + load / static_cast<double>(problem.nodes());
+    Index least = 0;
+    if (!(state.pressure.minCoeff(&least) > 0 && state.pressure.maxCoeff() < problem.cap))
+        return {};
+    ContactSet set(problem.nodes());
+    for (Index i = 0; i < problem.nodes(); ++i)
+        if (i != least)
+            set.insert(i);
+    set.collect();
+    SetSolver(problem).tangent(set, 1e-10, true, tangent);
+    StepSolution step = step_solution(set, state, tangent, false);
+    set.insert(least);
+    set.collect();
+    step.nodes = set.nodes();
+    step.pressure = state.pressure;
+    if (options.states)
+        step.tangent = tangent.pressure;
+    step.approach = problem.gap.mean();
+    step.residual = certify(problem, step.approach, step.nodes, step.pressure,
+                            split_operator(problem).apply(step.pressure).data())
+                        .residual();
+    return step;
+}
+
+/// Loads to which Newton's method finds the displacements.
+ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profile, const Body& body,
+                             const std::vector<double>& pressures, const ContactOptions& options) {
+    const Eigen::VectorXd deviation =
+        body.kernel == Kernel::periodic && body.yields() ? full_contact_pressure(problem) : Eigen::VectorXd();
+    std::vector<std::optional<StepSolution>> flat(pressures.size());
+    std::vector<double> displacements;
+    LoadStep from = solve_contact(profile, body, {0}, options).steps.front();
+    for (std::size_t j = 0; j < pressures.size(); ++j) {
+        if (deviation.size() > 0)
+            flat[j] = pressed_flat(problem.load[j], problem, deviation, options);
+        if (flat[j])
+            continue;
+        from = pressed_to(pressures[j], profile, body, options, from);
+        displacements.push_back(from.displacement);
+    }
+    ContactCurve curve = solve_contact(profile, body, displacements, options);
+    for (std::size_t j = 0; j < pressures.size(); ++j)
+        if (flat[j]) {
+            ContactCurve pressed =
+                in_units(problem, {}, {{*flat[j]}, 0}, {curve.solver, curve.choice}, options);
+            const auto at = static_cast<std::ptrdiff_t>(j);
+            curve.steps.insert(curve.steps.begin() + at, pressed.steps.front());
+            if (options.states)
+                curve.states.insert(curve.states.begin() + at, std::move(pressed.states.front()));
+        }
+    return curve;
 }
 
 } // namespace
@@ -225,12 +279,9 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
     check_tolerance(options);
     check_solver(body, options);
     const ContactProblem problem = make_problem(profile, body, displacements);
-    SolverChoice choice = options.solver == Solver::automatic ? choose_solver(problem, options)
-                                                              : SolverChoice{options.solver, "asked for"};
-    ContactCurve curve = in_units(problem, displacements, solve(choice, problem, options), options.states);
-    curve.solver = choice.solver;
-    curve.choice = choice.reason;
-    return curve;
+    SolverChoice choice = chosen(problem, options);
+    Solution solution = solve(choice, problem, options);
+    return in_units(problem, displacements, std::move(solution), choice, options);
 }
 
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
@@ -246,25 +297,15 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
         check_bearable(pressure, profile, body);
         previous = pressure;
     }
-    ContactCurve curve;
-    if (options.solver == Solver::polonsky_keer) {
-        curve = solved_at(profile, body, pressures, options, solve_polonsky_keer_loads);
-        curve.solver = Solver::polonsky_keer;
-    } else if (takes_loads(profile, body, options)) {
-        check_full_contact(pressures.back(), profile, body);
-        curve = solved_at(profile, body, pressures, options, solve_active_set_loads);
-        curve.solver = Solver::active_set;
-        curve.choice = "active-set: it takes loads on an area";
-    } else {
-        LoadStep from = solve_contact(profile, body, {0}, options).steps.front();
-        std::vector<double> displacements;
-        for (const double pressure : pressures) {
-            from = pressed_to(pressure, profile, body, options, from);
-            displacements.push_back(from.displacement);
-        }
-        curve = solve_contact(profile, body, displacements, options);
-    }
-    return curve;
+    if (pressures.empty())
+        return {};
+    const ContactProblem problem = make_problem_at(profile, body, pressures);
+    if (body.kernel == Kernel::periodic && !body.yields())
+        check_full_contact(pressures.back(), problem);
+    SolverChoice choice = chosen(problem, options);
+    if (takes_loads(choice.solver, problem))
+        return in_units(problem, {}, solve(choice, problem, options), choice, options);
+    return solve_by_newton(problem, profile, body, pressures, options);
 }
 
 } // namespace rough

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace rough {
 
@@ -26,19 +27,12 @@ constexpr int most_rounds = 200;
 /// residual.
 constexpr int most_swings = 2;
 constexpr double share_left = 0.9;
-/// Of a load, within which Newton's method on the approach is done in one more step.
-constexpr double near_load = 1e-3;
 constexpr long most_iterations = 2000;
 /// Up to this size a dense factor is cheaper than a coarser grid; on an area more of the nodes touch each
 /// other's neighbours, and grids shrink faster.
 constexpr Index coarsest_line = 1024, coarsest_area = 256;
 /// From one grid to the next coarser one; an area's nodes grow by its square.
 constexpr Index line_stride = 4, area_stride = 2;
-
-/// The approach of full contact, infinite where there is none.
-double full_contact(const ContactProblem& problem) {
-    return problem.kernel == Kernel::periodic ? problem.gap.mean() : std::numeric_limits<double>::infinity();
-}
 
 Index coarsest(const ContactProblem& problem) { return problem.is_area() ? coarsest_area : coarsest_line; }
 
@@ -215,7 +209,7 @@ class ActiveSet {
     }
 
     /// Nodes leave and join together here, until that makes the set swing: from then on none joins in a round
-    /// in which more leave. An area has nodes without number at the brink: which of them touch is known as
+    /// in which any leaves. An area has nodes without number at the brink: which of them touch is known as
     /// well as the residual, and no better.
     void settle_area(double& approach, double tolerance) {
         double target = 1, least = std::numeric_limits<double>::infinity();
@@ -293,7 +287,7 @@ class ActiveSet {
         if (dropped.empty() || problem_.is_area())
             added = advancing_nodes(depth_, set_.touching(), problem_.shape, least + ahead_);
         ahead_ = 0;
-        if (swinging_ && added.size() < dropped.size())
+        if (swinging_ && !dropped.empty())
             added.clear();
         for (const int i : added)
             set_.insert(i);
@@ -324,6 +318,7 @@ Solution guess(const ContactProblem& problem, ContactOptions options);
 StepSolution certified(const ContactProblem& problem, double approach, StepSolution found,
                        SplitOperator& check, const Eigen::VectorXd& pressure, double tolerance) {
     const Eigen::VectorXd displacement = check.apply(pressure);
+    found.approach = approach;
     found.residual = certify(problem, approach, found.nodes, found.pressure, displacement.data()).residual();
     if (!(found.residual <= 2 * tolerance))
         fail("active set", problem, approach, found.residual, tolerance);
@@ -376,67 +371,60 @@ Solution guess(const ContactProblem& problem, ContactOptions options) {
     return solution;
 }
 
-/// The approach at which so many pressures add up to `load`, on a grid that a factor solves at once: Newton's
-/// method from above, where no more than one node would touch.
-StepSolution press_small_to(double load, double& approach, const ContactProblem& problem,
-                            NestedContact& contact) {
-    const double full = full_contact(problem);
-    approach = std::min(problem.gap.minCoeff() + load * problem.column[0], (1 - 1e-9) * full);
-    for (int round = 0;; ++round) {
-        StepSolution step = contact.press(approach);
-        const double missing = load - step.pressure.sum();
-        if (std::abs(missing) <= near_load * load || round == most_rounds ||
-            (missing > 0 && approach >= full))
-            return step;
-        approach = std::min(approach + missing / step.stiffness, full);
+/// A guess at the pressures of the first load and at its approach, from coarser grids. An even pressure if
+/// the grid is small, or if the coarsest one is in full contact before it bears that load.
+Eigen::VectorXd guess_to_load(double& approach, const ContactProblem& problem,
+                              const ContactOptions& options) {
+    const double load = problem.load.front();
+    if (problem.nodes() > coarsest(problem)) {
+        const Index stride = stride_of(problem);
+        const ContactProblem coarse = coarsened(problem, stride);
+        try {
+            StepSolution found;
+            if (coarse.nodes() > coarsest(coarse)) {
+                const Eigen::VectorXd start = guess_to_load(approach, coarse, options);
+                found =
+                    ActiveSet(coarse, options, Purpose::guess).press_to(coarse.load.front(), approach, start);
+            } else {
+                found = NestedContact(coarse, options).press_to(coarse.load.front());
+                approach = found.approach;
+            }
+            return refined_pressures(found, coarse.shape, stride, problem.shape);
+        } catch (const NotConverged&) {
+            check_stop(options);
+        }
     }
+    approach = problem.gap.mean();
+    return Eigen::VectorXd::Constant(problem.nodes(), load / static_cast<double>(problem.nodes()));
 }
 
-/// A guess at the step to `load` and its approach, from coarser grids.
-Eigen::VectorXd guess_to(double load, double& approach, const ContactProblem& problem,
-                         const ContactOptions& options) {
-    const Index stride = stride_of(problem);
-    const ContactProblem coarse = coarsened(problem, stride);
-    // the same mean pressure
-    const double coarse_load = load * coarse.elements / problem.elements * static_cast<double>(stride);
-    StepSolution found;
-    if (coarse.nodes() <= coarsest(coarse)) {
-        NestedContact contact(coarse, options);
-        found = press_small_to(coarse_load, approach, coarse, contact);
-    } else {
-        const Eigen::VectorXd start = guess_to(coarse_load, approach, coarse, options);
-        found = ActiveSet(coarse, options, Purpose::guess).press_to(coarse_load, approach, start);
-    }
-    return refined_pressures(found, coarse.shape, stride, problem.shape);
-}
-
-} // namespace
-
-Solution solve_active_set_loads(ContactProblem& problem, const std::vector<double>& loads,
-                                const ContactOptions& options) {
+void solve_loads(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
     ContactOptions loosely = options;
     loosely.tolerance = 1e-2;
     loosely.states = false;
     ActiveSet solver(problem, options, Purpose::curve);
     SplitOperator check = split_operator(problem);
-    Solution solution;
-    problem.approach.clear();
     double approach = 0;
-    for (const double load : loads) {
+    bool first = true;
+    for (const double load : problem.load) {
+        const long before = solver.applies();
         std::optional<Eigen::VectorXd> start;
-        if (solution.steps.empty())
-            start = guess_to(load, approach, problem, loosely);
+        if (std::exchange(first, false))
+            start = guess_to_load(approach, problem, loosely);
         StepSolution found = solver.press_to(load, approach, start);
         solution.steps.push_back(
             certified(problem, approach, std::move(found), check, solver.pressure(), options.tolerance));
-        problem.approach.push_back(approach);
+        solution.iterations += solver.applies() - before;
     }
-    solution.iterations = solver.applies();
-    return solution;
 }
 
+} // namespace
+
 void solve_active_set(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
-    solve_levels(problem, options, Purpose::curve, solution);
+    if (problem.load.empty())
+        solve_levels(problem, options, Purpose::curve, solution);
+    else
+        solve_loads(problem, options, solution);
 }
 
 } // namespace rough

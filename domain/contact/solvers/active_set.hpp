@@ -4,16 +4,12 @@
 
 namespace rough {
 
-/// The iterative solver for grids where a dense factor does not fit: conjugate gradients by FFT on a contact
-/// set that is corrected as they go, each load step predicted from the one before by its tangent vector. Ends
-/// when every residual is within the tolerance and the contact set is beyond doubt at that residual, or
-/// rounding allows no better. Throws NotConverged. The certificate applies H by another splitting into
-/// transforms. Steps are added to `solution`, which keeps what was solved where this throws.
+/// The iterative solver for grids on which a dense factor does not fit: conjugate gradients by FFT on a
+/// contact set that is corrected as they go, each load step predicted from the one before by its tangent
+/// vector. Ends when every residual is within the tolerance and the contact set is beyond doubt at that
+/// residual, or rounding allows no better. Load control is for maps only. Throws NotConverged. The
+/// certificate applies H by another splitting into transforms. Steps are added to `solution`, which keeps
+/// what was solved if this throws.
 void solve_active_set(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
-
-/// The same under load control: `loads` are sums of the nodes' pressures in the problem's units, positive and
-/// increasing, each reached to the tolerance. Sets the problem's approaches to those found.
-Solution solve_active_set_loads(ContactProblem& problem, const std::vector<double>& loads,
-                                const ContactOptions& options);
 
 } // namespace rough

@@ -38,15 +38,18 @@ double expected_contact(const ContactProblem& problem, ContactOptions options) {
         std::ceil(std::sqrt(static_cast<double>(problem.nodes()) / static_cast<double>(sample))));
     const Index stride = problem.shape.rows > 1 ? area_stride : (problem.nodes() + sample - 1) / sample;
     ContactProblem coarse = coarsened(problem, stride);
-    if (coarse.gap.minCoeff() > missed * problem.approach.back()) {
+    const bool loaded = !problem.load.empty();
+    if (loaded || coarse.gap.minCoeff() > missed * problem.approach.back()) {
         Index highest = 0;
         problem.gap.minCoeff(&highest);
         coarse = coarsened(problem, stride, highest);
     }
-    coarse.approach = {problem.approach.back()};
+    std::vector<double>& steps = loaded ? coarse.load : coarse.approach;
+    steps = {steps.back()};
     options.states = false;
     try {
-        const Solution solution = solve_nested(coarse, options);
+        Solution solution;
+        solve_nested(coarse, options, std::numeric_limits<double>::infinity(), solution);
         return static_cast<double>(solution.steps.back().nodes.size()) / static_cast<double>(coarse.nodes());
     } catch (const NotConverged&) { // near full contact the coarse grid may have no solution
         check_stop(options);
@@ -78,7 +81,7 @@ double active_set_cost(double nodes, double steps) { return steps * applies_per_
 double most_nested_work(const ContactProblem& problem) {
     if (problem.nodes() <= always_nested)
         return std::numeric_limits<double>::infinity();
-    const double steps = static_cast<double>(problem.approach.size());
+    const double steps = static_cast<double>(problem.steps());
     return patience * iterative_cost(problem, steps) / per_elimination;
 }
 
@@ -86,12 +89,12 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
     PlainStream reason;
     if (std::isfinite(problem.cap))
         return {Solver::active_set, "active-set: pressures are held at the hardness, contact is not nested"};
-    if (problem.nodes() <= always_nested || problem.approach.empty() || problem.approach.back() == 0) {
+    if (problem.nodes() <= always_nested || problem.steps() == 0 ||
+        (problem.load.empty() && problem.approach.back() == 0)) {
         reason << "nested: up to " << always_nested << " nodes the factor is always the fastest";
         return {Solver::nested, reason.str()};
     }
-    const double n = static_cast<double>(problem.nodes()),
-                 steps = static_cast<double>(problem.approach.size());
+    const double n = static_cast<double>(problem.nodes()), steps = static_cast<double>(problem.steps());
     const double m = std::ceil(expected_contact(problem, options) * n);
     const double nested = nested_cost(n, m, steps), active_set = iterative_cost(problem, steps);
     // Half as much again, as the estimate comes from a coarse grid.
@@ -107,7 +110,7 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
 }
 
 void expect_factor_to_fit(const ContactProblem& problem, const ContactOptions& options) {
-    if (GrowingFactor::bytes(problem.nodes()) <= options.memory_limit || problem.approach.empty())
+    if (GrowingFactor::bytes(problem.nodes()) <= options.memory_limit || problem.steps() == 0)
         return; // even with every node in contact
     const double nodes = std::ceil(expected_contact(problem, options) * static_cast<double>(problem.nodes()));
     refuse_factor(static_cast<Index>(nodes), options);

@@ -146,6 +146,13 @@ void GrowingFactor::tangent(Eigen::VectorXd& w) {
     w = padded_.head(size());
 }
 
+double GrowingFactor::approach_at(double load) const {
+    const auto padded = static_cast<Index>(one_.size());
+    const double moment = Eigen::Map<const Eigen::VectorXd>(one_.data(), padded)
+                              .dot(Eigen::Map<const Eigen::VectorXd>(gap_image_.data(), padded));
+    return (load + moment) / stiffness();
+}
+
 double GrowingFactor::stiffness() const {
     return Eigen::Map<const Eigen::VectorXd>(one_.data(), static_cast<Index>(one_.size())).squaredNorm();
 }

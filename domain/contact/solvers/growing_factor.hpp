@@ -28,6 +28,8 @@ class GrowingFactor {
 
     /// p = L^-T (approach z - v), size() entries
     void pressures(double approach, Eigen::VectorXd& p);
+    /// The approach at which the pressures add up to `load`: (load + z.v)/z.z; the set must not be empty.
+    double approach_at(double load) const;
     /// w = H_AA^-1 1, size() entries
     void tangent(Eigen::VectorXd& w);
     /// sum of w

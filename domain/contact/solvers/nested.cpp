@@ -22,21 +22,32 @@ NestedContact::NestedContact(const ContactProblem& problem, const ContactOptions
       factor_(influence_, problem.gap), direct_(influence_),
       touching_(static_cast<std::size_t>(problem.nodes()), 0), most_work_(most_work) {}
 
-StepSolution NestedContact::press(double approach) {
+StepSolution NestedContact::press_to(double load) {
+    if (factor_.size() == 0) {
+        Index highest = 0;
+        problem_.gap.minCoeff(&highest);
+        factor_.append({static_cast<int>(highest)});
+        touching_[static_cast<std::size_t>(highest)] = 1;
+    }
+    return press(0, load);
+}
+
+StepSolution NestedContact::press(double approach, std::optional<double> load) {
     Certificate certificate;
     for (int round = 0; round < most_rounds; ++round) {
         check_stop(options_);
-        factor_.pressures(approach, pressure_);
-        drop_tension(approach);
+        find_pressures(approach, load);
+        drop_tension(approach, load);
         const double* u = displacement();
         certificate = certify(problem_, approach, factor_.nodes(), pressure_, u);
-        if (certificate.penetration <= rounding || !add_penetrating(approach, u))
+        if (certificate.penetration <= rounding || !add_penetrating(approach, u, load.has_value()))
             break;
     }
     const double tolerance = direct_tolerance(problem_, approach, pressure_, factor_.stiffness());
     if (!(certificate.residual() <= tolerance))
         fail("nested Cholesky", problem_, approach, certificate.residual(), tolerance);
     StepSolution step{factor_.nodes(), pressure_, factor_.stiffness(), {}, certificate.residual()};
+    step.approach = approach;
     if (options_.states)
         factor_.tangent(step.tangent);
     return step;
@@ -54,8 +65,15 @@ const double* NestedContact::displacement() {
     return fourier_->apply();
 }
 
+/// Under load control the approach at which these nodes bear the load comes first.
+void NestedContact::find_pressures(double& approach, std::optional<double> load) {
+    if (load)
+        approach = factor_.approach_at(*load);
+    factor_.pressures(approach, pressure_);
+}
+
 /// Removes nodes under tension until none is left; the factor keeps its head.
-void NestedContact::drop_tension(double approach) {
+void NestedContact::drop_tension(double& approach, std::optional<double> load) {
     for (;;) {
         std::vector<Index> dropped;
         for (Index k = 0; k < pressure_.size(); ++k)
@@ -67,7 +85,7 @@ void NestedContact::drop_tension(double approach) {
             touching_[static_cast<std::size_t>(factor_.nodes()[static_cast<std::size_t>(k)])] = 0;
         factor_.remove(dropped);
         eliminate(factor_.size() - std::min(dropped.front(), factor_.size()));
-        factor_.pressures(approach, pressure_);
+        find_pressures(approach, load);
         ++rounds_;
     }
 }
@@ -75,13 +93,24 @@ void NestedContact::drop_tension(double approach) {
 /// Appends the nodes that penetrate and will stay in contact, by their first-order estimate; false if
 /// none penetrates. A node left out for too low an estimate still penetrates in the next round, which
 /// costs a check; one taken for too high an estimate costs a new factor of the tail.
-bool NestedContact::add_penetrating(double approach, const double* u) {
+bool NestedContact::add_penetrating(double approach, const double* u, bool by_load) {
     depth_ = approach - (problem_.gap + Eigen::Map<const Eigen::VectorXd>(u, problem_.nodes())).array();
     std::vector<int> added = advancing_nodes(depth_, touching_, problem_.shape, rounding * approach);
     // The surest first: far from the solution most of what penetrates would only be dropped again.
     added.resize(std::min(added.size(), std::max(least_batch, factor_.nodes().size() / 2)));
     refuse_factor(factor_.size() + static_cast<Index>(added.size()), options_);
-    added.resize(static_cast<std::size_t>(factor_.append(added)));
+    Index appended = factor_.append(added);
+    if (appended == 0 && !added.empty() && by_load) {
+        // All nodes of a periodic body are a singular matrix: the last one takes the least loaded one's
+        // place.
+        Index least = 0;
+        pressure_.minCoeff(&least);
+        touching_[static_cast<std::size_t>(factor_.nodes()[static_cast<std::size_t>(least)])] = 0;
+        factor_.remove({least});
+        eliminate(factor_.size() - std::min(least, factor_.size()));
+        appended = factor_.append(added);
+    }
+    added.resize(static_cast<std::size_t>(appended));
     eliminate(static_cast<Index>(added.size()));
     for (const int node : added)
         touching_[static_cast<std::size_t>(node)] = 1;
@@ -106,18 +135,13 @@ void refuse_factor(Index nodes, const ContactOptions& options) {
            " GB is expected: the active set takes less, and is what auto would choose");
 }
 
-Solution solve_nested(const ContactProblem& problem, const ContactOptions& options) {
-    Solution solution;
-    solve_nested(problem, options, std::numeric_limits<double>::infinity(), solution);
-    return solution;
-}
-
 void solve_nested(const ContactProblem& problem, const ContactOptions& options, double most_work,
                   Solution& solution) {
     NestedContact contact(problem, options, most_work);
-    for (const double approach : problem.approach) {
+    for (std::size_t j = 0; j < problem.steps(); ++j) {
         const long before = contact.rounds();
-        solution.steps.push_back(contact.press(approach));
+        solution.steps.push_back(problem.load.empty() ? contact.press(problem.approach[j])
+                                                      : contact.press_to(problem.load[j]));
         solution.iterations += contact.rounds() - before;
     }
 }

@@ -19,17 +19,21 @@ class NestedContact {
     NestedContact(const ContactProblem& problem, const ContactOptions& options,
                   double most_work = std::numeric_limits<double>::infinity());
 
-    /// The solution at an approach (in units of the problem, above the one before). Throws InputError where
-    /// the factor would take more than `memory_limit` bytes, NotConverged where it does not settle or has
-    /// worked more than allowed.
-    StepSolution press(double approach);
+    /// The solution at an approach (in units of the problem, above the one before). Throws InputError if the
+    /// factor would take more than `memory_limit` bytes, NotConverged if it does not settle or has worked
+    /// more than allowed.
+    StepSolution press(double approach) { return press(approach, {}); }
+    /// The solution at a load, a sum of pressures above the one before; the approach follows from the factor.
+    StepSolution press_to(double load);
     /// Sweeps of additions or removals so far.
     long rounds() const { return rounds_; }
 
   private:
+    StepSolution press(double approach, std::optional<double> load);
     const double* displacement();
-    void drop_tension(double approach);
-    bool add_penetrating(double approach, const double* u);
+    void find_pressures(double& approach, std::optional<double> load);
+    void drop_tension(double& approach, std::optional<double> load);
+    bool add_penetrating(double approach, const double* u, bool by_load);
     void eliminate(Index rows);
 
     const ContactProblem& problem_;
@@ -45,13 +49,12 @@ class NestedContact {
     double most_work_, work_ = 0;
 };
 
-/// Every load step of the problem so. Throws what `press` throws.
-Solution solve_nested(const ContactProblem& problem, const ContactOptions& options);
-/// The same, added step by step to `solution`, which keeps what was solved where this throws.
+/// Every load step of the problem, added to `solution`, which keeps what was solved if this throws. Throws
+/// what `press` throws.
 void solve_nested(const ContactProblem& problem, const ContactOptions& options, double most_work,
                   Solution& solution);
 
-/// Throws InputError where a factor of so many nodes would take more than the options' memory.
+/// Throws InputError if a factor of so many nodes would take more than the options' memory.
 void refuse_factor(Index nodes, const ContactOptions& options);
 
 } // namespace rough

@@ -115,13 +115,11 @@ class LawsonHanson {
 
 } // namespace
 
-Solution solve_nnls(const ContactProblem& problem, const ContactOptions& options) {
+void solve_nnls(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
     LawsonHanson solver(problem, options);
-    Solution solution;
     for (const double approach : problem.approach)
         solution.steps.push_back(solver.press(approach));
     solution.iterations = solver.iterations();
-    return solution;
 }
 
 } // namespace rough

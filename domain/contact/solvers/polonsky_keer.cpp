@@ -23,8 +23,8 @@ class PolonskyKeer {
           set_(problem.nodes()), load_(problem.nodes()), direction_(problem.nodes()),
           tangent_(problem.nodes()) {}
 
-    /// One step to an approach, or to a load if one is given; `approach` becomes the one found.
-    StepSolution press(double& approach, std::optional<double> load = {}) {
+    /// One step to an approach, or to a load if one is given.
+    StepSolution press(double approach, std::optional<double> load = {}) {
         if (load)
             start_at_load(*load);
         else if (load_.pressure.maxCoeff() == 0)
@@ -41,6 +41,7 @@ class PolonskyKeer {
             tolerance = std::max(finest, 0.3 * tolerance * options_.tolerance / error);
         }
         StepSolution step = step_solution(set_, load_, tangent_, options_.states);
+        step.approach = approach;
         const Eigen::VectorXd displacement = check_.apply(load_.pressure);
         step.residual =
             certify(problem_, approach, step.nodes, step.pressure, displacement.data()).residual();
@@ -130,27 +131,14 @@ class PolonskyKeer {
 
 } // namespace
 
-Solution solve_polonsky_keer(const ContactProblem& problem, const ContactOptions& options) {
+void solve_polonsky_keer(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
     PolonskyKeer solver(problem, options);
-    Solution solution;
-    for (double approach : problem.approach)
-        solution.steps.push_back(solver.press(approach));
-    solution.iterations = solver.iterations();
-    return solution;
-}
-
-Solution solve_polonsky_keer_loads(ContactProblem& problem, const std::vector<double>& loads,
-                                   const ContactOptions& options) {
-    PolonskyKeer solver(problem, options);
-    Solution solution;
-    problem.approach.clear();
-    for (const double load : loads) {
-        double approach = 0;
-        solution.steps.push_back(solver.press(approach, load));
-        problem.approach.push_back(approach);
+    for (std::size_t j = 0; j < problem.steps(); ++j) {
+        const long before = solver.iterations();
+        solution.steps.push_back(problem.load.empty() ? solver.press(problem.approach[j])
+                                                      : solver.press(0, problem.load[j]));
+        solution.iterations += solver.iterations() - before;
     }
-    solution.iterations = solver.iterations();
-    return solution;
 }
 
 } // namespace rough

@@ -43,7 +43,7 @@ void check_displacements(const Profile& profile, const Body& body, const std::ve
     if (body.kernel != Kernel::periodic)
         return;
     const double full = largest_displacement(profile, body);
-    if (!(full > 0))
+    if (profile.heights.maxCoeff() == profile.heights.minCoeff())
         refuse("a flat profile was given, one with height differences is expected: on a periodic half-plane "
                "a flat "
                "one bears any load at no approach");
@@ -56,7 +56,7 @@ void check_displacements(const Profile& profile, const Body& body, const std::ve
 } // namespace
 
 double largest_displacement(const Profile& profile, const Body& body) {
-    if (body.kernel != Kernel::periodic)
+    if (body.kernel != Kernel::periodic || body.yields()) // nodes at the hardness may sink in
         return std::numeric_limits<double>::infinity();
     const double highest = profile.heights.maxCoeff();
     return (highest - profile.heights.array()).mean(); // Delta_full = max Z - mean Z
@@ -92,6 +92,17 @@ ContactProblem make_problem(const Profile& profile, const Body& given,
         body.effective_modulus / (profile.is_area() ? problem.elements * profile.spacing : length);
     problem.touches_only_overlapping =
         body.kernel == Kernel::strip || (body.kernel == Kernel::free && body.datum >= length);
+    return problem;
+}
+
+ContactProblem make_problem_at(const Profile& profile, const Body& body,
+                               const std::vector<double>& pressures) {
+    const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
+    ContactProblem problem =
+        make_problem(profile, body, {std::min(range > 0 ? range : 1, largest_displacement(profile, body))});
+    problem.approach.clear();
+    for (const double pressure : pressures)
+        problem.load.push_back(pressure / problem.pressure_unit * problem.elements);
     return problem;
 }
 

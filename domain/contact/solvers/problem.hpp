@@ -17,14 +17,17 @@ struct ContactProblem {
     Eigen::VectorXd column;       ///< first column of H
     Eigen::VectorXd gap;          ///< g0_i = max Z - Z_i >= 0
     std::vector<double> approach; ///< displacements, increasing, the last one 1 (or all zero)
-    double cap;                   ///< p_H, infinite where nothing yields
+    std::vector<double> load; ///< in their place under load control: sums of the nodes' pressures, increasing
+    double cap;               ///< p_H, infinite where nothing yields
 
     double displacement_unit; ///< mm
     double pressure_unit;     ///< MPa, of a node's pressure
     double elements;          ///< L/delta, L_x L_y/(delta_x delta_y): P = sum p / elements
     double stiffness_unit;    ///< MPa/mm, E*/(elements delta): K = stiffness_unit * sum w
 
-    Index nodes() const { return gap.size(); }       ///< N
+    Index nodes() const { return gap.size(); } ///< N
+    /// Load steps to solve.
+    std::size_t steps() const { return load.empty() ? approach.size() : load.size(); }
     bool is_area() const { return row_spacing > 0; } ///< two dimensions
     /// Only overlapping nodes can touch (strip, and free with d >= L).
     bool touches_only_overlapping;
@@ -33,8 +36,12 @@ struct ContactProblem {
 /// Checks everything a contact problem can be refused for. Throws InputError.
 ContactProblem make_problem(const Profile& profile, const Body& body,
                             const std::vector<double>& displacements);
+/// The same under load control, to mean pressures in MPa; heights are in units of their range.
+ContactProblem make_problem_at(const Profile& profile, const Body& body,
+                               const std::vector<double>& pressures);
 
-/// The largest displacement that has a solution, mm: that of full contact (periodic), or infinity.
+/// The largest displacement that has a solution, mm: that of full contact on a periodic body without a
+/// hardness, or infinity.
 double largest_displacement(const Profile& profile, const Body& body);
 
 /// H's first column on a grid of another shape, for the problem's body and spacing.
@@ -57,6 +64,7 @@ struct StepSolution {
     Eigen::VectorXd tangent;  ///< H_AA^-1 1, where asked for
     double residual = 0;      ///< certificate
     Index held = 0;           ///< nodes at the cap
+    double approach = 0;      ///< the one found under load control
 };
 
 /// The same in MPa and mm; `displacement` is its own, mm.

@@ -170,3 +170,49 @@ TEST_CASE("what takes contact to be nested refuses a hardness", "[contact]") {
     scene.body.hardness = 0;
     CHECK_THROWS_WITH(solve_contact(scene.profile, scene.body, {0.1}), Catch::Contains("hardness: 0 MPa"));
 }
+
+TEST_CASE("a periodic profile with a hardness bears every load below that of all nodes", "[contact]") {
+    // Heights in nm, spacing 1 m; the elastic approach of full contact is no limit when nodes sink in.
+    Profile profile{(Eigen::VectorXd(8) << 3.488361934, 0.5285306326, 1.211154584, 2.732274234, 9.836153812,
+                     -0.6971507176, 7.815714301, -0.4819841083)
+                            .finished() *
+                        1e-6,
+                    1000};
+    Body body{Kernel::periodic, 1000};
+    body.hardness = 3.2609185146591581e-06;
+    for (const double share : {0.05, 0.089462972, 0.33, 0.81245457, 0.99}) {
+        INFO("share " << share);
+        const double pressure = share * body.hardness;
+        const LoadStep step = solve_contact_at_pressures(profile, body, {pressure}).steps[0];
+        CHECK(step.pressure == Approx(pressure).epsilon(1e-9));
+        CHECK(step.kkt_residual < 1e-9);
+        CHECK(consult_oracle(profile, body, {step.displacement}).pressure[0] ==
+              Approx(pressure).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("full contact bears a range of loads at one displacement until a node reaches the hardness",
+          "[contact]") {
+    const Index n = 64;
+    const double amplitude = 0.01, full = std::numbers::pi * amplitude; // Westergaard's load, E* = 1, L = 1
+    Profile profile{Eigen::VectorXd(n), 1.0 / static_cast<double>(n)};
+    for (Index i = 0; i < n; ++i)
+        profile.heights[i] =
+            amplitude * std::cos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
+    Body body{Kernel::periodic};
+    body.hardness = 3 * full;
+    ContactOptions options;
+    options.states = true;
+    const ContactCurve curve =
+        solve_contact_at_pressures(profile, body, {0.5 * full, 1.2 * full, 1.9 * full, 2.5 * full}, options);
+    for (const std::size_t j : {1u, 2u}) {
+        CHECK(curve.steps[j].displacement == Approx(amplitude).epsilon(1e-12));
+        CHECK(curve.steps[j].contact_nodes == n);
+        CHECK(curve.steps[j].held_nodes == 0);
+        CHECK(curve.states[j].pressure.maxCoeff() ==
+              Approx(curve.steps[j].pressure + full).epsilon(1e-9)); // P (1 + cos)
+    }
+    CHECK(curve.steps[0].contact_nodes < n);
+    CHECK(curve.steps[3].held_nodes > 0);
+    CHECK(curve.steps[3].displacement > amplitude);
+}

@@ -18,9 +18,10 @@ TEST_CASE("NNLS drops what an earlier step pressed and the next does not bear", 
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
         const Profile profile = scenes::database(120)[0];
         ContactProblem problem = make_problem(profile, {kernel, 1.0}, scenes::load_steps(profile, 9, 0.3));
-        const Solution pressed = solve_nnls(problem, {});
+        Solution pressed, released;
+        solve_nnls(problem, {}, pressed);
         std::reverse(problem.approach.begin(), problem.approach.end());
-        const Solution released = solve_nnls(problem, {}); // from the most nodes to the fewest
+        solve_nnls(problem, {}, released); // from the most nodes to the fewest
         const std::size_t n = problem.approach.size();
         REQUIRE(pressed.steps.back().nodes.size() > pressed.steps.front().nodes.size() + 8);
         for (std::size_t k = 0; k < n; ++k) {
