@@ -98,6 +98,27 @@ RowColumnPlan<Real> row_column_plan(Index rows, Extent padded) {
     });
 }
 
+/// Complex transforms in place: of all rows, and of a block of columns laid one after another.
+RowColumnPlan<double> complex_plan(Extent shape) {
+    static std::map<ShapeKey, RowColumnPlan<double>> plans;
+    return cached(ShapeKey(shape.columns, shape.rows), plans, [shape] {
+        const int n = static_cast<int>(shape.columns), m = static_cast<int>(shape.rows),
+                  block = static_cast<int>(column_block),
+                  stride = static_cast<int>(column_stride(shape.rows));
+        AlignedBuffer<fftw_complex> row(shape.columns), column(column_block * column_stride(shape.rows));
+        const auto along_x = [&](int sign) {
+            return fftw_plan_dft_1d(n, row.data(), row.data(), sign, FFTW_ESTIMATE);
+        };
+        const auto along_y = [&](int sign) {
+            return m == 1 ? nullptr
+                          : fftw_plan_many_dft(1, &m, block, column.data(), nullptr, 1, stride, column.data(),
+                                               nullptr, 1, stride, sign, FFTW_ESTIMATE);
+        };
+        return RowColumnPlan<double>{along_x(FFTW_FORWARD), along_x(FFTW_BACKWARD), along_y(FFTW_FORWARD),
+                                     along_y(FFTW_BACKWARD)};
+    });
+}
+
 } // namespace
 
 FourierPlan fourier_plan(Index length) { return fourier_plan(Extent{length}); }
@@ -259,8 +280,9 @@ template class BasicFourierOperator<double>;
 template class BasicFourierOperator<float>;
 
 SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape)
-    : shape_(shape == Extent{} ? Extent{first_column.size()} : shape), plan_(complex_fourier_plan(shape_)),
-      work_(shape_.nodes()), twist_x_(shape_.columns), twist_y_(shape_.rows) {
+    : shape_(shape == Extent{} ? Extent{first_column.size()} : shape), plan_(complex_plan(shape_)),
+      work_(shape_.nodes()), columns_(shape_.rows == 1 ? 0 : column_block * column_stride(shape_.rows)),
+      twist_x_(shape_.columns), twist_y_(shape_.rows) {
     for (auto* twist : {&twist_x_, &twist_y_})
         for (Index j = 0; j < twist->size(); ++j)
             (*twist)[j] = std::polar(1.0, -std::numbers::pi * static_cast<double>(j) /
@@ -292,10 +314,47 @@ SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape)
             if ((work == 0).all())
                 continue;
             twist(part, false);
-            fftw_execute_dft(plan_.forward, work_.data(), work_.data());
-            part.eigenvalues = work.real() / ((line ? 2 : 4) * static_cast<double>(shape_.nodes()));
+            transform_rows(plan_.rows_forward);
+            const double parts = (line ? 2 : 4) * static_cast<double>(shape_.nodes());
+            part.eigenvalues.resize(shape_.nodes());
+            each_column_block([&](std::complex<double>* column, Index first) {
+                for (Index j = 0; j < shape_.rows; ++j)
+                    part.eigenvalues[first * shape_.rows + j] = column[j].real() / parts;
+            });
             parts_.push_back(std::move(part));
         }
+}
+
+void SplitOperator::transform_rows(fftw_plan plan) {
+    for (Index j = 0; j < shape_.rows; ++j)
+        fftw_execute_dft(plan, work_.data() + j * shape_.columns, work_.data() + j * shape_.columns);
+}
+
+template <class Visit>
+void SplitOperator::each_column_block(Visit visit) {
+    auto* work = reinterpret_cast<std::complex<double>*>(work_.data());
+    if (shape_.rows == 1) {
+        for (Index i = 0; i < shape_.columns; ++i)
+            visit(work + i, i);
+        return;
+    }
+    const Index rows = shape_.rows, stride = column_stride(rows);
+    std::complex<double>* block = columns_.data();
+    auto* planned = as_fftw(block);
+    for (Index first = 0; first < shape_.columns; first += column_block) {
+        const Index count = std::min(column_block, shape_.columns - first);
+        std::fill(block + count * stride, block + column_block * stride, std::complex<double>());
+        for (Index j = 0; j < rows; ++j)
+            for (Index c = 0; c < count; ++c)
+                block[c * stride + j] = work[j * shape_.columns + first + c];
+        fftw_execute_dft(plan_.columns_forward, planned, planned);
+        for (Index c = 0; c < count; ++c)
+            visit(block + c * stride, first + c);
+        fftw_execute_dft(plan_.columns_backward, planned, planned);
+        for (Index j = 0; j < rows; ++j)
+            for (Index c = 0; c < count; ++c)
+                work[j * shape_.columns + first + c] = block[c * stride + j];
+    }
 }
 
 void SplitOperator::twist(const Part& part, bool back) {
@@ -315,9 +374,11 @@ Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
     for (const Part& part : parts_) {
         work = p.array().cast<std::complex<double>>();
         twist(part, false);
-        fftw_execute_dft(plan_.forward, work_.data(), work_.data());
-        work *= part.eigenvalues;
-        fftw_execute_dft(plan_.backward, work_.data(), work_.data());
+        transform_rows(plan_.rows_forward);
+        each_column_block([&](std::complex<double>* column, Index first) {
+            multiply(column, part.eigenvalues.data() + first * shape_.rows, shape_.rows);
+        });
+        transform_rows(plan_.rows_backward);
         twist(part, true);
         u.array() += work.real();
     }

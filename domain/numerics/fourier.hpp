@@ -21,7 +21,7 @@ FourierPlan fourier_plan(Index length);
 /// The plan for real transforms of an area's rows x columns numbers; the half-complex rows are columns/2 + 1
 /// long. A single row is a line.
 FourierPlan fourier_plan(Extent shape);
-/// the same for complex transforms in place
+/// The same for complex transforms in place.
 FourierPlan complex_fourier_plan(Extent shape);
 
 /// Whether no prime factor is above 13: with a large one transforms take up to ten times as long.
@@ -103,13 +103,18 @@ class SplitOperator {
     /// One of the sum: skew-circulant along x, along y, or not.
     struct Part {
         bool skew_x, skew_y;
-        Eigen::ArrayXd eigenvalues; ///< over 2 N, of an area over 4 N
+        Eigen::ArrayXd eigenvalues; ///< over 2 N, of an area over 4 N; column after column
     };
     void twist(const Part& part, bool back);
+    void transform_rows(fftw_plan plan);
+    /// Transforms along y, a few columns at a time; visits each with its number, and transforms it back.
+    template <class Visit>
+    void each_column_block(Visit visit);
 
     Extent shape_;
-    FourierPlan plan_;
+    RowColumnPlan<double> plan_;
     AlignedBuffer<fftw_complex> work_;
+    AlignedBuffer<std::complex<double>> columns_;
     Eigen::ArrayXcd twist_x_, twist_y_; ///< exp(-i pi j/N)
     std::vector<Part> parts_;           ///< those that are not zero
 };
