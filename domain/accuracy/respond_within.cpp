@@ -111,9 +111,8 @@ class Question {
   public:
     Question(Surface surface, const Model& resolved, double accuracy)
         : surface_(std::move(surface)), model_(completed(resolved)), accuracy_(accuracy),
-          whole_(surface_.sampled(model_.grid)), highest_(whole_.heights.maxCoeff()),
-          rows_(step_displacements(whole_, model_.body, model_.loading, model_.contact)),
-          count_(static_cast<Index>(rows_.size())) {
+          whole_(surface_.sampled(model_.grid)), highest_(whole_.heights.maxCoeff()), pressed_(pressed()),
+          rows_(displacements()), count_(static_cast<Index>(rows_.size())) {
         if (accuracy > 0 && resolved.body.yields())
             throw InputError("accuracy: given with a hardness, expected one of them: the bounds that an "
                              "accuracy rests on do not hold where pressures are held");
@@ -180,7 +179,7 @@ class Question {
     }
 
     void by_resolved_grid() {
-        const LoadRows rows = resolved(rows_);
+        const LoadRows rows = pressed_.steps.empty() ? resolved(rows_) : pressed_;
         account_.grids.push_back(model_.grid.shape().nodes());
         account_.solver = response_.solver = rows.solver;
         account_.solved_rows = rows.solved;
@@ -216,6 +215,22 @@ class Question {
 
     double resolved_nodes() const { return static_cast<double>(whole_.nodes()); }
 
+    /// The load steps of a map at the pressures that are given, if every row is to be solved.
+    LoadRows pressed() const {
+        const std::vector<double>& pressures = model_.loading.pressures;
+        if (!whole_.is_area() || pressures.empty() || accuracy_ > 0)
+            return {};
+        ContactCurve curve = solve_contact_at_pressures(whole_, model_.body, pressures, model_.contact);
+        return {std::move(curve.steps), 0, 0, static_cast<int>(pressures.size()), curve.solver};
+    }
+    std::vector<double> displacements() const {
+        if (pressed_.steps.empty())
+            return step_displacements(whole_, model_.body, model_.loading, model_.contact);
+        std::vector<double> found;
+        for (const LoadStep& step : pressed_.steps)
+            found.push_back(step.displacement);
+        return found;
+    }
     LoadRows resolved(const std::vector<double>& rows) const {
         return solve_rows(whole_, model_.body, rows, model_.contact, step_share * accuracy_);
     }
@@ -303,6 +318,7 @@ class Question {
     double accuracy_;
     Profile whole_;
     double highest_;
+    LoadRows pressed_;
     std::vector<double> rows_;
     Index count_;
     Response response_;
