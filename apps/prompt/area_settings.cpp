@@ -66,7 +66,7 @@ std::vector<Setting> area_settings() {
          "--spacing DX or DXxDY; or columns x, y, height"}};
 }
 
-rough::Map surface_from(const Settings& settings, rough::Detrend form, const std::string& flag) {
+rough::Map surface_from(const Settings& settings, const std::string& flag) {
     for (const char* name : {"nodes", "length", "row", "fill", "outliers"})
         if (settings.given(name))
             throw rough::InputError(settings.place(name) + ": given with --" + flag +
@@ -78,8 +78,7 @@ rough::Map surface_from(const Settings& settings, rough::Detrend form, const std
     }
     if (!layout.unit.empty())
         rough::length_unit_named(layout.unit, settings.place("unit"));
-    if (settings.given("detrend"))
-        form = rough::detrend_named(settings.text("detrend"), settings.place("detrend"));
+    const rough::Detrend form = rough::detrend_named(settings.text("detrend"), settings.place("detrend"));
     rough::Map map = placing(settings, "", [&] { return rough::read_map(settings.text(flag), layout); });
     rough::Profile& surface = map.heights;
     surface.heights = placing(settings, "", [&] { return detrended(surface, form); });
@@ -151,7 +150,7 @@ AreaScene area_from(const Settings& settings, const std::string& map) {
     const Settings x = along(settings, "", true), y = along(settings, "", false);
     AreaScene scene;
     if (settings.knows(map) && settings.has(map)) {
-        rough::Map read = surface_from(settings, rough::Detrend::none, map);
+        rough::Map read = surface_from(settings, map);
         scene.map = std::move(read.heights);
         scene.model = model_from(x.with({{"spacing", ""}}));
         rough::Grid& grid = scene.model.grid;

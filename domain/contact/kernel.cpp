@@ -42,9 +42,9 @@ double profile_length(const Profile& profile, Kernel kernel) {
 }
 
 double elements(const Profile& profile, Kernel kernel) {
-    const double along = profile_length(profile, kernel) / profile.spacing;
-    const Index rows = profile.rows;
-    return along * static_cast<double>(kernel == Kernel::periodic || rows == 1 ? rows : rows - 1);
+    if (profile.is_area())
+        return static_cast<double>(profile.nodes());
+    return profile_length(profile, kernel) / profile.spacing;
 }
 
 double datum_limit(const Profile& profile) {

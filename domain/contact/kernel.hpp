@@ -8,8 +8,8 @@ namespace rough {
 /// L in mm: (N - 1) delta on an open interval, N delta on a periodic one; of an area L_x, N_x for N.
 double profile_length(const Profile& profile, Kernel kernel);
 
-/// L/delta, of an area L_x L_y/(delta_x delta_y): P is the sum of the nodes' pressures over it. A single row
-/// of an area is delta_y wide.
+/// Nominal size in units of a node's: L/delta of a profile, the N_x N_y patches of a map. P is the sum of the
+/// nodes' pressures over it.
 double elements(const Profile& profile, Kernel kernel);
 
 /// (L + delta)/4, the datum distance at or under which the free half-plane's matrix may cease to be positive

@@ -54,7 +54,7 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
                          "beyond (L + delta)/4");
     const Eigen::MatrixXd L = factor.matrixL();
     const Eigen::VectorXd z = L.triangularView<Eigen::Lower>().solve(Eigen::VectorXd::Ones(most));
-    // P is the sum of pressures over L/delta, of an area L_x L_y/(delta_x delta_y).
+    // P is the sum of pressures over L/delta, on a map over N.
     const double cell = surface.is_area() ? 1 : surface.spacing;
     const double whole =
         surface.is_area() ? elements(surface, body.kernel) : profile_length(surface, body.kernel);

@@ -104,8 +104,7 @@ nlohmann::json numbers_of(const rough::Profile& map, const rough::ArealParameter
 
 int profile_map(const Settings& settings, const rough::Extrusion& extrusion) {
     const bool wraps = settings.is_on("periodic"), measured = settings.has("surface");
-    const rough::Map read =
-        measured ? surface_from(settings, rough::Detrend::line) : sampled_from(settings, wraps, fewest_nodes);
+    const rough::Map read = measured ? surface_from(settings) : sampled_from(settings, wraps, fewest_nodes);
     const rough::Profile& map = read.heights;
     const rough::ArealParameters areal = areal_parameters(map, wraps);
     const MaterialRatios ratios = ratios_of(map, settings);

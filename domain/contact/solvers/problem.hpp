@@ -22,7 +22,7 @@ struct ContactProblem {
 
     double displacement_unit; ///< mm
     double pressure_unit;     ///< MPa, of a node's pressure
-    double elements;          ///< L/delta, L_x L_y/(delta_x delta_y): P = sum p / elements
+    double elements;          ///< L/delta, on a map N: P = sum p / elements
     double stiffness_unit;    ///< MPa/mm, E*/(elements delta): K = stiffness_unit * sum w
 
     Index nodes() const { return gap.size(); } ///< N

@@ -29,8 +29,10 @@ TEST_CASE("a map in micrometres is pressed on its own nodes, and scales as its u
     const Folder folder;
     folder.write("um.txt", "0 1 0.5\n0.25 3 1\n0 1.5 2.5\n0.5 0 1\n");
     folder.write("mm.txt", "0 0.001 0.0005\n0.00025 0.003 0.001\n0 0.0015 0.0025\n0.0005 0 0.001\n");
-    const Ended um = rugosa("contact --surface um.txt --unit um --spacing 10x20 --out um.csv", folder.path()),
-                mm = rugosa("contact --surface mm.txt --spacing 0.01x0.02 --out mm.csv", folder.path());
+    const Ended um = rugosa("contact --surface um.txt --unit um --spacing 10x20 --detrend none --out um.csv",
+                            folder.path()),
+                mm = rugosa("contact --surface mm.txt --spacing 0.01x0.02 --detrend none --out mm.csv",
+                            folder.path());
     INFO(um.err);
     REQUIRE(um.code == 0);
     REQUIRE(mm.code == 0);
@@ -41,6 +43,18 @@ TEST_CASE("a map in micrometres is pressed on its own nodes, and scales as its u
         CHECK(one[j][5] > one[j][3]); // K_i
     }
     CHECK(one.back()[0] == Approx(0.003));
+}
+
+TEST_CASE("a tilted map is levelled by default") {
+    const Folder folder;
+    folder.write("level.txt", "0 1 0.5\n0.25 3 1\n0 1.5 2.5\n0.5 0 1\n");
+    folder.write("tilted.txt",
+                 "0 1.5 1.5\n1.25 4.5 3\n2 4 5.5\n3.5 3.5 5\n"); // 0.5 per column, 1 per row more
+    REQUIRE(rugosa("contact --surface level.txt --spacing 1 --out level.csv", folder.path()).code == 0);
+    REQUIRE(rugosa("contact --surface tilted.txt --spacing 1 --out tilted.csv", folder.path()).code == 0);
+    const auto level = rows_of(folder / "level.csv"), tilted = rows_of(folder / "tilted.csv");
+    for (std::size_t j = 0; j < level.size(); ++j)
+        CHECK(tilted[j][1] == Approx(level[j][1]).epsilon(1e-9));
 }
 
 TEST_CASE("an area's page shows where it touches, with as many spots as the table beside the curve") {

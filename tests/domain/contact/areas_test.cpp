@@ -170,6 +170,17 @@ TEST_CASE("full contact of a few nodes is solved as a dense matrix solves it", "
         }
 }
 
+TEST_CASE("the mean pressure of a free map is its force over the area of its patches", "[contact][areas]") {
+    for (const Index n : {8, 32}) {
+        const Profile map = noise({n, n}, 0.01, 0.01, 5);
+        ContactOptions options;
+        options.states = true;
+        const ContactCurve curve = solve_contact(map, on(Kernel::free), {2e-4}, options);
+        CHECK(curve.steps[0].pressure ==
+              Approx(curve.states[0].pressure.sum() / static_cast<double>(n * n)).epsilon(1e-12));
+    }
+}
+
 TEST_CASE("one row of square cells on a half-space is the strip", "[contact][areas]") {
     std::mt19937 random(6);
     std::uniform_real_distribution<double> height(0, 1e-3);
@@ -181,10 +192,14 @@ TEST_CASE("one row of square cells on a half-space is the strip", "[contact][are
     Body strip = on(Kernel::strip);
     strip.strip_width = 0.01;
     const auto displacements = steps_of(profile, Kernel::strip, 10, 1);
-    const ContactCurve line = solve_contact(profile, strip, displacements),
-                       area = solve_contact(row, on(Kernel::free), displacements);
+    const ContactCurve line = solve_contact(profile, strip, displacements);
+    ContactCurve area = solve_contact(row, on(Kernel::free), displacements);
+    const double patches =
+        60.0 / 59; // a map's mean pressure is over its patches, a profile's over its length
+    for (LoadStep& step : area.steps)
+        step.pressure *= patches, step.tangent_stiffness *= patches;
     CHECK(worst_difference(area, line) < 1e-11);
-    CHECK(full_contact_stiffness(row, on(Kernel::free)) ==
+    CHECK(patches * full_contact_stiffness(row, on(Kernel::free)) ==
           Approx(full_contact_stiffness(profile, strip)).epsilon(1e-9));
 }
 
@@ -203,9 +218,10 @@ TEST_CASE("a sphere on a half-space follows Hertz, with an error of order 2 in t
             // a^2 = R Delta, F = 4 E* a^3/(3 R), dF/dDelta = 2 E* a; the highest node stands below the summit
             const ContactCurve curve = solve_contact(sphere, on(Kernel::free, modulus),
                                                      {a * a / radius + sphere.heights.maxCoeff()});
-            worst = std::max(worst,
-                             std::abs(curve.steps[0].pressure * 3 * radius / (4 * modulus * a * a * a) - 1));
-            CHECK(curve.steps[0].tangent_stiffness == Approx(2 * modulus * a).epsilon(2.5 * h));
+            const double area = std::pow(1 + h, 2); // of the patches
+            worst = std::max(
+                worst, std::abs(area * curve.steps[0].pressure * 3 * radius / (4 * modulus * a * a * a) - 1));
+            CHECK(area * curve.steps[0].tangent_stiffness == Approx(2 * modulus * a).epsilon(2.5 * h));
         }
         CHECK(worst < 4 * h * h / 0.04);
         if (before > 0)
@@ -223,7 +239,8 @@ TEST_CASE("a circular flat punch has the stiffness 2 E* a", "[contact][areas]") 
         const ContactCurve curve = solve_contact(punch, on(Kernel::free, modulus), {1e-3});
         // the circle of as many cells
         const double as_many = h * std::sqrt(static_cast<double>(curve.steps[0].contact_nodes) / pi);
-        CHECK(curve.steps[0].pressure == Approx(2 * modulus * as_many * 1e-3).epsilon(0.5 * h / a));
+        CHECK(std::pow(1 + h, 2) * curve.steps[0].pressure ==
+              Approx(2 * modulus * as_many * 1e-3).epsilon(0.5 * h / a));
         CHECK(curve.steps[0].tangent_stiffness * 1e-3 == Approx(curve.steps[0].pressure).epsilon(1e-6));
     }
 }
