@@ -23,7 +23,6 @@ struct Counters {
     long remembered = 0;  ///< requests answered without a call
     long gradients = 0;   ///< calls of the problem's sensitivity
     long failures = 0;    ///< individuals marked as failed
-    long given_up = 0;    ///< individuals left out by screening, their evaluations not finished
 };
 
 /// Tells when to stop because of the time or of a request.

@@ -19,10 +19,10 @@ inline void to_json(json& j, const Permutation& permutation) { j = permutation.o
 inline void from_json(const json& j, Permutation& permutation) { j.get_to(permutation.order); }
 
 inline void to_json(json& j, const Counters& c) {
-    j = {c.asked, c.evaluations, c.remembered, c.gradients, c.failures, c.given_up};
+    j = {c.asked, c.evaluations, c.remembered, c.gradients, c.failures};
 }
 inline void from_json(const json& j, Counters& c) {
-    c = {j.at(0), j.at(1), j.at(2), j.at(3), j.at(4), j.at(5)};
+    c = {j.at(0), j.at(1), j.at(2), j.at(3), j.at(4)};
 }
 
 template <class G>

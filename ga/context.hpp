@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ga/comparison.hpp"
-#include "ga/demand.hpp"
 #include "ga/keeper.hpp"
 #include "ga/rounds.hpp"
 #include "ga/where.hpp"
@@ -27,7 +26,6 @@ class Context {
         std::vector<Observer<Genome>> observers = {};        ///< see Observer
         Keeper<P>* keeper = nullptr;                         ///< none: the run is kept nowhere
         std::size_t population_bytes = std::size_t{1} << 30; ///< at most, for one population
-        bool screening = false;                              ///< see RunOptions
     };
 
     /// The root of a run.
@@ -131,17 +129,6 @@ class Context {
     const std::optional<Individual<Genome>>& best() const { return root_.kept.best; }
     /// The name of the problem's objective at that place.
     Name objective_name(std::size_t place) const { return names_[place]; }
-
-    /// What the stage after the one that runs will keep.
-    void expect(std::optional<Demand> demand) { demand_ = std::move(demand); }
-    /// The same, where the run may make use of it.
-    std::optional<Demand> demand() const { return terms_.screening ? demand_ : std::nullopt; }
-    /// Notes how many `score` left out of the population that the stage after it gets.
-    void leave_out(std::size_t count) {
-        left_out_ = count;
-        counters().given_up += static_cast<long>(count);
-    }
-    std::size_t left_out() const { return left_out_; } ///< by the last `score`
 
     /// A remark for the run's result, under the path of the stage that runs.
     void note(const std::string& text) { kept.note(path() + ": " + text); }
@@ -281,8 +268,6 @@ class Context {
     Inquiry<P> inquiry_;
     std::vector<Individual<Genome>*> asked_;
     Population<Genome> spare_;
-    std::optional<Demand> demand_;
-    std::size_t left_out_ = 0;
     std::vector<Shown> shown_;
     bool stop_kept_ = false;
 };

@@ -107,19 +107,6 @@ class Ledger : public Door<P> {
         prepaid_.at(print) = std::move(evaluation);
     }
 
-    /// Puts an evaluation that was given up aside, in case another objective wants it: the last few hundred.
-    void shelve(const Fingerprint& print, std::unique_ptr<Appraisal<Outcome>> work) {
-        constexpr std::size_t most = 256;
-        if (shelf_.size() >= most)
-            shelf_.clear();
-        shelf_[{print.low, print.high}] = std::move(work);
-    }
-    /// Takes it back; null where there is none.
-    std::unique_ptr<Appraisal<Outcome>> unshelve(const Fingerprint& print) {
-        const auto found = shelf_.extract({print.low, print.high});
-        return found.empty() ? nullptr : std::move(found.mapped());
-    }
-
   private:
     static constexpr std::size_t bookkeeping =
         sizeof(Evaluation<Outcome>) + sizeof(Fingerprint) + 5 * sizeof(void*);
@@ -235,7 +222,6 @@ class Ledger : public Door<P> {
     Watch watch_;
     Memory<Outcome> memory_;
     Table<Evaluation<Outcome>> prepaid_;
-    std::map<std::pair<std::uint64_t, std::uint64_t>, std::unique_ptr<Appraisal<Outcome>>> shelf_;
     std::vector<Call<P>> calls_;
     std::vector<Slope<P>*> slopes_;
     std::size_t heaviest_ = 0;

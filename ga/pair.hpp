@@ -55,7 +55,6 @@ struct Pair : Operator {
                     return children(frame->kept[1], others, combine, context);
                 },
                 std::max(on_left->reads_of_start(), on_right->reads_of_start()),
-                {},
                 on_left->begins() && on_right->begins()};
     }
 

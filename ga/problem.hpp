@@ -134,26 +134,6 @@ concept Sampled = requires(const P& problem, Stream& stream) {
     { problem.sample(stream) } -> std::same_as<typename P::Genome>;
 };
 
-/// An evaluation under way that may be given up when its fitness is sure to be too low.
-template <class Outcome>
-class Appraisal {
-  public:
-    virtual ~Appraisal() = default;
-    /// The fitness under the objective (a place in the problem's list) is no higher. Never rises.
-    virtual double bound(std::size_t objective) = 0;
-    /// Works on for a while.
-    virtual void advance() = 0;
-    /// What `evaluate` would give, bit for bit; nothing until the work is done.
-    virtual std::optional<Outcome> outcome() = 0;
-};
-
-/// Optional: evaluations that tell on the way how good they can still become. Null for a genome that cannot
-/// be appraised so. Called from several threads at once.
-template <class P>
-concept Appraises = Problem<P> && requires(const P& problem, const typename P::Genome& genome) {
-    { problem.appraise(genome) } -> std::same_as<std::unique_ptr<Appraisal<typename P::Outcome>>>;
-};
-
 /// Whether a member pointer's or a static member's type is a function's.
 template <class Member>
 constexpr bool is_function_member =
@@ -177,7 +157,6 @@ constexpr bool members_fit() {
     GA_MEMBER_FITS(gradient, Differentiable)
     GA_MEMBER_FITS(bounds, Bounded)
     GA_MEMBER_FITS(sample, Sampled)
-    GA_MEMBER_FITS(appraise, Appraises)
     GA_MEMBER_FITS(violation, Constrained)
     GA_MEMBER_FITS(bytes, Weighed)
 #undef GA_MEMBER_FITS

@@ -27,9 +27,7 @@ struct Restarts : Operator {
                 [stages, n = n](Population<G> population, Context<P>& context) {
                     return again(std::move(population), *stages, n, context);
                 },
-                stages->reads_of_start(),
-                {},
-                stages->begins()};
+                stages->reads_of_start(), stages->begins()};
     }
 
   private:

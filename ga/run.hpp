@@ -10,11 +10,7 @@ struct RunOptions {
     std::uint64_t seed = 1;                          ///< of every random stream
     int threads = 0;                                 ///< 0: as many as OpenMP has; decides no result
     std::size_t memory_bytes = std::size_t{1} << 30; ///< for known outcomes; decides no result
-    /// Where `score` is followed by a stage that keeps the best or those above a threshold, evaluations of
-    /// the others are given up on the way if the problem can (Appraises). Same survivors, fewer seconds; what
-    /// observers see after such a score is the survivors' rivals only. Decides no survivor.
-    bool screening = false;
-    Budget budget = {}; ///< when to stop before the pipeline ends
+    Budget budget = {};                              ///< when to stop before the pipeline ends
     /// For one population; a run whose population would exceed it ends with what it has.
     std::size_t population_bytes = std::size_t{1} << 30;
 };
@@ -89,7 +85,7 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
         next = std::max(next, individual.identity + 1);
     Ledger<P> ledger(problem, evaluator, options.memory_bytes, options.budget);
     Context<P> context(ledger, Where<G>(options.variant, options.seed), next,
-                       {std::move(observers), keeper, options.population_bytes, options.screening});
+                       {std::move(observers), keeper, options.population_bytes});
     ledger.resume(std::any_of(population.begin(), population.end(), [](const auto& each) {
         return each.fitness.known() && !each.fitness.has_failed();
     }));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ga/screening.hpp"
 #include "ga/stage.hpp"
 
 namespace ga {
@@ -22,13 +21,6 @@ struct Score : Operator {
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
-        context.leave_out(0);
-        if constexpr (Appraises<P> && !Constrained<P>) {
-            const std::size_t which = context.objective_index(objective);
-            const auto demand = context.demand();
-            if (demand && !context.problem().objectives()[which].minimise)
-                population = Screening<P>(context, which, *demand)(std::move(population));
-        }
         context.score(population, objective);
         return population;
     }

@@ -14,9 +14,8 @@ struct Step {
     std::string text;                  ///< as pipelines write it
     std::function<void(Known&)> check; ///< what it needs and makes known
     std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply; ///< what it does
-    std::size_t reads_of_start = 0;    ///< how many of the best at the start of its generation it reads
-    std::optional<Demand> demand = {}; ///< whom it keeps of a scored population, where it says so
-    bool begins = false;               ///< it makes a population of nothing
+    std::size_t reads_of_start = 0; ///< how many of the best at the start of its generation it reads
+    bool begins = false;            ///< it makes a population of nothing
 };
 
 // clang-format off
@@ -33,7 +32,6 @@ struct Step {
 ///                                             by to_json and from_json; the call takes a State& at its end
 ///     std::size_t reads_of_start() const;     how many of the best at its generation's start it reads; everyone
 ///     static constexpr bool begins = true;    where it makes a population of nothing
-///     Demand demand() const;                  whom it keeps of a scored population, whatever the others' fitness
 ///     template <Problem P> void check_problem() const;   what no concept can tell of a problem
 /// @endcode
 // clang-format on
@@ -135,8 +133,6 @@ class Stage {
         expect_fit(frame->next <= places_.size());
         try {
             while (frame->next < places_.size()) {
-                context.expect(frame->next + 1 < places_.size() ? places_[frame->next + 1].step.demand
-                                                                : std::nullopt);
                 apply(places_[frame->next], *frame, context);
                 ++frame->next;
                 context.pause();
@@ -262,8 +258,6 @@ class Stage {
             Step<P>& step = add(stage_text(op), std::unique_ptr<const AnyOperator>(new OneOperator<Op>(op)));
             if constexpr (requires { op.reads_of_start(); })
                 step.reads_of_start = op.reads_of_start();
-            if constexpr (requires { op.demand(); })
-                step.demand = op.demand();
             if constexpr (requires { Op::begins; })
                 step.begins = Op::begins;
         }

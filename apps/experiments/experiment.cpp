@@ -12,16 +12,16 @@ namespace app {
 
 const std::vector<Experiment>& experiments() {
     static const std::vector<Experiment> all{
-        paper_experiment(),     variants_experiment(),   accuracy_experiment(), chart_experiment(),
-        stability_experiment(), compare_experiment(),    readings_experiment(), growth_experiment(),
-        features_experiment(),  statistical_experiment()};
+        paper_experiment(),    variants_experiment(),  accuracy_experiment(),
+        chart_experiment(),    stability_experiment(), compare_experiment(),
+        readings_experiment(), features_experiment(),  statistical_experiment()};
     return all;
 }
 
 std::vector<Setting> Experiment::all_settings() const {
     return joined(
         {{{"experiment.kind", "paper",
-           "paper, variants, accuracy, chart, stability, compare, readings, growth, features or statistical"},
+           "paper, variants, accuracy, chart, stability, compare, readings, features or statistical"},
           {"experiment.seed", "1", "seed of the random numbers; with several runs a variant, the first seed"},
           {"experiment.threads", "0", "threads, where no time is measured; 0 takes all"}},
          settings});

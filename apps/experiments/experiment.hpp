@@ -53,7 +53,6 @@ Experiment chart_experiment();
 Experiment stability_experiment();
 Experiment compare_experiment();
 Experiment readings_experiment();
-Experiment growth_experiment();
 Experiment features_experiment();
 Experiment statistical_experiment();
 

@@ -25,8 +25,8 @@ std::string name_of(const Grid& grid) { return std::to_string(grid.nodes) + "x" 
 const char* const on_own_grid = "score | refine lm 12 sharpen=4 | best 1";
 
 ga::Counters sum(const ga::Counters& a, const ga::Counters& b) {
-    return {a.asked + b.asked,         a.evaluations + b.evaluations, a.remembered + b.remembered,
-            a.gradients + b.gradients, a.failures + b.failures,       a.given_up + b.given_up};
+    return {a.asked + b.asked, a.evaluations + b.evaluations, a.remembered + b.remembered,
+            a.gradients + b.gradients, a.failures + b.failures};
 }
 
 std::vector<DesignSetup> coarser_grids(const DesignSetup& setup) {

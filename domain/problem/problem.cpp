@@ -3,7 +3,6 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/cross.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/problem/appraisal.hpp"
 #include "domain/problem/drawn_start.hpp"
 #include "domain/problem/rows.hpp"
 #include "domain/problem/surface_descriptors.hpp"
@@ -107,12 +106,6 @@ DesignOutcome DesignProblem::of_responses(const Genome& genome, std::vector<Resp
     outcome.genome = settled(genome, outcome);
     outcome.excess = excess(outcome.genome, setup_->model.grid, setup_->limits);
     return outcome;
-}
-
-std::unique_ptr<ga::Appraisal<DesignOutcome>> DesignProblem::appraise(const Genome& genome) const {
-    if (memory_ && memory_->find(key(genome)))
-        return nullptr;
-    return step_by_step(*this, genome);
 }
 
 std::string DesignProblem::key(const Genome& genome) const {

@@ -38,9 +38,6 @@ class DesignProblem {
     Outcome evaluate(const Genome& genome) const;
     /// The outcome of a genome whose responses to each way of loading, as pressed() has them, these are.
     Outcome of_responses(const Genome& genome, std::vector<Response> responses) const;
-    /// An evaluation that may be given up on its way (step_by_step). Null where there is none, or where the
-    /// responses are known.
-    std::unique_ptr<ga::Appraisal<Outcome>> appraise(const Genome& genome) const;
     /// Those named above.
     const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
 

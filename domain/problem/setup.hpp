@@ -9,12 +9,6 @@
 
 namespace rough {
 
-/// By what a genome's evaluation under way is judged (DesignProblem::appraise).
-enum class Outlook {
-    proven,   ///< what its first load steps leave possible: an exact bound
-    foretold, ///< also a coarse grid's curve, within margins that are an estimate
-};
-
 /// What a design is asked for. What is left at 0 is filled in where a search begins (`completed`): K at a
 /// target is found by search({.targets = {read_target("target.csv")}}).
 struct DesignSetup {
@@ -27,7 +21,6 @@ struct DesignSetup {
     GeneBounds bounds = {};                ///< of the genes
     std::optional<PhaseReach> phases = {}; ///< phases alone may move, and so far
     MakingLimits limits = {};              ///< of what can be made; shortest_wave 0: 8 node distances
-    Outlook outlook = Outlook::proven;     ///< of evaluations under way
     /// The measured profile whose own response the targets are: in other load steps they are others.
     std::optional<Profile> like = {};
     /// Of each chromosome of a genome that is drawn, M. 0: 1, as a line's collapse to one cosine; on an area,

@@ -61,8 +61,7 @@ inline void from_json(const nlohmann::json& j, Target& target) {
 }
 
 inline void to_json(nlohmann::json& j, const DesignSetup& setup) {
-    const auto& [model, targets, max_pressure, threshold, bounds, phases, limits, outlook, like, ridges] =
-        setup;
+    const auto& [model, targets, max_pressure, threshold, bounds, phases, limits, like, ridges] = setup;
     const auto& [H_from, H_to, gamma_from, gamma_to, lambda_from, lambda_to] = bounds;
     const auto& [shortest_wave, largest_slope, largest_height, smallest_radius] = limits;
     const auto known = [](const auto& value) { return value ? nlohmann::json(*value) : nlohmann::json(); };
@@ -73,7 +72,6 @@ inline void to_json(nlohmann::json& j, const DesignSetup& setup) {
          {H_from, H_to, gamma_from, gamma_to, lambda_from, lambda_to},
          phases ? nlohmann::json{phases->relative, phases->absolute} : nlohmann::json(),
          {shortest_wave, largest_slope, largest_height, smallest_radius},
-         static_cast<int>(outlook),
          like ? nlohmann::json{numbers_of(like->heights), like->spacing, like->rows, like->row_spacing}
               : nlohmann::json(),
          ridges};
@@ -82,15 +80,14 @@ inline void from_json(const nlohmann::json& j, DesignSetup& setup) {
     const auto number = [](const nlohmann::json& value) {
         return value.is_null() ? std::nullopt : std::optional(value.get<double>());
     };
-    const auto &b = j.at(4), &p = j.at(5), &l = j.at(6), &like = j.at(8);
+    const auto &b = j.at(4), &p = j.at(5), &l = j.at(6), &like = j.at(7);
     setup = {.model = j.at(0).get<Model>(),
              .targets = j.at(1).get<std::vector<Target>>(),
              .max_pressure = number(j.at(2)),
              .threshold = number(j.at(3)),
              .bounds = {b.at(0), b.at(1), b.at(2), b.at(3), b.at(4), b.at(5)},
              .limits = {l.at(0), l.at(1), l.at(2), l.at(3)},
-             .outlook = static_cast<Outlook>(j.at(7).get<int>()),
-             .ridges = j.at(9)};
+             .ridges = j.at(8)};
     if (!p.is_null())
         setup.phases = PhaseReach{p.at(0), p.at(1)};
     if (!like.is_null())

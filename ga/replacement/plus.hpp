@@ -17,7 +17,6 @@ struct Plus : Operator {
         visit(self.mu, whole("mu", "0", 0, "how many; 0 for as many as at the start").quiet());
     }
     std::size_t reads_of_start() const { return everyone; }
-    Demand demand() const { return {.best = mu > 0 ? mu : Demand::as_many_as_start, .with_start = true}; }
     void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>

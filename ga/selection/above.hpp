@@ -40,8 +40,7 @@ template <Problem P, class G = typename P::Genome>
             passed.push_back(individual);
     if (passed.size() >= std::max<std::size_t>(1, least.count))
         return passed;
-    const std::string counted = std::to_string(passed.size()) + " of " +
-                                std::to_string(population.size() + context.left_out()) +
+    const std::string counted = std::to_string(passed.size()) + " of " + std::to_string(population.size()) +
                                 (upwards ? " above " : " below ") + number(threshold);
     Population<G> nearest = nearest_to_passing(population, least.count, upwards);
     if (nearest.empty())
@@ -73,10 +72,6 @@ struct Threshold : Operator {
                   .quiet());
     }
     void check(Known& known) const { known.need_one_objective(text_of(*this)); }
-
-    std::optional<Demand> demand() const {
-        return upwards ? std::optional(Demand{least.count, threshold}) : std::nullopt;
-    }
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {

@@ -13,8 +13,6 @@ struct Best : Operator {
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
     void check(Known& known) const { known.need_score(text_of(*this)); }
 
-    Demand demand() const { return {.best = n}; }
-
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>&) const {
         return best_of(population, n);

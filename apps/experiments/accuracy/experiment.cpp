@@ -10,9 +10,7 @@
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/design/error_budget.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/sobol.hpp"
 #include "domain/mwm/test_surfaces.hpp"
-#include "domain/paper/variants.hpp"
 #include "domain/text/words.hpp"
 #include "ga/stopwatch.hpp"
 
@@ -65,7 +63,6 @@ class AccuracyStudy {
     AccuracyRun run() {
         const ga::Stopwatch clock;
         chart_savings();
-        compare_searches();
         design();
         run_.seconds = clock.seconds();
         return std::move(run_);
@@ -112,51 +109,6 @@ class AccuracyStudy {
         }
     }
 
-    void compare_searches() {
-        for (const double nodes : numbers_in(settings_, "accuracy.search-nodes"))
-            for (const auto& file : target_files(settings_, "targets.files")) {
-                if (stop_.load())
-                    return;
-                progress_.show("search at " + std::to_string(std::lround(nodes)) + " nodes");
-                rough::Model model = rough::exactly(model_);
-                model.grid.nodes = std::lround(nodes);
-                const rough::Target target = rough::read_target(file);
-                const rough::DesignProblem problem(
-                    paper_setup(model, target, max_pressure(), 0.5 * max_pressure()));
-                const rough::Vocabulary words{std::make_shared<rough::DominanceRule>(model)};
-                const ga::Variants searches{
-                    {"database", "score | best 3"},
-                    {"pairing",
-                     "pair(score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, unite) | "
-                     "score | best 3"}};
-                const std::string name = file.stem().string();
-                for (const auto& [search, text] : searches)
-                    run_.searches.push_back(compared({name, search, model.grid.nodes},
-                                                     paper_pipeline(words, searches, search), problem));
-            }
-    }
-
-    SearchRow compared(SearchRow row, const rough::Pipeline& pipeline,
-                       const rough::DesignProblem& problem) const {
-        const auto genomes = rough::sobol_database(
-            {.lambda = problem.setup().model.grid.length, .shortest = model_.grid.spacing()});
-        ga::Result<rough::Genome> whole, screened;
-        const auto searched = [&](bool screening) {
-            return ga::run(pipeline, problem, ga::population(genomes),
-                           ga::RunOptions{.seed = run_.origin.seed, .threads = 1, .screening = screening});
-        };
-        row.seconds = seconds_of([&] { whole = searched(false); });
-        row.screened_seconds = seconds_of([&] { screened = searched(true); });
-        row.genomes = whole.counters.asked;
-        row.given_up = screened.counters.given_up;
-        row.same = std::equal(whole.population.begin(), whole.population.end(), screened.population.begin(),
-                              screened.population.end(), [](const auto& a, const auto& b) {
-                                  return a.value() == b.value() && a.genome.scale == b.genome.scale &&
-                                         shape_key(a.genome) == shape_key(b.genome);
-                              });
-        return row;
-    }
-
     void design() {
         if (stop_.load())
             return;
@@ -195,9 +147,8 @@ std::vector<Setting> accuracy_study_settings() {
         {"accuracy.smooth-waves", "16", "the smooth ones' shortest wave is the length over this"},
         {"accuracy.rough-waves", "64", "the rough ones'"},
         {"accuracy.light", "0.1", "reach of the light load; the full one's is 1"},
-        {"accuracy.search-nodes", "512, 2045", "grids of the searches, commas between"},
         {"accuracy.design-budget", "1500", "curves and gradients for the designed surface"},
-        {"targets.files", "", "target curves (CSV), with commas between; the design is for the first"},
+        {"targets.files", "", "target curve (CSV) of the design"},
         {"targets.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"},
     };
     return joined({settings, model_settings("model."), {accuracy_setting("model.")}});
@@ -215,7 +166,7 @@ Experiment accuracy_experiment() {
     return {.kind = "accuracy",
             .summary = "what accuracy costs, and what is gained by modelling no more than an answer needs",
             .settings = accuracy_study_settings(),
-            .files = {"savings.csv", "searches.csv", "budget.csv"},
+            .files = {"savings.csv", "budget.csv"},
             .run = run_accuracy};
 }
 

@@ -89,24 +89,6 @@ void add_savings(Page& page, const AccuracyRun& run) {
     page.table(table);
 }
 
-void add_searches(Page& page, const AccuracyRun& run) {
-    page.section("Searches that give up hopeless genomes on the way");
-    page.prose("Each load step bounds how similar a curve can still become; a genome that can no longer be "
-               "among those kept is left there. The bound is exact: the survivors must be the same.");
-    Table table{"",
-                {"Target", "Search", "Nodes", "All to the end", "With fidelity", "Faster", "Given up",
-                 "Same survivors"},
-                {},
-                {false, false, true, true, true, true, true, false}};
-    for (const SearchRow& row : run.searches)
-        table.rows.push_back(
-            {row.target, row.question, std::to_string(row.nodes), readable(1e3 * row.seconds, 3) + " ms",
-             readable(1e3 * row.screened_seconds, 3) + " ms",
-             readable(row.seconds / row.screened_seconds, 3) + " times",
-             std::to_string(row.given_up) + " of " + std::to_string(row.genomes), row.same ? "yes" : "no"});
-    page.table(table);
-}
-
 void add_budget(Page& page, const AccuracyRun& run) {
     if (run.design.name.empty())
         return;
@@ -143,7 +125,6 @@ std::string accuracy_page(const AccuracyRun& run) {
     Page page("No more than a scene needs",
               "What accuracy costs, and what is gained by modelling no more than an answer needs.");
     add_savings(page, run);
-    add_searches(page, run);
     add_budget(page, run);
     page.code(run.origin.command);
     return page.html();

@@ -25,19 +25,8 @@ struct SavingRow {
     bool covered() const { return true_error <= estimated_error; }
 };
 
-/// One search up to its survivors, every genome evaluated to the end or not.
-struct SearchRow {
-    std::string target;
-    std::string question; ///< database or pairing
-    rough::Index nodes = 0;
-    double seconds = 0, screened_seconds = 0;
-    long genomes = 0, given_up = 0;
-    bool same = false; ///< the survivors and their fitness
-};
-
 struct AccuracyRun {
     std::vector<SavingRow> savings;
-    std::vector<SearchRow> searches;
     rough::DesignSetup setup; ///< of the designed surface
     VariantRun design;
     std::vector<rough::ErrorSource> budget;
@@ -45,7 +34,7 @@ struct AccuracyRun {
     double seconds = 0;
 };
 
-/// Writes result.json, savings.csv, searches.csv and budget.csv.
+/// Writes result.json, savings.csv and budget.csv.
 void write_accuracy_study(const AccuracyRun& run, const std::filesystem::path& folder);
 
 /// The report as a web page.

@@ -18,14 +18,6 @@ Csv savings_table(const AccuracyRun& run) {
     return table;
 }
 
-Csv searches_table(const AccuracyRun& run) {
-    Csv table("target,question,nodes,seconds,screened_seconds,genomes,given_up,same_survivors");
-    for (const SearchRow& row : run.searches)
-        table.row(row.target, row.question, row.nodes, row.seconds, row.screened_seconds, row.genomes,
-                  row.given_up, row.same);
-    return table;
-}
-
 Csv budget_table(const AccuracyRun& run) {
     Csv table("kind,source,size");
     for (const rough::ErrorSource& row : run.budget)
@@ -48,7 +40,6 @@ void write_accuracy_study(const AccuracyRun& run, const std::filesystem::path& f
         rough::write_atomically(folder / file, table.text());
     };
     write("savings", "savings.csv", savings_table(run));
-    write("searches", "searches.csv", searches_table(run));
     write("error_budget", "budget.csv", budget_table(run));
     write_json(folder / "result.json", result);
 }

@@ -29,7 +29,7 @@ using Variant = NamedPipeline;
 
 /// How far refinement moves a phase.
 rough::PhaseReach reach_from(const Settings& settings) {
-    return {settings.number("paper.phase-relative", 0, 10), settings.number("paper.phase-absolute", 0, 10)};
+    return {settings.number("paper.phase-relative", 0, 10), 0};
 }
 
 rough::DominanceReading other(rough::DominanceReading reading) {
@@ -71,8 +71,7 @@ class Paper {
     }
 
     void design(TargetRun& target) {
-        rough::DesignSetup setup = setup_for(target, target.p_bar);
-        setup.outlook = fidelity_ == estimated ? rough::Outlook::foretold : rough::Outlook::proven;
+        const rough::DesignSetup setup = setup_for(target, target.p_bar);
         const DesignProblem problem(setup);
         target.database = scores_of(run_.database, setup);
         for (const Variant& variant : variants_) {
@@ -126,13 +125,12 @@ class Paper {
 
     Run run_pipeline(const Variant& variant, const DesignProblem& problem,
                      const std::vector<ga::Observer<rough::Genome>>& observers,
-                     ga::Keeper<DesignProblem>* keeper = nullptr, bool screening = false) const {
+                     ga::Keeper<DesignProblem>* keeper = nullptr) const {
         ga::RunOptions options;
         options.variant = variant.name;
         options.seed = run_.origin.seed;
         options.threads = run_.origin.threads;
         options.budget.stop = &conditions_.stop;
-        options.screening = screening;
         return ga::run_by(*evaluator_, variant.pipeline, problem, ga::population(genomes_), options,
                           observers, keeper);
     }
@@ -158,25 +156,17 @@ class Paper {
                                                    conditions_.resume, checkpoint_interval());
         checkpoints.keep("stages", stages);
         checkpoints.keep("log", log.position);
-        const Run result = run_pipeline(variant, problem, {recorder(stages), log.observer(problem)},
-                                        &checkpoints, fidelity_ != off);
+        const Run result =
+            run_pipeline(variant, problem, {recorder(stages), log.observer(problem)}, &checkpoints);
         log.close();
         std::optional<VariantRun> run = told(variant.name, problem, result, std::move(stages));
         tell_notes(result.notes);
         if (!log.trouble.empty())
             tell_notes({log.trouble});
-        if (run && fidelity_ == estimated)
-            run->notes.push_back(
-                "fidelity: genomes were given up by an estimate from a coarse grid, not by a "
-                "bound");
         return run;
     }
 
-    enum Fidelity : std::size_t { off, on, estimated };
-
     const Settings& settings_;
-    Fidelity fidelity_ =
-        static_cast<Fidelity>(settings_.one_of("paper.fidelity", {"off", "on", "estimated"}));
     PaperRun& run_;
     const Conditions& conditions_;
     std::unique_ptr<ga::Evaluator<DesignProblem>> evaluator_ = design_evaluator(run_.origin.threads);

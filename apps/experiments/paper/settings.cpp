@@ -102,11 +102,6 @@ std::vector<Setting> paper_settings() {
         {"paper.dominance", "pressure",
          "Algorithm 1 compares curves at the same pressure, or at the same load step"},
         {"paper.phase-relative", "0.1", "how far refinement moves a phase, over its own value"},
-        {"paper.phase-absolute", "0", "the same in rad, added"},
-        {"paper.fidelity", "off",
-         "on stops an evaluation as soon as a bound shows that its genome will not be kept: same answers, "
-         "less time; stages then list only the genomes that were evaluated to the end. estimated also uses a "
-         "coarse grid's curve: most likely the same answers. off evaluates every genome"},
         {"database.pairs", "20", "Sobol pairs (H, gamma)"},
         {"database.phase-columns", "5", "Sobol phase columns"},
         {"database.H-from", "0.5", "lowest H"},

@@ -14,11 +14,11 @@ namespace {
 
 const std::string small = "run '" RUGOSA_SOURCE "/experiments/accuracy.ini' --set accuracy.surfaces=1 --set "
                           "accuracy.accuracies=3e-2,1e-2 --set accuracy.rough-waves=32 --set "
-                          "accuracy.search-nodes=128 --set accuracy.design-budget=40 --set model.nodes=128 ";
+                          "accuracy.design-budget=40 --set model.nodes=128 ";
 
 } // namespace
 
-TEST_CASE("the accuracy experiment charts every kind of scene, searches both ways and ends in a budget") {
+TEST_CASE("the accuracy experiment charts every kind of scene and ends in a budget") {
     const Folder folder;
     const Ended ended = rugosa(small + "--pictures off --out e", folder.path());
     INFO(ended.err);
@@ -31,11 +31,6 @@ TEST_CASE("the accuracy experiment charts every kind of scene, searches both way
         CHECK(row["estimated_error"] <= 1.01 * row["accuracy"].get<double>());
         CHECK(row["true_error"] <= 3 * row["accuracy"].get<double>());
     }
-    REQUIRE(result["searches"].size() == 4); // two targets, database and pairing
-    for (const json& row : result["searches"]) {
-        CHECK(row["same_survivors"] == true);
-        CHECK(row["given_up"] > 0);
-    }
     std::set<std::string> kinds;
     for (const json& row : result["error_budget"])
         kinds.insert(row["kind"]);
@@ -43,7 +38,7 @@ TEST_CASE("the accuracy experiment charts every kind of scene, searches both way
     const json& design = result["variants"]["default"];
     CHECK(result["error_budget"].back()["size"].get<double>() ==
           Approx(1 - design["similarity_refined"].get<double>()));
-    for (const char* table : {"savings.csv", "searches.csv", "budget.csv"})
+    for (const char* table : {"savings.csv", "budget.csv"})
         CHECK(std::filesystem::exists(folder / "e" / table));
 }
 
@@ -71,12 +66,8 @@ TEST_CASE("an error is covered by an estimate that is no smaller, and the page c
     CHECK(page.find(">3.00<") != std::string::npos);                    // the saving
     CHECK_THAT(page, Catch::Contains("smooth, full load: 0.01, 2000")); // milliseconds, under the pointer
     CHECK_THAT(page, Catch::Contains("smooth, full load: 0.01, 3<"));   // the saving
-    Outline parts{"# What accuracy costs",
-                  "figure figure-1",
-                  "figure figure-2",
-                  "table Is the error what it is said to be?",
-                  "# Searches that give up hopeless genomes on the way",
-                  "table "};
+    Outline parts{"# What accuracy costs", "figure figure-1", "figure figure-2",
+                  "table Is the error what it is said to be?"};
     CHECK(outline(page) == parts);
     run.design.name = "default";
     run.setup.targets.resize(1);
@@ -88,44 +79,4 @@ TEST_CASE("an error is covered by an estimate that is no smaller, and the page c
     const std::string budget = designed.substr(designed.find("id=\"figure-3\""));
     for (const char* source : {">1</text>", ">2</text>"}) // by its number in the table
         CHECK_THAT(budget, Catch::Contains(source));
-}
-
-TEST_CASE("the paper's answers are the same with fidelity, and fewer genomes stand in the stages") {
-    const Folder folder;
-    const std::string coarse = "run '" RUGOSA_SOURCE "/experiments/paper.ini' --pictures off --set "
-                               "model.nodes=64 --set database.pairs=8 --set paper.sweep-points=0 ";
-    REQUIRE(rugosa(coarse + "--out whole", folder.path()).code == 0);
-    REQUIRE(rugosa(coarse + "--set paper.fidelity=on --out screened", folder.path()).code == 0);
-    for (const char* place : {"", "heldout/"}) {
-        const json whole = result_in(folder / ("whole/" + std::string(place)));
-        const json screened = result_in(folder / ("screened/" + std::string(place)));
-        for (const auto& [name, variant] : whole["variants"].items()) {
-            INFO(place << name);
-            const json& other = screened["variants"][name];
-            CHECK(other["genome"] == variant["genome"]);
-            CHECK(other["similarity"] == variant["similarity"]);
-            CHECK(other["stages"].back() == variant["stages"].back());
-            CHECK(other["curves"] <= variant["curves"]);
-        }
-        CHECK(screened["variants"]["sog"]["stages"][0]["candidates"].size() < 40);
-        CHECK(whole["variants"]["sog"]["stages"][0]["candidates"].size() == 40);
-    }
-}
-
-TEST_CASE("where an estimate gave genomes up, the result says so") {
-    const Folder folder;
-    const std::string small = "run '" RUGOSA_SOURCE "/experiments/paper.ini' --pictures off --set "
-                              "model.nodes=256 --set database.pairs=4 --set paper.sweep-points=0 ";
-    for (const std::string fidelity : {"on", "estimated"}) {
-        REQUIRE(
-            rugosa(small + "--set paper.fidelity=" + fidelity + " --out " + fidelity, folder.path()).code ==
-            0);
-        const json result = json::parse(rough::read_whole(folder / (fidelity + "/result.json")));
-        for (const auto& [name, variant] : result["variants"].items())
-            CHECK((variant["notes"].dump().find("by an estimate") != std::string::npos) ==
-                  (fidelity == "estimated"));
-    }
-    const Ended ended = rugosa(small + "--set paper.fidelity=maybe --out none", folder.path());
-    CHECK(ended.code == 2);
-    CHECK(ended.err.find("estimated") != std::string::npos);
 }

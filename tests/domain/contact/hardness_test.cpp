@@ -1,6 +1,5 @@
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/solvers/oracle.hpp"
-#include "domain/contact/stepped.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -166,7 +165,6 @@ TEST_CASE("what takes contact to be nested refuses a hardness", "[contact]") {
     ContactOptions options;
     options.solver = Solver::nested;
     CHECK_THROWS_WITH(solve_contact(scene.profile, scene.body, {0.1}, options), Catch::Contains("hardness"));
-    CHECK_THROWS_WITH(SteppedContact(scene.profile, scene.body, {0.1}, {}), Catch::Contains("hardness"));
     scene.body.hardness = 0;
     CHECK_THROWS_WITH(solve_contact(scene.profile, scene.body, {0.1}), Catch::Contains("hardness: 0 MPa"));
 }

@@ -36,38 +36,6 @@ DesignSetup drawn_with_area() {
 
 } // namespace
 
-TEST_CASE("a design appraised step by step ends at its evaluation, and what cannot be so is not appraised") {
-    std::mt19937_64 random(30);
-    const Genome genome = rough::testing::random_genome(random, 1, 1, 0.84942, 0.02);
-    DesignSetup setup = drawn_setup();
-    setup.max_pressure = 1.6e-4;
-    const auto memory = std::make_shared<ResponseMemory>();
-    const DesignProblem problem(setup), remembering(setup, memory);
-    const auto work = problem.appraise(genome);
-    REQUIRE(work);
-    double bound = 1 + 1e-8; // similarity is 1 at most, and rounding is allowed for
-    while (!work->outcome()) {
-        CHECK(work->bound(0) <= bound);
-        bound = work->bound(0);
-        work->advance();
-    }
-    const DesignOutcome found = *work->outcome(), evaluated = problem.evaluate(genome);
-    CHECK(found.similarity() == evaluated.similarity());
-    CHECK(found.scale == evaluated.scale);
-    CHECK(bound >= evaluated.similarity());
-    CHECK(remembering.appraise(genome));
-    remembering.evaluate(genome);
-    CHECK_FALSE(remembering.appraise(genome)); // its curve is known
-    const auto appraised = [&](auto change) {
-        DesignSetup other = setup;
-        change(other);
-        return DesignProblem(other).appraise(genome) != nullptr;
-    };
-    CHECK(appraised([](DesignSetup& other) { other.model.contact.solver = Solver::nested; }));
-    CHECK_FALSE(appraised([](DesignSetup& other) { other.model.contact.solver = Solver::active_set; }));
-    CHECK_FALSE(appraised([](DesignSetup& other) { other.max_pressure.reset(); }));
-}
-
 TEST_CASE("the derivatives of the misfits follow differences in every gene, amplitude free or by Eq. 11") {
     std::mt19937_64 random(31);
     for (const bool free_amplitude : {false, true})

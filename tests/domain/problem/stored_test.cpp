@@ -14,7 +14,6 @@ TEST_CASE("a set-up survives being stored, with every number to the bit and what
     setup.model.accuracy = 1e-3;
     setup.bounds = {0.1, 0.2, 1.3, 1.4, 0.5, 0.6};
     setup.limits = {0.01, 0.02, 0.03, 0.04};
-    setup.outlook = Outlook::foretold;
     Target target{
         Quantity::interface_stiffness, "t.csv", Eigen::VectorXd::LinSpaced(3, 0.1, 1. / 7), {}, {}, {}, 0.3,
         {{"kernel", "strip"}}};
