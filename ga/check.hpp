@@ -17,6 +17,7 @@ struct Known {
     bool in_generation = false;              ///< inside a repeat or until
     std::optional<std::string> start_scored; ///< the policy under which the generation's start is scored
     bool nobody = false;                     ///< the population is empty yet
+    bool on_islands = false;                 ///< inside islands
     bool several_objectives() const {
         return scored && scored->find(' ') != std::string::npos;
     } ///< as by pareto

@@ -21,9 +21,7 @@ inline void from_json(const json& j, Permutation& permutation) { j.get_to(permut
 inline void to_json(json& j, const Counters& c) {
     j = {c.asked, c.evaluations, c.remembered, c.gradients, c.failures};
 }
-inline void from_json(const json& j, Counters& c) {
-    c = {j.at(0), j.at(1), j.at(2), j.at(3), j.at(4)};
-}
+inline void from_json(const json& j, Counters& c) { c = {j.at(0), j.at(1), j.at(2), j.at(3), j.at(4)}; }
 
 template <class G>
 void to_json(json& j, const Individual<G>& individual) {

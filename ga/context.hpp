@@ -49,6 +49,19 @@ class Context {
                     {event.path, event.generation, event.population, event.counters, event.seconds});
             }};
     }
+    /// Under a problem derived from the parent's, with that one's ledger (run_derived).
+    [[gnu::cold]] Context(Context& parent, Ledger<P>& ledger)
+        : where(parent.where), kept(parent.kept.next_identity, parent.kept.identity_step), ledger_(ledger),
+          door_(ledger), root_(*this), names_(parent.names_) {
+        terms_.population_bytes = parent.terms_.population_bytes;
+        kept.earlier_seconds = parent.seconds();
+        if (parent.observed())
+            terms_.observers = {[&parent](Event<Genome> event) {
+                event.derived = true;
+                for (const auto& observer : parent.terms_.observers)
+                    observer(event);
+            }};
+    }
     Context(const Context&) = delete;
 
     Where<Genome> where; ///< path, random streams, generation
@@ -245,6 +258,7 @@ class Context {
                     continue;
                 auto& individual = *asked_[i];
                 judge(individual, *answer);
+                ledger_.note(individual.fitness);
                 if (individual.fitness.has_failed())
                     ++counters().failures;
                 else if constexpr (Settling<P>)

@@ -93,11 +93,26 @@ class Ledger : public Door<P> {
     Evaluator<P>& evaluator() const { return evaluator_; } ///< who makes the calls
     const Budget& budget() const { return budget_; }       ///< what may be paid
     const Watch& watch() const { return watch_; }          ///< since the ledger was made
+    /// The budget of a ledger that goes on from this one's counters.
+    Budget left() const { return {budget_.evaluations, budget_.seconds - watch_.seconds(), budget_.stop}; }
 
     Counters counters; ///< what was paid
 
     /// Tells a ledger whether an evaluation succeeded before it was made, in this run or another.
     void resume(bool succeeded) { succeeded_ |= succeeded; }
+    /// Takes note of what an evaluation was worth.
+    void note(const Fitness& fitness) {
+        succeeded_ |= !fitness.has_failed();
+        if (!first_failure_ && fitness.has_failed())
+            first_failure_ = reason(fitness.reason());
+    }
+
+    /// Throws NothingLeft where all that was evaluated failed.
+    void expect_success() const {
+        if (!succeeded_ && first_failure_)
+            throw NothingLeft("every one of " + std::to_string(counters.evaluations) +
+                              " evaluations failed; the first: " + *first_failure_);
+    }
 
     const Memory<Outcome>& memory() const { return memory_; } ///< outcomes that are known
     Memory<Outcome>& memory() { return memory_; }             ///< the same, to be restored from a checkpoint
@@ -160,8 +175,10 @@ class Ledger : public Door<P> {
     bool book() {
         bool interrupted = false;
         for (const Call<P>& call : calls_)
-            if (std::holds_alternative<Pending>(*call.answer)) {
-                *call.answer = Pending{};
+            if (Pending* pending = std::get_if<Pending>(call.answer)) {
+                if (pending->why && !stop_reason_)
+                    stop_reason_ = *pending->why;
+                *pending = Pending{};
                 interrupted = true;
             } else {
                 count(*call.answer);
@@ -179,12 +196,11 @@ class Ledger : public Door<P> {
             if (inquiry.use)
                 inquiry.use();
             if (open)
-                throw Stopped{watch_.reason()};
+                throw Stopped{stop_reason_.value_or(watch_.reason())};
             if (inquiry.spent)
                 throw Stopped{"evaluation budget spent"};
-            if (!succeeded_ && first_failure_)
-                throw NothingLeft("every one of " + std::to_string(counters.evaluations) +
-                                  " evaluations failed; the first: " + *first_failure_);
+            if (counters.asked > 1) // a lone start may fail
+                expect_success();
         } catch (...) {
             inquiry.error = std::current_exception();
         }
@@ -201,10 +217,9 @@ class Ledger : public Door<P> {
     void count(const Evaluation<Outcome>& evaluation) {
         ++counters.evaluations;
         if (const Outcome* outcome = std::get_if<Outcome>(&evaluation)) {
-            succeeded_ = true;
             heaviest_ = std::max(heaviest_, weight(*outcome));
-        } else if (!first_failure_) {
-            first_failure_ = std::get<Reason>(evaluation);
+        } else {
+            heaviest_ = std::max(heaviest_, std::get<Reason>(evaluation)->size());
         }
     }
     std::size_t weight(const Outcome& outcome) const {
@@ -226,6 +241,7 @@ class Ledger : public Door<P> {
     std::vector<Slope<P>*> slopes_;
     std::size_t heaviest_ = 0;
     bool succeeded_ = false;
+    std::optional<std::string> stop_reason_; ///< what the problem threw Stopped with
     Reason first_failure_;
 };
 

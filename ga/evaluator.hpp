@@ -35,8 +35,8 @@ template <Problem P>
 Evaluation<typename P::Outcome> evaluated(const P& problem, const typename P::Genome& genome) {
     try {
         return problem.evaluate(genome);
-    } catch (const Stopped&) {
-        return Pending{};
+    } catch (const Stopped& stop) {
+        return Pending{.why = reason(stop.reason)};
     } catch (...) {
         return reason_caught();
     }
@@ -80,8 +80,7 @@ class Evaluator {
         for (Slope<P>* slope : slopes)
             differentiate(problem, *slope);
     }
-    /// job(0) .. job(n-1), in no particular order: work beside evaluations, such as the steps of one that may
-    /// be given up.
+    /// job(0) .. job(n-1), in no particular order: work beside evaluations.
     virtual void each(std::size_t n, const std::function<void(std::size_t)>& job) {
         for (std::size_t i = 0; i < n; ++i)
             job(i);

@@ -41,10 +41,12 @@ struct Islands : Operator {
                                  " migrants=" + std::to_string(migration.migrants);
         return {name + " { " + stages->text() + " }",
                 [stages, name, migration = migration](Known& known) {
+                    const bool on_islands = std::exchange(known.on_islands, true);
                     check_generation(*stages, name, known, [&](const Known& inside) {
                         if (migration.migrants > 0)
                             inside.need_score(name);
                     });
+                    known.on_islands = on_islands;
                 },
                 [stages, n = n, migration = migration](Population<G> population, Context<P>& context) {
                     return evolve(std::move(population), *stages, n, migration, context);

@@ -19,6 +19,7 @@ struct Event {
     const Population<G>& population;     ///< as the stage left it
     const Counters& counters;            ///< what the run has paid for so far
     double seconds;                      ///< since the run began
+    bool derived = false;                ///< under a problem derived from the run's own (run_derived)
 };
 
 /// Called after every stage, on the thread that runs the pipeline; for islands after their round, one island

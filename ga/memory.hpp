@@ -11,6 +11,7 @@ namespace ga {
 /// An evaluation that was asked for and has not been made.
 struct Pending {
     bool queued = false; ///< whether it is among the calls to be made
+    Reason why = {};     ///< what the problem itself ended it with, where it did
 };
 
 /// What is known of an evaluation: nothing yet, its outcome, or why it failed.
@@ -104,6 +105,7 @@ class Memory {
   public:
     /// @param bytes  at most this much is kept, but for the batch in hand
     explicit Memory(std::size_t bytes) : half_(bytes / 2) {}
+    std::size_t bytes() const { return 2 * half_; } ///< as given, or one less
 
     /// The place of a genome's evaluation; stays valid until `forget_old`.
     Evaluation<Outcome>& at(const Fingerprint& print) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ga/errors.hpp"
+
 #include <omp.h>
 
 #include <cstddef>
@@ -36,7 +38,14 @@ void parallel_for(std::size_t n, int threads, Job job) {
         std::rethrow_exception(error);
 }
 
-/// The number of threads a run uses: the one asked for, or for 0 what OpenMP has.
-inline int thread_count(int asked) { return asked > 0 ? asked : omp_get_max_threads(); }
+/// The number of threads a run uses: the one asked for, or for 0 what OpenMP has. Throws UsageError on more
+/// than 1024.
+inline int thread_count(int asked) {
+    constexpr int most = 1024;
+    if (asked > most)
+        throw UsageError("threads: " + std::to_string(asked) + " given, expected at most " +
+                         std::to_string(most));
+    return asked > 0 ? asked : omp_get_max_threads();
+}
 
 } // namespace ga

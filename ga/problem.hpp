@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ga/errors.hpp"
 #include "ga/fingerprint.hpp"
 
 #include <concepts>
@@ -128,10 +129,68 @@ concept Bounded = requires(const P& problem, const typename P::Genome& genome) {
     { problem.bounds(genome) } -> std::convertible_to<const std::vector<Variable>&>;
 };
 
+/// The problem's bounds. Throws UsageError where they are not in the order of genes, each once, or a lower
+/// one is above the upper.
+template <Bounded P>
+decltype(auto) checked_bounds(const P& problem, const typename P::Genome& genome) {
+    decltype(auto) all = problem.bounds(genome);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (!(all[i].lower <= all[i].upper) || (i > 0 && all[i].gene <= all[i - 1].gene))
+            throw UsageError("the problem's bounds: number " + std::to_string(i + 1) + " is of gene " +
+                             std::to_string(all[i].gene) + ", " + std::to_string(all[i].lower) + " to " +
+                             std::to_string(all[i].upper) +
+                             "; expected genes in ascending order and no lower "
+                             "bound above the upper");
+    return all;
+}
+
 /// Optional: a new genome drawn at random.
 template <class P>
 concept Sampled = requires(const P& problem, Stream& stream) {
     { problem.sample(stream) } -> std::same_as<typename P::Genome>;
+};
+
+/// Optional: a problem's own mutation of each gene with probability `rate`; true when one changed.
+template <class P>
+concept MutatesItself = requires(const P& problem, typename P::Genome& genome, double rate, Stream& stream) {
+    { problem.mutate(genome, rate, stream) } -> std::same_as<bool>;
+};
+
+/// Optional: a problem's own uniform cross-over.
+template <class P>
+concept CrossesUniformly = requires(const P& problem, typename P::Genome& genome, Stream& stream) {
+    problem.cross_uniform(genome, genome, stream);
+};
+
+/// Optional: a problem's own cross-over at points, where genomes are more than positions.
+template <class P>
+concept CrossesAtPoints = requires(const P& problem, typename P::Genome& genome, std::size_t n,
+                                   Stream& stream) {
+    problem.cross_points(genome, genome, n, stream);
+};
+
+/// Optional: how far apart two genomes are, 0 for equal ones, the same both ways.
+template <class P>
+concept Measured = requires(const P& problem, const typename P::Genome& genome) {
+    { problem.distance(genome, genome) } -> std::convertible_to<double>;
+};
+
+/// A feature of a genome that costs nothing to compare with an evaluation, by which surfaces, shapes or
+/// programs of the same worth may differ. A pure function; called from several threads.
+template <class G>
+struct Descriptor {
+    std::string name;                   ///< as pipelines call it
+    std::function<double(const G&)> of; ///< of a genome
+    double lower;                       ///< of the range that is divided into cells
+    double upper;                       ///< of that range, above `lower`
+    /// Its derivatives with respect to all genes; where there is none, differences stand for them.
+    std::function<std::vector<double>(const G&)> gradient = {};
+};
+
+/// Optional: features by which genomes differ, for `map-elites` and `emit`.
+template <class P>
+concept Describing = requires(const P& problem) {
+    { problem.descriptors() } -> std::same_as<const std::vector<Descriptor<typename P::Genome>>&>;
 };
 
 /// Whether a member pointer's or a static member's type is a function's.
@@ -159,6 +218,11 @@ constexpr bool members_fit() {
     GA_MEMBER_FITS(sample, Sampled)
     GA_MEMBER_FITS(violation, Constrained)
     GA_MEMBER_FITS(bytes, Weighed)
+    GA_MEMBER_FITS(mutate, MutatesItself)
+    GA_MEMBER_FITS(cross_uniform, CrossesUniformly)
+    GA_MEMBER_FITS(cross_points, CrossesAtPoints)
+    GA_MEMBER_FITS(distance, Measured)
+    GA_MEMBER_FITS(descriptors, Describing)
 #undef GA_MEMBER_FITS
     return true;
 }

@@ -55,7 +55,7 @@ class GenerationsStep {
             numbers[0] = {began, context.seconds(), began, 0};
         }
         expect_fit(numbers.size() == 2 + rules_.size() && numbers[0].size() == 4 &&
-                      (!frame.resumed() || frame->kept.size() == 1));
+                   (!frame.resumed() || frame->kept.size() == 1));
         bool sure = false, paying = false;
         for (const Rule<G>& rule : rules_) {
             sure |= rule.sure;
@@ -142,7 +142,8 @@ Generations<Body, Until> repeat(std::size_t n, Body body) {
 /// The stage `until ... { body }` by the engine's own rules. Throws UsageError where none is given.
 template <class Body>
 Generations<Body, Until> until(Until end, Body body) {
-    if (!(end.generations || end.evaluations || end.seconds || end.fitness || end.stagnation || end.converged))
+    if (!(end.generations || end.evaluations || end.seconds || end.fitness || end.stagnation ||
+          end.converged))
         throw UsageError("until has no end; expected one of generations, evaluations, seconds, fitness, "
                          "stagnation, converged");
     return {std::move(body), end};

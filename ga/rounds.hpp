@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <deque>
 #include <semaphore>
+#include <system_error>
 #include <thread>
 
 namespace ga {
@@ -69,8 +70,8 @@ class Rounds {
     template <class Job>
     void go(std::size_t from, Door<P>& through, Job& job, const std::function<void()>& after) {
         std::vector<std::thread> threads;
-        for (std::size_t i = 0; i < seats_.size(); ++i)
-            threads.emplace_back([&, i] {
+        const auto work = [&](std::size_t i) {
+            return [&, i] {
                 Seat& seat = seats_[i];
                 try {
                     job(from + i, static_cast<Door<P>&>(seat));
@@ -79,7 +80,18 @@ class Rounds {
                 }
                 seat.done = true;
                 wait();
-            });
+            };
+        };
+        for (std::size_t i = 0; i < seats_.size(); ++i)
+            try {
+                threads.emplace_back(work(i));
+            } catch (const std::system_error&) {
+                seats_[i].error = std::make_exception_ptr(
+                    UsageError("the system gives no thread for search " + std::to_string(from + i + 1) +
+                               " of those that run side by side; expected fewer islands or more memory"));
+                seats_[i].done = true;
+                wait();
+            }
         while (one_round(through, after)) {
         }
         for (std::thread& thread : threads)

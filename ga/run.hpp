@@ -1,6 +1,9 @@
 #pragma once
 
 #include "ga/stage.hpp"
+#include "ga/variation/permutation.hpp"
+
+#include <set>
 
 namespace ga {
 
@@ -74,21 +77,61 @@ template <class G>
     return best_of(in_hand, everyone);
 }
 
+/// Throws UsageError on numbers that are not 0 to n - 1, each once.
+[[gnu::cold]] inline void expect_permutation(const Permutation& permutation) {
+    std::vector<char> seen(permutation.order.size(), 0);
+    for (const auto number : permutation.order)
+        if (number >= seen.size() || std::exchange(seen[number], char{1}))
+            throw UsageError("a start of " + std::to_string(seen.size()) + " numbers has " +
+                             std::to_string(number) + " where it cannot be; expected each from 0 to " +
+                             std::to_string(seen.size() - 1) + " once");
+}
+
+/// Gives individuals whose identity another has a new one; returns the first that is free.
+template <class G>
+[[gnu::cold]] Identity with_identities_unique(Population<G>& population) {
+    Identity next = 0;
+    for (const auto& individual : population)
+        next = std::max(next, individual.identity + 1);
+    std::set<Identity> taken;
+    for (auto& individual : population)
+        if (!taken.insert(individual.identity).second)
+            individual.identity = next++;
+    return next;
+}
+
+/// Scores a start population that comes scored again, as another problem may have scored it, so that the run
+/// knows its best.
+template <Problem P>
+[[gnu::cold]] void score_given(PopulationOf<P>& population, Context<P>& context) {
+    if (population.empty() || !comparable(population))
+        return;
+    const std::string objective = population.front().fitness.objective();
+    const auto& objectives = context.problem().objectives();
+    const bool known = std::any_of(objectives.begin(), objectives.end(),
+                                   [&](const auto& each) { return each.name == objective; });
+    if (!known)
+        return;
+    for (auto& individual : population)
+        individual.fitness = {};
+    const typename Context<P>::Scope scope(context.where, Name("given"), 0);
+    context.score(population, objective);
+    context.show(population);
+}
+
 /// What `run_by` does once the pipeline's type is known no more.
 template <Problem P, class G = typename P::Genome>
 [[gnu::cold, gnu::noinline]] Result<G>
 run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Population<G> population,
           const RunOptions& options, std::vector<Observer<G>> observers, Keeper<P>* keeper) {
     check(stage, problem, population);
-    Identity next = 0;
-    for (const auto& individual : population)
-        next = std::max(next, individual.identity + 1);
+    if constexpr (std::same_as<G, Permutation>)
+        for (const auto& individual : population)
+            expect_permutation(individual.genome);
+    const Identity next = with_identities_unique(population);
     Ledger<P> ledger(problem, evaluator, options.memory_bytes, options.budget);
     Context<P> context(ledger, Where<G>(options.variant, options.seed), next,
                        {std::move(observers), keeper, options.population_bytes});
-    ledger.resume(std::any_of(population.begin(), population.end(), [](const auto& each) {
-        return each.fitness.known() && !each.fitness.has_failed();
-    }));
     Frame<G> outermost; // of states outside every loop
     context.kept.loops.push_back(&outermost);
     Result<G> result;
@@ -100,7 +143,10 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
             answer = keeper->answer();
         }
         const bool known = answer.has_value();
+        if (!known && context.kept.saved.empty())
+            score_given(population, context);
         result.population = known ? std::move(*answer) : stage(std::move(population), context);
+        ledger.expect_success();
         if (keeper && !known)
             keeper->write(context.snapshot(), ledger, &result.population);
     } catch (const Stopped& stop) {

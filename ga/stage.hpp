@@ -301,8 +301,10 @@ template <Problem P, class More>
         known.need_score(name); // the best of its start are chosen
     body.check(inside);
     more(inside);
-    inside.start_scored = inside.scored;
-    body.check(inside);
+    if (inside.start_scored != inside.scored) { // else the second generation is checked as the first was
+        inside.start_scored = inside.scored;
+        body.check(inside);
+    }
     known.scored = inside.scored;
 }
 

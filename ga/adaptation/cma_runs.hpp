@@ -20,7 +20,7 @@ struct CmaRecord {
         const auto k = static_cast<std::size_t>(1 + std::ceil(0.1 + static_cast<double>(lambda) / 4));
         best.push_back(values.front());
         median.push_back(values[values.size() / 2]);
-        equal.push_back(values.size() > k && values[k] == values.front() ? 1 : 0);
+        equal.push_back(values.size() >= k && values[k - 1] == values.front() ? 1 : 0);
         spent += static_cast<long>(values.size());
     }
     /// Forgets what no rule looks at.

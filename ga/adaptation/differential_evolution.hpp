@@ -3,6 +3,8 @@
 #include "ga/stage.hpp"
 #include "ga/variation/genes.hpp"
 
+#include <unordered_map>
+
 namespace ga {
 
 /// v = base + F1 (a - base) + F2 (b - c). Of the genes that may move the trial takes v's, each with
@@ -139,14 +141,14 @@ struct Duel : Operator {
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
-        const auto& start = context.generation_start();
-        for (auto& child : population)
-            for (const auto& parent : start)
-                if (child.parents.size() > 0 && parent.identity == *child.parents.begin() &&
-                    better(parent.fitness, child.fitness)) {
-                    child = parent;
-                    break;
-                }
+        std::unordered_map<Identity, const Individual<typename P::Genome>*> start;
+        for (const auto& parent : context.generation_start())
+            start.emplace(parent.identity, &parent);
+        for (auto& child : population) {
+            const auto parent = child.parents.size() > 0 ? start.find(*child.parents.begin()) : start.end();
+            if (parent != start.end() && better(parent->second->fitness, child.fitness))
+                child = *parent->second;
+        }
         return population;
     }
     ///@}

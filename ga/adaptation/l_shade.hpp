@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <numbers>
+#include <unordered_map>
 
 namespace ga {
 
@@ -175,14 +176,17 @@ struct LShade : Operator {
     template <class G>
     void learn(const Population<G>& population, State& state, Stream& random) const {
         std::vector<SuccessHistory::Success> successes;
+        std::unordered_map<Identity, const Fitness*> of;
+        for (const auto& individual : population)
+            of.emplace(individual.identity, &individual.fitness);
         for (Trial& trial : state.trials) {
-            const auto child = std::find_if(population.begin(), population.end(),
-                                            [&](const auto& each) { return each.identity == trial.child; });
-            if (child == population.end())
+            const auto child = of.find(trial.child);
+            if (child == of.end())
                 continue;
-            double gain = trial.violation - violation(child->fitness);
+            const Fitness& fitness = *child->second;
+            double gain = trial.violation - violation(fitness);
             if (!(gain > 0 || gain < 0)) // both feasible, or as far off
-                gain = merit(child->fitness) - trial.merit;
+                gain = merit(fitness) - trial.merit;
             if (!(gain > 0))
                 continue;
             successes.push_back({trial.F, trial.CR, std::min(gain, std::numeric_limits<double>::max())});

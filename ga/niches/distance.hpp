@@ -4,12 +4,6 @@
 
 namespace ga {
 
-/// Optional: how far apart two genomes are, 0 for equal ones, the same both ways.
-template <class P>
-concept Measured = requires(const P& problem, const typename P::Genome& genome) {
-    { problem.distance(genome, genome) } -> std::convertible_to<double>;
-};
-
 /// A problem whose genomes ga can tell apart: by the problem's own measure, by real genes, or by bits and
 /// whole numbers at positions.
 template <class P>

@@ -24,13 +24,14 @@ class HallOfFame {
     Observer<Genome> observer() {
         return [this](const Event<Genome>& event) {
             for (const auto& individual : event.population)
-                if (individual.fitness.known(objective_) && !individual.fitness.has_failed())
+                if (!event.derived)
                     offer(individual);
         };
     }
-
-  private:
+    /// Takes an individual in where it has a fitness under the objective and belongs here.
     void offer(const Individual<Genome>& individual) {
+        if (!individual.fitness.known(objective_) || individual.fitness.has_failed())
+            return;
         if (members.size() == n_ && !better(individual.fitness, members.back().fitness))
             return;
         const Fingerprint print = identify(problem_, individual.genome);
@@ -45,6 +46,7 @@ class HallOfFame {
             members.pop_back();
     }
 
+  private:
     const P& problem_;
     std::size_t n_;
     Name objective_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ga/pareto/ranking.hpp"
+#include "ga/random.hpp"
 
 namespace ga {
 
@@ -38,6 +39,29 @@ inline double hypervolume(std::vector<Point> points, const Point& reference) {
             volume += thickness * hypervolume(above, Point(reference.begin(), reference.end() - 1));
     }
     return volume;
+}
+
+/// The share of a fixed sample of 4096 points that the points dominate: an estimate of the hypervolume under
+/// a weight that falls with the distance from `reference` (Zitzler, Brockhoff and Thiele 2007), for many
+/// objectives. A coordinate of the sample is the reference's plus width u/(1 - u), u uniform in (0, 1).
+inline double dominated_share(const std::vector<Point>& points, const Point& reference, const Point& width) {
+    constexpr int count = 4096;
+    Stream stream(reference.size());
+    int dominated = 0;
+    Point sample(reference.size());
+    for (int i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < sample.size(); ++k) {
+            const double u = stream.uniform();
+            sample[k] = reference[k] + width[k] * u / (1 - u);
+        }
+        dominated += std::any_of(points.begin(), points.end(), [&](const Point& point) {
+            for (std::size_t k = 0; k < sample.size(); ++k)
+                if (!(point[k] >= sample[k]))
+                    return false;
+            return true;
+        });
+    }
+    return static_cast<double>(dominated) / count;
 }
 
 } // namespace ga

@@ -240,7 +240,7 @@ struct EveryGene {
     /// The problem's bounds for that genome.
     template <Bounded P>
     std::vector<Variable> on(const P& problem, const typename P::Genome& genome) const {
-        return problem.bounds(genome);
+        return checked_bounds(problem, genome);
     }
 };
 

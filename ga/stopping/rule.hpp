@@ -54,9 +54,9 @@ requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
 }
 
 /// Whether the population is better than the block's has been before, by its policy: the best of it by Deb's
-/// rules, under several objectives the hypervolume of its front above what the first front had least, and a
-/// tenth of its range below. Keeps that in `memory`: violation, worth, and the generation that was better
-/// last.
+/// rules, under several objectives the hypervolume of its front above the first front's minimum less a tenth
+/// of its range, estimated from four objectives on (dominated_share). Keeps that in `memory`: violation,
+/// worth, and the generation that was better last.
 template <class G>
 bool improves(const Progress<G>& now, Numbers& memory) {
     if (memory.empty())
@@ -78,12 +78,18 @@ bool improves(const Progress<G>& now, Numbers& memory) {
     }
     if (!points.empty()) {
         const std::size_t m = points.front().size();
+        Point ranges;
         for (std::size_t k = 0; memory.size() < 3 + m; ++k) {
             const auto [least, most] = std::minmax_element(
                 points.begin(), points.end(), [k](const Point& a, const Point& b) { return a[k] < b[k]; });
-            memory.push_back((*least)[k] - 0.1 * std::max((*most)[k] - (*least)[k], 1e-9));
+            ranges.push_back(std::max((*most)[k] - (*least)[k], 1e-9));
+            memory.push_back((*least)[k] - 0.1 * ranges.back());
         }
-        worth = hypervolume(std::move(points), Point(memory.begin() + 3, memory.end()));
+        memory.insert(memory.end(), ranges.begin(), ranges.end());
+        const auto at = memory.begin() + 3;
+        const Point reference(at, at + static_cast<std::ptrdiff_t>(m)),
+            width(at + static_cast<std::ptrdiff_t>(m), memory.end());
+        worth = m < 4 ? hypervolume(std::move(points), reference) : dominated_share(points, reference, width);
     }
     if (!(std::pair(violation, -worth) < std::pair(memory[0], -memory[1])))
         return false;

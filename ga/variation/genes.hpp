@@ -32,7 +32,7 @@ void edit_genes(const P& problem, typename P::Genome& genome, Edit edit) {
 template <HasGenes P>
 decltype(auto) variables_of(const P& problem, const typename P::Genome& genome) {
     if constexpr (Bounded<P>) {
-        return problem.bounds(genome);
+        return checked_bounds(problem, genome);
     } else {
         std::vector<Variable> all(genes_of(problem, genome).size());
         for (std::size_t i = 0; i < all.size(); ++i)

@@ -151,7 +151,7 @@ struct Reset {
         } else if constexpr (Discrete<typename P::Genome>) {
             using Gene = std::ranges::range_value_t<typename P::Genome>;
             bool changed = false;
-            const auto& variables = problem.bounds(genome);
+            const auto& variables = checked_bounds(problem, genome);
             chance.each(variables.size(), stream, [&](std::size_t i) {
                 const Variable& variable = variables[i];
                 if (variable.upper < variable.lower + 1 || variable.gene >= genome.size())
@@ -237,12 +237,6 @@ struct Reverse {
         });
     }
     ///@}
-};
-
-/// Optional: a problem's own mutation of each gene with probability `rate`; true when one changed.
-template <class P>
-concept MutatesItself = requires(const P& problem, typename P::Genome& genome, double rate, Stream& stream) {
-    { problem.mutate(genome, rate, stream) } -> std::same_as<bool>;
 };
 
 /// What a genome's kind makes of `mutate RATE`: the problem's own mutation; else the swap of a permutation,

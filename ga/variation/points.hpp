@@ -8,13 +8,6 @@
 
 namespace ga {
 
-/// Optional: a problem's own cross-over at points, where genomes are more than positions.
-template <class P>
-concept CrossesAtPoints = requires(const P& problem, typename P::Genome& genome, std::size_t n,
-                                   Stream& stream) {
-    problem.cross_points(genome, genome, n, stream);
-};
-
 /// Cuts two sequences at the same n different places and exchanges every other piece. Sequences of unequal
 /// length exchange within the shorter one's; those too short for n cuts take as many as fit.
 template <class Sequence>

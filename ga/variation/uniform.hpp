@@ -5,12 +5,6 @@
 
 namespace ga {
 
-/// Optional: a problem's own uniform cross-over.
-template <class P>
-concept CrossesUniformly = requires(const P& problem, typename P::Genome& genome, Stream& stream) {
-    problem.cross_uniform(genome, genome, stream);
-};
-
 /// Exchanges the genes of each position with probability 1/2 (Syswerda 1989), up to the shorter genome's
 /// length.
 struct Uniform {

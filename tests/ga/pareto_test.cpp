@@ -1,4 +1,4 @@
-#include "ga/pareto/ranking.hpp"
+#include "ga/pareto/hypervolume.hpp"
 #include "ga/random.hpp"
 
 #include <catch2/catch.hpp>
@@ -46,4 +46,28 @@ TEST_CASE("the ends of a front have endless room, the others the sides of their 
     CHECK(std::isinf(room[3]));
     CHECK(room[1] == Approx(3.0 / 4 + 3.0 / 4));
     CHECK(room[2] == Approx(3.0 / 4 + 3.0 / 4));
+}
+
+TEST_CASE("the dominated share of many objectives grows with what is dominated and ignores what is not") {
+    Stream stream(9);
+    const Point reference(5, 0), width(5, 1);
+    CHECK(dominated_share({}, reference, width) == 0);
+    CHECK(dominated_share({Point(5, 1e9)}, reference, width) == 1);
+    std::vector<Point> points;
+    double before = 0;
+    for (int i = 0; i < 20; ++i) {
+        Point point(5);
+        for (double& value : point)
+            value = 3 * stream.uniform();
+        points.push_back(point);
+        const double share = dominated_share(points, reference, width);
+        CHECK(share >= before);
+        before = share;
+        Point dominated = point;
+        dominated[0] *= 0.5;
+        auto more = points;
+        more.push_back(dominated);
+        CHECK(dominated_share(more, reference, width) == share);
+    }
+    CHECK(before > 0);
 }

@@ -1,4 +1,4 @@
-// Not to be compiled: this problem's `bounds` takes no genome, so it would be passed over.
+// Not to be compiled: these members' signatures are others than ga asks for, so they would be passed over.
 #include "ga/ga.hpp"
 
 struct Misfit {
@@ -9,6 +9,11 @@ struct Misfit {
     double evaluate(const Genome& genome) const { return genome[0]; }
     const std::vector<ga::Objective<double>>& objectives() const { return list; }
     std::vector<ga::Variable> bounds() const { return {{0, -1, 1}}; }
+    bool mutate(Genome&, ga::Stream&) const { return false; }
+    void cross_uniform(Genome&, Genome&) const {}
+    void cross_points(Genome&, Genome&, ga::Stream&) const {}
+    double distance(const Genome&) const { return 0; }
+    std::vector<ga::Descriptor<Genome>> descriptors() const { return {}; }
 };
 
 int main() {
