@@ -11,6 +11,7 @@
 #include "apps/report/output.hpp"
 #include "apps/report/recorder.hpp"
 #include "apps/report/units.hpp"
+#include "domain/design/starts.hpp"
 #include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -44,9 +45,10 @@ int told_again(const std::filesystem::path& result) {
 /// The least change of what is controlled, and what it gives.
 void morph_into(DesignRun& run) {
     const Production& from = *run.from;
-    run.morphed = rough::morph(run.searched, from.genome, from.control, from.largest_change, run.wanted);
+    run.morphed = rough::morph(run.searched, from.genome, from.control, from.largest_change,
+                               run.searched.required_similarity);
     run.found = as_found(run.searched, *run.morphed);
-    run.found.pipeline = "morph";
+    run.found.name = run.found.pipeline = "morph";
 }
 
 } // namespace
@@ -102,15 +104,10 @@ int design(const Words& words) {
 
     const Interrupt interrupt;
     Progress progress;
-    const std::optional<rough::Genome> start = run.from ? std::optional(run.from->genome) : std::nullopt;
+    const rough::Genome start =
+        run.from ? run.from->genome : shaped_start(run.setup, ga::Stream(run.options.seed));
     const Schedule schedule(clock, run.options.seconds, run.setup, start, run.options.threads, pictures);
-    if (schedule.least() > run.options.seconds)
-        say("note: an answer on this grid and the finer one takes about " + readable(schedule.least(), 2) +
-            " s, more than --seconds gives; expected more of it, or fewer --nodes");
     run.options.seconds = schedule.for_search();
-    run.options.compared = schedule.compared();
-    if (run.options.compared == 1)
-        run.options.alternatives = 1; // there is hardly time for one
     run.options.stop = &interrupt.flag();
     const auto evaluator = design_evaluator(run.options.threads);
     run.options.evaluator = evaluator.get();
@@ -118,7 +115,7 @@ int design(const Words& words) {
     run.options.keeping = rough::Keeping{
         checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); }, checkpoint_interval()};
     if (!run.out_of_reach.empty())
-        run.options.evaluations = rough::enough_for_the_nearest;
+        run.options.evaluations = std::min(run.options.evaluations, rough::enough_for_the_nearest);
     double best = -HUGE_VAL;
     const auto report_progress = [&](const ga::Event<rough::Genome>& event) {
         for (const auto& individual : event.population)
@@ -158,7 +155,7 @@ int design(const Words& words) {
         else if (pictures)
             say("note: no time was left for report.html; expected more --seconds for it");
     }
-    if (run.found.stopped.empty() || (run.options.reach && run.found.best.judged() >= *run.options.reach))
+    if (run.found.stopped.empty() || run.found.best.judged() >= run.setup.required_similarity)
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
             std::filesystem::remove(folder / kept);
     tell_notes(run.found.notes);

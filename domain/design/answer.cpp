@@ -4,10 +4,9 @@
 
 namespace rough {
 
-Answer judged_answer(const Judge& judge, const Genome& genome) {
-    DesignSetup setup = judge.setup();
+Answer judged_answer(const DesignSetup& reported, const Genome& genome, Judgement judged) {
+    DesignSetup setup = reported;
     setup.model.contact.stop = {};
-    Judgement judged = judge.of(genome);
     Answer answer{genome};
     if (std::isnan(judged.worst())) {
         if (judged.on_own.empty()) {
@@ -31,7 +30,7 @@ Answer judged_answer(const Judge& judge, const Genome& genome) {
 }
 
 Answer judged_answer(const DesignSetup& reported, const Genome& genome) {
-    return judged_answer(Judge(reported), genome);
+    return judged_answer(reported, genome, Judge(reported).of(genome));
 }
 
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer) {

@@ -56,8 +56,4 @@ std::vector<Quantity> likeness_named(const std::string& name) {
     return {quantity_named(name)};
 }
 
-std::string usual_variant(const DesignSetup& setup) {
-    return setup.like && !setup.like->is_area() && asks_for_area(setup) ? "like" : "default";
-}
-
 } // namespace rough

@@ -19,8 +19,4 @@ const std::vector<std::string>& names_of_likeness();
 /// The quantities of that name. Throws InputError on another word.
 std::vector<Quantity> likeness_named(const std::string& name);
 
-/// The named pipeline (design_variants) that a set-up is searched by where nothing else is asked for: `like`
-/// for the contact area of a measured profile, else `default`.
-std::string usual_variant(const DesignSetup& setup);
-
 } // namespace rough

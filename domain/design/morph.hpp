@@ -50,7 +50,7 @@ struct Morphed {
 /// @param reach           the similarity to come back to, on the set-up's grid
 /// Throws what DesignProblem throws, and InputError on a genome without an answer.
 Morphed morph(const DesignSetup& setup, const Genome& genome, const std::vector<ChromosomeName>& control,
-              double largest_change, double reach = worth_the_name);
+              double largest_change, double reach = default_required_similarity);
 
 /// A morphed genome as a search's answer, judged on finer grids and in finer load steps.
 SearchResult as_found(const DesignSetup& setup, const Morphed& morphed);

@@ -1,8 +1,14 @@
 #include "domain/design/pipelines.hpp"
 
 #include "domain/design/own_waves.hpp"
-#include "domain/design/search.hpp"
 #include "domain/design/target_dominance.hpp"
+#include "domain/mwm/length_scales.hpp"
+#include "domain/paper/variants.hpp"
+#include "ga/derived.hpp"
+#include "ga/number.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace rough {
 
@@ -29,7 +35,10 @@ ga::Population<Genome> Own::operator()(ga::Population<Genome>, ga::Context<Desig
 
 ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
     auto registry = engine_words();
-    add_words(registry, Vocabulary{std::make_shared<DominanceRule>(setup.model)});
+    add_words(registry, Vocabulary{.rule = std::make_shared<DominanceRule>(setup.model),
+                                   .fitted = [setup](const Genome& genome) {
+                                       return with_fitting_amplitude(setup, genome);
+                                   }});
     registry.add<Shape>();
     registry.add<Own>();
     registry.add("fit", "roughness",
@@ -43,6 +52,27 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
                          return reduced_to_target(setup, genome, g);
                      }));
     }
+    const auto block = [&](const char* name, const char* meaning, std::vector<ga::Parameter> parameters,
+                           auto make, const char* lacks = "") {
+        registry.add({name, "roughness", meaning, std::move(parameters), lacks, 1},
+                     [make](const ga::Arguments& a, const std::vector<Pipeline>& bodies, const auto&) {
+                         return make(a, bodies[0]);
+                     });
+    };
+    block(
+        "coarser", "runs the pipeline on a grid of half the nodes a side, n times",
+        {ga::whole("n", std::nullopt, 1, "how many times half")},
+        [](const ga::Arguments& a, const Pipeline& body) { return coarser(a.count("n"), body); },
+        setup.model.grid.is_area() ? "" : "an area, whose curves cost much");
+    block("corrected",
+          "runs the pipeline on the first, at the targets less what its curve changes on finer grids and in "
+          "more "
+          "load steps",
+          {}, [](const ga::Arguments&, const Pipeline& body) { return corrected(body); });
+    block(
+        "within-limits",
+        "where no individual is within the limits on shape: the pipeline on each without its shortest waves",
+        {}, [](const ga::Arguments&, const Pipeline& body) { return within_limits(body); });
     const double length = setup.model.grid.length;
     registry.add(
         ga::Variables<Genome>{"macro", [length](const Genome& g) { return macro_phases(g, length); }},
@@ -54,88 +84,221 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
 }
 
 Pipeline design_pipeline(const DesignSetup& setup, const std::string& text) {
-    return ga::Parser<DesignProblem>(design_registry(setup), design_variants()).parse(text);
-}
-
-Pipeline design_variant(const DesignSetup& setup, const std::string& name) {
-    return ga::Parser<DesignProblem>(design_registry(setup), design_variants()).variant(name);
+    const ga::Variants variants = design_variants(setup.required_similarity);
+    Pipeline pipeline = ga::Parser<DesignProblem>(design_registry(setup), variants).parse(text);
+    if (setup.limits.any_shape() && pipeline.text().find("within-limits") == std::string::npos)
+        pipeline.append(ga::Parser<DesignProblem>(design_registry(setup))
+                            .parse("within-limits { score | refine lm 40 | best 1 }"));
+    return pipeline;
 }
 
 namespace {
 
-/// What an answer is judged by, refined: the end of some variants.
-const std::string polish = " | best 2 | score judged | refine lm 16 sharpen=4";
+/// Nodes a side of the coarsest grid, and its spacings to the shortest wave, at least.
+constexpr Index coarsest_side = 32;
+constexpr double coarsest_wave = 1.9;
 
-/// Those variants without that end.
-const ga::Variants& unpolished() {
-    static const ga::Variants variants{
-        // Starts near the target; the best are brought down the squares, then towards the maximum norm. While
-        // that is not enough, fresh ones join and length scales of good ones cross. Both grids at the end.
-        {"default",
-         "shape 24 | score | best 8 | refine lm 15 | best 5 | refine lm 25 sharpen=8 | "
-         "until fitness 0.9995 generations 10 { shape 8 | score | best 2 | refine lm 20 | parents | "
-         "tournament 2 size=6 | cross uniform rate=0.7 | mutate 0.05 gaussian 0.02 | score | "
-         "refine lm 25 sharpen=10 | plus 5 }"},
-        // Stored genomes that are near already, brought nearer at once: the paper's in-line control.
-        {"in-line",
-         "score | refine lm 12 | best 4 | refine lm 30 sharpen=8 | best 2 | refine lm 200 sharpen=5"},
-        // The same effort without a target's shape in the starts and without cross-over: what chance brings.
-        {"multistart", "sample 60 | score | best 12 | refine lm 12 | best 4 | refine lm 60 sharpen=1 | until "
-                       "fitness 0.9995 "
-                       "generations 8 { sample 60 | score | best 12 | refine lm 12 | best 4 | refine lm 60 "
-                       "sharpen=1 | plus 4 }"},
-    };
-    return variants;
+/// Without its shortest wave; nothing of a genome with one wave alone.
+std::optional<Genome> without_shortest(const Genome& genome) {
+    const auto scales = length_scales(genome);
+    if (scales.size() < 2)
+        return std::nullopt;
+    const auto shortest =
+        std::max_element(scales.begin(), scales.end(), [](const LengthScale& a, const LengthScale& b) {
+            return a.wave_number < b.wave_number;
+        });
+    return filtered(genome, [&](std::size_t s, std::size_t c) {
+        return std::find(shortest->members.begin(), shortest->members.end(), std::pair(s, c)) ==
+               shortest->members.end();
+    });
 }
 
-const ga::Variants& other_variants() {
-    static const ga::Variants variants{
-        // A scan's own waves, brought back to what the scan answers: stiffness and area together.
-        {"like", "own 2 | fit | score | refine lm 30 sharpen=8 | score judged | refine lm 30 sharpen=4"},
-        // Selection, cross-over of length scales and mutation, no derivative.
-        {"plain",
-         "score | best 50 | repeat 100 { tournament 2 | cross uniform rate=0.8 | mutate 0.1 gaussian 0.05 | "
-         "score | elite 2 } | best 1"},
-        // The paper's algorithms (Algorithms 3-5).
-        {"sog", "score | best 3 | refine gcmma 5 genes=dominant | refine gcmma 2 genes=others | best 1"},
-        {"gco", "pair(score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, unite) | fit | "
-                "score | best 3 | refine gcmma 3 genes=dominant | refine gcmma 2 genes=others | best 1"},
-        {"cco",
-         "pair(score low | above 0.95 at_least=3 | reduce dominant, score high | above 0.95 at_least=3 | "
-         "reduce dominant, unite) | fit | score | best 3 | refine gcmma 3 genes=phases | best 1"},
-        // Two targets, one list of genomes for each (Cinat, Paggi and Gnecco 2019).
-        {"mcco",
-         "pair(score goal1 | above 0.95 at_least=5 | reduce goal1, score goal2 | above 0.95 at_least=5 | "
-         "reduce goal2, unite) | fit | score | best 3 | refine gcmma 3 genes=macro | refine gcmma 3 "
-         "genes=micro | best 1"},
-        // What two targets cost each other: NSGA-II whose ends and children are refined.
-        {"nsga2", "shape 40 | score | best 20 | repeat 1 { score goal1 | refine lm 15 | parents } | repeat 1 "
-                  "{ score goal2 | refine lm 15 | parents } | pareto goal1 goal2 | best 40 | repeat 15 { "
-                  "tournament 2 | cross uniform rate=0.8 | mutate 0.05 gaussian 0.02 | score | refine lm 5 | "
-                  "parents | pareto goal1 goal2 | best 40 } | front"},
-        // Many surfaces of one response: elites of every wave length and skewness, moved along the gradients
-        // of these and brought back to the target.
-        {"atlas", "shape 60 | score | best 24 | refine lm 30 sharpen=4 | repeat 60 { above 0.96 at_least=8 | "
-                  "emit 12 wavelength skewness sigma=0.07 | score | refine lm 25 sharpen=6 | "
-                  "map-elites wavelength skewness cells=20 } | best 40 | refine lm 25 sharpen=6"},
-        // Global optimisers of NLopt on every gene of the best start.
-        {"esch", "score | best 1 | refine nlopt GN_ESCH 5000"},
-        {"crs2", "score | best 1 | refine nlopt GN_CRS2_LM 5000"},
-    };
-    return variants;
+using Designs = ga::Population<Genome>;
+
+/// How far each exceeds the limits; infinite of one that has no answer.
+std::vector<double> excesses(Designs& designs, ga::Context<DesignProblem>& context) {
+    std::vector<double> all;
+    context.evaluate(designs, [&](auto& design, const ga::Evaluation<DesignOutcome>& evaluation) {
+        const auto* outcome = std::get_if<DesignOutcome>(&evaluation);
+        all.push_back(outcome ? outcome->excess : HUGE_VAL);
+        design.fitness = ga::judged(context.problem(), evaluation, context.problem().objectives().front(),
+                                    context.objective_name(0));
+    });
+    return all;
+}
+
+/// Of each genome without none, one, two of its shortest waves and on, the one that exceeds the limits least.
+Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
+    Designs least;
+    for (const auto& design : designs) {
+        Designs tries{design};
+        for (auto next = without_shortest(design.genome); next; next = without_shortest(*next)) {
+            tries.push_back(design);
+            tries.back().genome = with_fitting_amplitude(context.problem().setup(), *next);
+            context.make_child(tries.back(), ga::Parents(design.identity));
+        }
+        const std::vector<double> over = excesses(tries, context);
+        least.push_back(
+            tries[static_cast<std::size_t>(std::min_element(over.begin(), over.end()) - over.begin())]);
+    }
+    return least;
 }
 
 } // namespace
 
-std::string without_polish(const std::string& variant) { return unpolished().at(variant); }
+DesignSetup on_coarser_grid(DesignSetup setup, std::size_t halvings) {
+    for (std::size_t i = 0; i < halvings; ++i) {
+        Grid grid = setup.model.grid;
+        grid.nodes /= 2;
+        grid.rows /= 2;
+        if (std::min(grid.nodes, grid.rows) < coarsest_side ||
+            setup.limits.shortest_wave < coarsest_wave * grid.widest_spacing())
+            break;
+        setup.model.grid = grid;
+    }
+    return setup;
+}
+
+Pipeline coarser(std::size_t halvings, const Pipeline& body) {
+    return ga::derived_step<DesignProblem>(
+        "coarser " + std::to_string(halvings), body,
+        [halvings](Designs designs, const Pipeline& stages, ga::Context<DesignProblem>& context) {
+            const DesignProblem coarse(on_coarser_grid(context.problem().setup(), halvings));
+            return run_derived(stages, coarse, std::move(designs), context);
+        });
+}
+
+Pipeline corrected(const Pipeline& body) {
+    return ga::derived_step<DesignProblem>(
+        "corrected", body, [](Designs designs, const Pipeline& stages, ga::Context<DesignProblem>& context) {
+            const Judgement verified = context.problem().judge().remembered(designs.front().genome);
+            if (std::isnan(verified.worst()))
+                throw ga::Stopped{"stop requested"};
+            const DesignProblem aimed(corrected_targets(context.problem().setup(), verified));
+            Designs all = run_derived(stages, aimed, {designs.front()}, context);
+            for (auto& design : all)
+                context.make_child(design, ga::Parents(designs.front().identity));
+            all.insert(all.end(), designs.begin(), designs.end());
+            return all;
+        });
+}
+
+Pipeline within_limits(const Pipeline& body) {
+    ga::Step<DesignProblem> step;
+    step.text = "within-limits { " + body.text() + " }";
+    step.check = [body](ga::Known& known) {
+        body.check(known);
+        body.check_end(known);
+    };
+    step.apply = [body](Designs designs, ga::Context<DesignProblem>& context) {
+        const std::vector<double> over = excesses(designs, context);
+        if (std::any_of(over.begin(), over.end(), [](double excess) { return excess <= 0; }))
+            return designs;
+        Designs all = shortened(designs, context);
+        all.insert(all.end(), designs.begin(), designs.end());
+        return body(std::move(all), context);
+    };
+    return step;
+}
+
+namespace {
+
+/// The middle of what some curves are off by at one point of one target.
+double middle(std::initializer_list<const std::vector<Eigen::VectorXd>*> curves, std::size_t t, Index k) {
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const auto* misfits : curves) {
+        least = std::min(least, (*misfits)[t][k]);
+        most = std::max(most, (*misfits)[t][k]);
+    }
+    return 0.5 * (least + most);
+}
+
+} // namespace
+
+DesignSetup corrected_targets(DesignSetup setup, const Judgement& verified) {
+    const auto& [own, refined, stepped, both] = verified.misfits;
+    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
+        Target& target = setup.targets[t];
+        for (Index k = 0; k < target.points(); ++k) {
+            const double factor =
+                1 + (own[t][k] - middle({&own, &refined, &stepped, &both}, t, k)) / target.weight;
+            target.y[k] *= factor;
+            if (target.has_band())
+                target.lower[k] *= factor, target.upper[k] *= factor;
+        }
+    }
+    return setup;
+}
+
+std::string usual_variant(const DesignSetup& setup, bool stored) {
+    const bool asks_for_area = std::any_of(setup.targets.begin(), setup.targets.end(),
+                                           [](const Target& target) { return is_area(target.quantity); });
+    return stored                        ? "in-line"
+           : setup.model.grid.is_area()  ? "maps"
+           : setup.like && asks_for_area ? "like"
+                                         : "default";
+}
+
+ga::Variants design_variants(double required) {
+    // The paper's algorithms (Algorithms 3-5); a target without Eq. 11 gives each genome its amplitude.
+    ga::Variants variants = paper_variants({});
+    const std::string until = "until fitness " + ga::number(required) + " generations ";
+    // Starts near the target; the best are brought down the squares, then towards the maximum norm. While
+    // that is not enough, fresh ones join and length scales of good ones cross. More load steps and a finer
+    // grid at the end.
+    const std::string pass =
+        "shape 24 | score | best 8 | refine lm 15 | best 5 | refine lm 25 sharpen=8 | "
+        "until fitness 0.9995 generations 8 { shape 8 | score | best 2 | refine lm 20 | parents | "
+        "tournament 2 size=6 | cross uniform rate=0.7 | mutate 0.05 gaussian 0.02 | score | "
+        "refine lm 25 sharpen=10 | plus 5 } | best 2 | score more_steps | refine lm 30 sharpen=8 | best 1 | "
+        "score verified | refine lm 12 sharpen=8";
+    variants["pass"] = pass;
+    variants["default"] = "pass | " + until + "3 { pass | plus 2 }";
+    // An area's, from coarser grids, whose curves cost less, to its own.
+    variants["maps"] =
+        "coarser 2 { shape 24 | score | best 8 | refine lm 15 | best 4 | refine lm 30 sharpen=10 | "
+        "best 2 } | coarser 1 { score | refine lm 15 sharpen=5 | best 2 } | score | "
+        "refine lm 12 sharpen=4 | best 1 | corrected { score | refine lm 12 sharpen=4 | best 1 } | "
+        "score";
+    // Stored genomes that are near already, brought nearer at once: the paper's in-line control.
+    variants["in-line"] = "score | best 8 | refine lm 12 | best 4 | refine lm 30 sharpen=8 | best 2 | "
+                          "refine lm 200 sharpen=5 | score verified | refine lm 16 sharpen=4";
+    // The same effort without a target's shape in the starts and without cross-over: what chance brings.
+    variants["multistart"] =
+        "sample 60 | score | best 12 | refine lm 12 | best 4 | refine lm 60 sharpen=1 | "
+        "until fitness 0.9995 generations 8 { sample 60 | score | best 12 | refine lm 12 | "
+        "best 4 | refine lm 60 sharpen=1 | plus 4 } | best 2 | score verified | "
+        "refine lm 16 sharpen=4";
+    // A scan's own waves, brought back to what the scan answers: stiffness and area together.
+    variants["like"] =
+        "own 2 | fit | score | refine lm 30 sharpen=8 | score verified | refine lm 30 sharpen=4 | " + until +
+        "20 { parents | mutate 0.1 gaussian 0.003 | score verified | "
+        "refine lm 10 sharpen=1 | plus 2 }";
+    // Selection, cross-over of length scales and mutation, no derivative.
+    variants["plain"] = "score | best 50 | repeat 100 { tournament 2 | cross uniform rate=0.8 | "
+                        "mutate 0.1 gaussian 0.05 | score | elite 2 } | best 1";
+    // Two targets, one list of genomes for each (Cinat, Paggi and Gnecco 2019).
+    variants["mcco"] =
+        "pair(score goal1 | above 0.95 at_least=5 | reduce goal1, score goal2 | above 0.95 at_least=5 | "
+        "reduce goal2, unite) | score | best 3 | refine gcmma 3 genes=macro | refine gcmma 3 "
+        "genes=micro | best 1";
+    // What two targets cost each other: NSGA-II whose ends and children are refined.
+    variants["nsga2"] =
+        "shape 40 | score | best 20 | repeat 1 { score goal1 | refine lm 15 | parents } | repeat 1 "
+        "{ score goal2 | refine lm 15 | parents } | pareto goal1 goal2 | best 40 | repeat 15 { "
+        "tournament 2 | cross uniform rate=0.8 | mutate 0.05 gaussian 0.02 | score | refine lm 5 | "
+        "parents | pareto goal1 goal2 | best 40 } | front";
+    // Many surfaces of one response: elites of every wave length and skewness, moved along the gradients of
+    // these and brought back to the target.
+    variants["atlas"] =
+        "shape 60 | score | best 24 | refine lm 30 sharpen=4 | repeat 60 { above 0.96 at_least=8 | "
+        "emit 12 wavelength skewness sigma=0.07 | score | refine lm 25 sharpen=6 | "
+        "map-elites wavelength skewness cells=20 } | best 40 | refine lm 25 sharpen=6";
+    return variants;
+}
 
 const ga::Variants& design_variants() {
-    static const ga::Variants variants = [] {
-        ga::Variants all = other_variants();
-        for (const auto& [name, text] : unpolished())
-            all.emplace(name, text + polish);
-        return all;
-    }();
+    static const ga::Variants variants = design_variants(default_required_similarity);
     return variants;
 }
 

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
-#include <map>
 
 namespace ga {
 template <Problem P>
@@ -27,35 +26,22 @@ struct Keeping {
     double interval = 1; ///< seconds between two writes, at least
 };
 
-/// How long, from where and by which pipeline to search.
+/// By which pipeline, from where and how long to search.
 struct SearchOptions {
-    std::string variant = "default"; ///< first word of every path
-    std::string pipeline = {};       ///< text; empty: the named variant's
+    std::string pipeline = {}; ///< text, or one of design_variants; empty: usual_variant
     std::vector<Genome> starts =
         {}; ///< the population to begin with; empty: the pipeline's own, or the Sobol database
     std::uint64_t seed = 1; ///< same seed, same answer, unless `seconds` or `stop` ends the search
     int threads = 0;        ///< 0: as many as OpenMP has
     ga::Evaluator<DesignProblem>* evaluator = nullptr; ///< makes the paid calls; none: threads do
-    /// Of wall time, from the call. On an area, where judging takes longer than searching, that is within it:
-    /// the search keeps time back for it, as long as a quarter is left for the search.
+    /// Of wall time, from the call. What verifying the answers takes is kept back, three quarters at most.
     double seconds = std::numeric_limits<double>::infinity();
     long evaluations = std::numeric_limits<long>::max(); ///< curves and gradients
-    const std::atomic<bool>* stop = nullptr;             ///< somebody asks the search to end, judging too
-    /// Ends when an answer's worst similarity (Judgement) is this; a pipeline that makes its own starts is
-    /// begun up to eight times for it.
-    std::optional<double> reach = {};
-    /// Searches in the set-up's load steps, then aims again at the targets less what finer steps and grids
-    /// change (aimed_again). Where 4 times the steps, or 16 times, still lower the answer's similarity by
-    /// more than 0.005, that is done in 4 times as many (in_finer_steps, twice at most). `default`,
-    /// `in-line`, `multistart` only; their own last stages, which refine what is judged, are left out.
-    bool settles_steps = false;
-    /// Begins anew from other starts while the seconds or evaluations given are not spent and nothing is
-    /// worth the name: `default` and `multistart`. `like` goes on from what it has.
-    bool begins_anew = false;
-    std::size_t alternatives = 3; ///< different answers to return, the best among them
-    /// Answers of the pipeline, and best ones of its way, compared on the finer grid at the end. On an area,
-    /// whose finer grid costs much, only the best so far is judged.
-    std::size_t compared = 3;
+    const std::atomic<bool>* stop = nullptr;             ///< somebody asks the search to end, verifying too
+    std::size_t alternatives = 3;                        ///< different answers to return, the best among them
+    /// Answers that are verified at the end, of the pipeline's and of the best of its way each; of an area,
+    /// where verifying takes longer than searching, two of the pipeline's. Where time is short it is one.
+    std::size_t verifying = 3;
     std::optional<Keeping> keeping = {}; ///< nothing: it is kept nowhere
     /// Of curves that searches of one set-up share (DesignProblem).
     std::shared_ptr<ResponseMemory> memory = nullptr;
@@ -80,17 +66,14 @@ struct Answer {
 };
 
 /// A genome as an answer, in final amplitude, judged under a set-up as answers are reported (as_reported).
+/// Where the set-up's ContactOptions::stop ends that, the similarity on its own grid is found all the same.
 /// Throws what respond() throws.
 Answer judged_answer(const DesignSetup& reported, const Genome& genome);
-/// The same by a judge of that set-up. Where that is stopped the similarity on the set-up's own grid is found
-/// all the same.
-Answer judged_answer(const Judge& judge, const Genome& genome);
+/// The same of a judgement that was made.
+Answer judged_answer(const DesignSetup& reported, const Genome& genome, Judgement judgement);
 /// The answer's own response, as the set-up that was searched asks, solved throughout: of one that was not
 /// judged that which it has.
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer);
-
-/// The similarity from which on an answer is called found, where none is asked for.
-constexpr double worth_the_name = 0.99;
 
 /// What a search found, and what it took.
 struct SearchResult {
@@ -100,14 +83,10 @@ struct SearchResult {
     ga::Counters counters;            ///< what was spent
     std::vector<std::string> notes;   ///< remarks of stages
     std::string stopped;              ///< why the search ended before its pipeline; empty when it did not
-    std::string pipeline;             ///< as it was run, each on a line where the search went on
-    DesignSetup setup;                ///< what the answers are of: the one given, or in finer load steps
+    std::string name;                 ///< of the variant, or "pipeline": first word of every path
+    std::string pipeline;             ///< as it was run
+    DesignSetup setup;                ///< what the answers are of, completed
 };
-
-/// The ways to search that have a name, as text: `default`, `like`, `in-line`, `multistart`, `plain`, `sog`,
-/// `gco`, `cco`, `mcco` and `nsga2` (two targets), `atlas`, `esch`, `crs2`. Those that do not begin with
-/// `shape`, `own` or `sample` work on the Sobol database.
-const std::map<std::string, std::string>& design_variants();
 
 /// Throws ga::UsageError where one of design_variants, by its name, or a pipeline as text cannot search a
 /// set-up.
@@ -116,12 +95,11 @@ void expect_searchable(const DesignSetup& setup, const std::string& way);
 /// Whether the genome (in final amplitude) is within every limit.
 bool holds_limits(const DesignSetup& setup, const Genome& genome);
 
-/// Runs a pipeline on a design and picks what to believe: of the best individuals of all stages those that
-/// are best at their worst (Judgement). There is always an answer: the best so far, or a first start. On an
-/// area `default` searches coarser grids first and goes on from what they found; where the judged answer
-/// falls short of `reach`, or of worth_the_name, by the grids' and steps' errors, it aims again with these
-/// allowed for, twice at most. Throws ga::UsageError on a pipeline that cannot work or a kept run of another
-/// search, NotConverged when no curve of the whole run could be computed.
+/// Runs a pipeline on a design and picks what to believe: of its answers and the best individuals of all its
+/// stages those that are best at their worst (Judgement). There is always an answer: the best so far, or a
+/// first start. Throws ga::UsageError on a pipeline that cannot work or a kept run of another search,
+/// InputError on starts for a pipeline that makes its own, NotConverged when no curve of the whole run could
+/// be computed.
 SearchResult search(const DesignSetup& setup, const SearchOptions& options = {},
                     std::vector<ga::Observer<Genome>> observers = {});
 

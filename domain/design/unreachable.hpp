@@ -11,8 +11,11 @@ struct Unreachable {
     double bound = 1;                ///< no profile has a higher similarity
 };
 
-/// Of a set-up solved throughout. `wanted` is the similarity that is enough; without one 0.999 is.
-Unreachable unreachable(const DesignSetup& setup, std::optional<double> wanted = {});
+/// From here on what is out of reach is not worth telling, where nothing else is asked for.
+constexpr double exact_enough = 0.999;
+
+/// Of a set-up solved throughout. `wanted` is the similarity that is enough.
+Unreachable unreachable(const DesignSetup& setup, double wanted = exact_enough);
 
 /// Curves and gradients that are enough for the profile nearest to a target out of reach.
 constexpr long enough_for_the_nearest = 3000;

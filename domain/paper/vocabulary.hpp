@@ -16,6 +16,8 @@ namespace rough {
 struct Vocabulary {
     std::shared_ptr<const DominanceRule> rule; ///< Algorithm 1
     PhaseReach reach = {};                     ///< of every refined phase
+    /// Gives a sum its amplitude, where Eq. 11 does not; empty: as it is.
+    std::function<Genome(const Genome&)> fitted = {};
 
     /// The choice `dominant`: phases of dominant chromosomes.
     ga::Variables<Genome> dominant() const { return phases_where("dominant", true); }
@@ -33,9 +35,11 @@ struct Vocabulary {
     }
 
     /// The sum of the two parents as they were scaled when scored: their relative amplitude matters.
-    static ga::Combine<Genome> unite() {
-        return {"unite", [](const ga::Individual<Genome>& left, const ga::Individual<Genome>& right) {
-                    return std::optional(sum(left.genome, right.genome));
+    ga::Combine<Genome> unite() const {
+        return {"unite",
+                [fitted = fitted](const ga::Individual<Genome>& left, const ga::Individual<Genome>& right) {
+                    const Genome both = sum(left.genome, right.genome);
+                    return std::optional(fitted ? fitted(both) : both);
                 }};
     }
 
@@ -57,7 +61,7 @@ void add_words(ga::Registry<P>& registry, const Vocabulary& vocabulary) {
     ga::add_method<Gcmma>(registry);
     registry.add("reduce dominant", "roughness", "keeps each genome's dominant chromosomes (Algorithm 1)",
                  vocabulary.reduce_dominant());
-    registry.add(Vocabulary::unite(), "the sum of two genomes, each as it was scaled when scored");
+    registry.add(vocabulary.unite(), "the sum of two genomes, each as it was scaled when scored");
     registry.add(vocabulary.dominant(), "phases of the dominant chromosomes (Algorithm 1)");
     registry.add(vocabulary.others(), "phases of the other chromosomes");
     registry.add(vocabulary.phases(), "phases of all chromosomes");

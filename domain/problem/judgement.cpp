@@ -146,6 +146,29 @@ void Judge::judge(const Genome& genome, Judgement& result) const {
                                  1, 3);
 }
 
+std::optional<Judgement> Judge::known(const Genome& genome) const {
+    const std::string key = shape_key(setup_.max_pressure ? genome : folded(genome));
+    const std::lock_guard lock(guard_);
+    for (const auto& [other, judgement] : known_)
+        if (other == key)
+            return judgement;
+    return std::nullopt;
+}
+
+Judgement Judge::remembered(const Genome& genome) const {
+    constexpr std::size_t most = 32;
+    if (auto before = known(genome))
+        return *before;
+    Judgement found = of(genome);
+    if (std::isnan(found.worst()))
+        return found;
+    const std::lock_guard lock(guard_);
+    known_.emplace_back(shape_key(setup_.max_pressure ? genome : folded(genome)), found);
+    if (known_.size() > most)
+        known_.pop_front();
+    return found;
+}
+
 Judgement Judge::of(const Genome& genome) const {
     const ga::Stopwatch clock;
     Judgement result;

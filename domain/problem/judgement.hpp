@@ -3,6 +3,7 @@
 #include "domain/problem/response.hpp"
 
 #include <array>
+#include <deque>
 #include <mutex>
 
 namespace rough {
@@ -28,8 +29,6 @@ struct Judgement {
     double seconds = 0;             ///< of wall time that judging took
     /// Each target's, of the four in the order above.
     std::array<std::vector<Eigen::VectorXd>, 4> misfits;
-    /// Each target's in steps that no search has seen; empty where nobody asked (rough::search does).
-    std::vector<Eigen::VectorXd> confirming;
 
     /// The least of the four, NaN where not all are known.
     double worst() const;
@@ -48,6 +47,10 @@ class Judge {
     /// taken off `both`. Where the set-up's ContactOptions::stop ends it, what was not judged by then is left
     /// at NaN, its misfits and responses empty. Otherwise throws what respond() throws.
     Judgement of(const Genome& genome) const;
+    /// The same, remembered: the last 32 that were complete are kept.
+    Judgement remembered(const Genome& genome) const;
+    /// What is remembered of a genome.
+    std::optional<Judgement> known(const Genome& genome) const;
     const DesignSetup& setup() const { return setup_; } ///< as it was given
     /// The set-up in four times the load steps. Where the targets are a measured surface's, its finer
     /// response is solved when it is first asked for: most problems never judge.
@@ -62,6 +65,8 @@ class Judge {
     int threads_;
     mutable std::once_flag asked_;
     mutable DesignSetup finer_;
+    mutable std::mutex guard_;
+    mutable std::deque<std::pair<std::string, Judgement>> known_; ///< by what decides their curves
 };
 
 } // namespace rough

@@ -51,11 +51,11 @@ std::string target_objective(std::size_t target) { return "goal" + std::to_strin
 
 double DesignOutcome::similarity() const { return least_similarity(misfits); }
 
-DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory)
+DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory, int threads)
     : setup_(std::make_shared<DesignSetup>(completed(std::move(setup)))), memory_(std::move(memory)),
       stiffest_(stiffest_of(setup_->model)), descriptors_(surface_descriptors(setup_->model.grid)) {
     validate(*setup_);
-    judge_ = std::make_shared<Judge>(*setup_);
+    judge_ = std::make_shared<Judge>(as_reported(*setup_), threads);
     // Below every genome within the limits, by how far it is over them.
     const auto limited = [](double similarity, const Outcome& outcome) {
         return outcome.excess > 0 ? std::min(similarity, 0.0) - 1 - outcome.excess : similarity;
@@ -68,14 +68,14 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> 
     };
     objectives_ = {
         {"similarity", [=](const Outcome& outcome) { return limited(outcome.similarity(), outcome); }},
-        {"judged",
+        {"verified",
          [=, judge = judge_](const Outcome& outcome) {
-             const double worst = judge->of(outcome.genome).worst();
+             const double worst = judge->remembered(outcome.genome).worst();
              if (std::isnan(worst))
                  throw ga::Stopped{"stop requested"};
              return limited(std::min(outcome.similarity(), worst), outcome);
          }},
-        {"stepped",
+        {"more_steps",
          [=, judge = judge_](const Outcome& outcome) {
              const Genome shape = at_scale_one(outcome.genome, judge->setup());
              const double finer = unless_stopped(judge->setup().model.contact,
@@ -194,7 +194,7 @@ std::vector<Index> DesignProblem::points_of(const std::string& objective, std::s
     if (objective == "low" || objective == "high")
         return target == 0 ? points_of_half(*setup_, objective == "high") : std::vector<Index>();
     std::vector<Index> points;
-    if (objective == "similarity" || objective == "judged" || objective == "stepped" ||
+    if (objective == "similarity" || objective == "verified" || objective == "more_steps" ||
         objective == target_objective(target)) {
         points.resize(static_cast<std::size_t>(setup_->targets[target].points()));
         std::iota(points.begin(), points.end(), Index{0});
@@ -210,11 +210,11 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
         auto [fine, own] = stepped_rows(*setup_, judge_->finer(), shape, refine);
         all.insert(all.end(), {std::move(own), std::move(fine)});
     };
-    if (objective == "judged" || objective == "stepped")
+    if (objective == "verified" || objective == "more_steps")
         solve_stepped(1);
     else
         all.push_back(misfit_rows(*setup_, shape, setup_->model));
-    if (objective == "judged")
+    if (objective == "verified")
         solve_stepped(judged_refinement);
     std::vector<Index> chosen;
     Index first = 0;

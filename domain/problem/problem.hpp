@@ -20,21 +20,24 @@ struct DesignOutcome {
     double similarity() const; ///< 1 - the largest |misfit| of all targets
 };
 
-/// Find the genome that answers as asked, within limits. Objectives: `similarity`; `judged`, the least of
-/// it and the same on a finer grid and in finer load steps (Judgement::worst); `stepped`, of it and the same
-/// in finer load steps; `low` and `high`, on the first target's points up to and from the threshold; `goal1`,
-/// `goal2` and on, on each target alone. A genome over the limits is ranked below every one within them.
+/// Find the genome that answers as asked, within limits. Objectives: `similarity`; `verified`, the least of
+/// it and the same on a finer grid and in finer load steps (Judgement::worst); `more_steps`, of it and the
+/// same in finer load steps; `low` and `high`, on the first target's points up to and from the threshold;
+/// `goal1`, `goal2` and on, on each target alone. A genome over the limits is ranked below every one within
+/// them.
 class DesignProblem {
   public:
     using Genome = rough::Genome;  ///< what is designed
     using Outcome = DesignOutcome; ///< what an evaluation yields
 
     /// Throws InputError as validate() does, and on limits without sense. Problems whose set-ups differ in
-    /// targets under Eq. 11 or in the threshold alone may share a memory.
-    explicit DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory = nullptr);
+    /// targets under Eq. 11 or in the threshold alone may share a memory. An answer is verified on so many
+    /// threads.
+    explicit DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory = nullptr,
+                           int threads = 1);
 
     /// The genome's misfit to every target. Throws InputError or NotConverged where it has no answer,
-    /// ga::Stopped where the set-up's ContactOptions::stop ends it, as `judged` and `stepped` do.
+    /// ga::Stopped where the set-up's ContactOptions::stop ends it, as `verified` and `more_steps` do.
     Outcome evaluate(const Genome& genome) const;
     /// The outcome of a genome whose responses to each way of loading, as pressed() has them, these are.
     Outcome of_responses(const Genome& genome, std::vector<Response> responses) const;
@@ -73,6 +76,7 @@ class DesignProblem {
     double distance(const Genome& a, const Genome& b) const;
 
     const DesignSetup& setup() const { return *setup_; }      ///< what is asked for
+    const Judge& judge() const { return *judge_; }            ///< of the set-up as answers are reported
     bool shares_memory() const { return memory_ != nullptr; } ///< with other problems
     double stiffest() const { return stiffest_; }             ///< no tangent is above it, MPa/mm
     /// Which points of a target an objective is over.

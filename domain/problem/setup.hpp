@@ -9,6 +9,9 @@
 
 namespace rough {
 
+/// From here on an answer is called found, where nothing else is asked for.
+constexpr double default_required_similarity = 0.99;
+
 /// What a design is asked for. What is left at 0 is filled in where a search begins (`completed`): K at a
 /// target is found by search({.targets = {read_target("target.csv")}}).
 struct DesignSetup {
@@ -23,6 +26,8 @@ struct DesignSetup {
     MakingLimits limits = {};              ///< of what can be made; shortest_wave 0: 8 node distances
     /// The measured profile whose own response the targets are: in other load steps they are others.
     std::optional<Profile> like = {};
+    /// The similarity, verified, from which on a search may end and an answer is called found.
+    double required_similarity = default_required_similarity;
     /// Of each chromosome of a genome that is drawn, M. 0: 1, as a line's collapse to one cosine; on an area,
     /// where they are directions, 8.
     int ridges = 0;

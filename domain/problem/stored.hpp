@@ -61,7 +61,8 @@ inline void from_json(const nlohmann::json& j, Target& target) {
 }
 
 inline void to_json(nlohmann::json& j, const DesignSetup& setup) {
-    const auto& [model, targets, max_pressure, threshold, bounds, phases, limits, like, ridges] = setup;
+    const auto& [model, targets, max_pressure, threshold, bounds, phases, limits, like, required, ridges] =
+        setup;
     const auto& [H_from, H_to, gamma_from, gamma_to, lambda_from, lambda_to] = bounds;
     const auto& [shortest_wave, largest_slope, largest_height, smallest_radius] = limits;
     const auto known = [](const auto& value) { return value ? nlohmann::json(*value) : nlohmann::json(); };
@@ -74,6 +75,7 @@ inline void to_json(nlohmann::json& j, const DesignSetup& setup) {
          {shortest_wave, largest_slope, largest_height, smallest_radius},
          like ? nlohmann::json{numbers_of(like->heights), like->spacing, like->rows, like->row_spacing}
               : nlohmann::json(),
+         required,
          ridges};
 }
 inline void from_json(const nlohmann::json& j, DesignSetup& setup) {
@@ -87,7 +89,8 @@ inline void from_json(const nlohmann::json& j, DesignSetup& setup) {
              .threshold = number(j.at(3)),
              .bounds = {b.at(0), b.at(1), b.at(2), b.at(3), b.at(4), b.at(5)},
              .limits = {l.at(0), l.at(1), l.at(2), l.at(3)},
-             .ridges = j.at(8)};
+             .required_similarity = j.at(8),
+             .ridges = j.at(9)};
     if (!p.is_null())
         setup.phases = PhaseReach{p.at(0), p.at(1)};
     if (!like.is_null())

@@ -102,8 +102,9 @@ int main(int count, char** arguments) {
         std::printf("%-28s %10.4f %10.4f %10.4f\n", name, factor * median(*values),
                     factor * tail(*values, 0.05), factor * tail(*values, 0.95));
     const auto met = [](const std::vector<double>& values) {
-        return std::count_if(values.begin(), values.end(), [](double s) { return s >= worth_the_name; });
+        return std::count_if(values.begin(), values.end(),
+                             [](double s) { return s >= default_required_similarity; });
     };
-    std::printf("at %g or more: %d of %d before, %d after\n", worth_the_name, static_cast<int>(met(before)),
-                drifts, static_cast<int>(met(after)));
+    std::printf("at %g or more: %d of %d before, %d after\n", default_required_similarity,
+                static_cast<int>(met(before)), drifts, static_cast<int>(met(after)));
 }

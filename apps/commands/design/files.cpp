@@ -88,7 +88,7 @@ json morph_json(const DesignRun& run) {
 }
 
 json design_json(const DesignRun& run) {
-    VariantRun variant = variant_run(run.options.variant, run.found, run.stages, run.seconds);
+    VariantRun variant = variant_run(run.found.name, run.found, run.stages, run.seconds);
     variant.answer.response = run.own.responses.front();
     json result = result_json({run.origin,
                                run.searched.model,
@@ -107,7 +107,7 @@ json design_json(const DesignRun& run) {
         result["out_of_reach"].push_back(
             {{"reason", reason.reason}, {"at", reason.at}, {"highest_similarity", reason.bound}});
 
-    json& answer = result["variants"][run.options.variant];
+    json& answer = result["variants"][run.found.name];
     answer["stopped"] = run.found.stopped;
     answer["alternatives"] = json::array();
     for (const auto& alternative : run.found.alternatives)

@@ -45,8 +45,7 @@ struct DesignRun {
     std::optional<Production> from;    ///< it is morphed, nothing is searched
 
     std::vector<rough::OutOfReach> out_of_reach;
-    double bound = 1;  ///< no profile is more similar than this, by exact tests
-    double wanted = 0; ///< --reach-similarity, or what an answer should have to be called found
+    double bound = 1; ///< no profile is more similar than this, by exact tests
 
     rough::SearchResult found;
     std::optional<rough::Morphed> morphed;

@@ -7,6 +7,7 @@
 #include "apps/report/units.hpp"
 #include "domain/database/starts.hpp"
 #include "domain/design/like.hpp"
+#include "domain/design/pipelines.hpp"
 #include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/setup.hpp"
@@ -98,16 +99,18 @@ std::vector<Setting> design_settings() {
         {"control", "", "the chromosomes of --from whose phases may move, SERIES:CHROMOSOME, e.g. 1:3,1:5"},
         {"largest-change", "0.05", "largest change of such a phase, as a share of a turn, up to 0.5"},
         {"variant", "",
-         "how to search: a named pipeline (rugosa operators) [default; with --database: in-line; for a "
-         "scan's "
-         "area: like]"},
+         "how to search: a named pipeline (rugosa operators) [default; on an area maps; with --database "
+         "in-line; "
+         "for a scan's contact area like]"},
         {"pipeline", "", "how to search: a pipeline as text, in place of a variant"},
         {"seconds", "",
          "wall time of the whole program; an area that there is no time to judge is said to be not judged "
          "[until the pipeline ends]"},
         {"reach-similarity", "",
-         "end as soon as an answer has this similarity at its worst, begin anew up to 8 times for it; exit "
-         "3 if none has"},
+         "the similarity that an answer must have at its worst, which the variants default and like begin "
+         "anew "
+         "for; exit 3 if none has [0.99]"},
+        {"evaluations", "", "end after so many curves and gradients [when the pipeline ends]"},
         {"alternatives", "",
          "different answers to return [" + std::to_string(rough::SearchOptions().alternatives) +
              "; of an area, where each is judged at length: 1]"},
@@ -146,8 +149,8 @@ std::optional<Production> production_from(const Settings& settings) {
         return std::nullopt;
     }
     std::vector<Setting> of_a_search;
-    for (const char* flag : {"variant", "pipeline", "database", "resume", "alternatives", "H-from", "H-to",
-                             "gamma-from", "gamma-to", "lambda-from", "lambda-to"})
+    for (const char* flag : {"variant", "pipeline", "database", "resume", "alternatives", "evaluations",
+                             "H-from", "H-to", "gamma-from", "gamma-to", "lambda-from", "lambda-to"})
         of_a_search.push_back({flag, "", ""});
     expect_none(settings, of_a_search, "given with --from, expected without: nothing is searched");
     Production from{settings.text("from"), rough::read_genome(settings.text("from")), {}, 0};
@@ -155,6 +158,13 @@ std::optional<Production> production_from(const Settings& settings) {
         placing(settings, "", [&] { return rough::chromosomes_from(settings.text("control"), from.genome); });
     from.largest_change = settings.number("largest-change", std::numeric_limits<double>::min(), 0.5);
     return from;
+}
+
+std::vector<std::string> names_of(const ga::Variants& variants) {
+    std::vector<std::string> names;
+    for (const auto& [name, text] : variants)
+        names.push_back(name);
+    return names;
 }
 
 } // namespace
@@ -216,13 +226,12 @@ DesignRun design_from(const Settings& settings) {
     if (settings.given("variant") && settings.given("pipeline"))
         throw rough::InputError("design: expected either --variant or --pipeline");
     rough::SearchOptions& options = run.options;
-    options.variant = run.from                   ? "morph"
-                      : settings.has("variant")  ? settings.text("variant")
-                      : settings.has("database") ? "in-line"
-                                                 : usual_variant(setup);
-    options.pipeline = settings.text("pipeline");
-    if (!options.pipeline.empty())
-        options.variant = "pipeline";
+    options.pipeline = settings.has("variant")    ? settings.text("variant")
+                       : settings.has("pipeline") ? settings.text("pipeline")
+                                                  : usual_variant(setup, settings.has("database"));
+    if (settings.has("variant") && !rough::design_variants().count(options.pipeline))
+        throw rough::InputError("--variant: unknown variant '" + options.pipeline + "'" +
+                                ga::suggestion(options.pipeline, names_of(rough::design_variants())));
     options.seed = settings.seed("seed");
     options.threads = settings.threads("threads");
     if (settings.has("alternatives"))
@@ -232,10 +241,10 @@ DesignRun design_from(const Settings& settings) {
     if (settings.has("seconds"))
         options.seconds = settings.positive("seconds");
     if (settings.has("reach-similarity"))
-        options.reach = settings.number("reach-similarity", -1, 1);
-    options.settles_steps = !settings.given("steps"); // else the number is the user's choice
-    options.begins_anew = true;
-    run.wanted = options.reach.value_or(rough::worth_the_name);
+        setup.required_similarity = run.searched.required_similarity =
+            settings.number("reach-similarity", -1, 1);
+    if (settings.has("evaluations"))
+        options.evaluations = settings.whole("evaluations", 1, 1'000'000'000);
 
     if (settings.has("noise"))
         run.trust_options.noise = settings.positive("noise");
@@ -248,8 +257,7 @@ DesignRun design_from(const Settings& settings) {
 
     if (settings.has("database")) {
         const auto store = rough::GenomeStore::open(settings.text("database"));
-        const std::size_t count = options.variant == "in-line" ? 8 : 100;
-        options.starts = rough::stored_starts(store, setup, count, options.threads);
+        options.starts = rough::stored_starts(store, setup, 100, options.threads);
         if (options.starts.empty())
             throw rough::InputError(settings.text("database") +
                                     ": no stored curve reaches as far as the target");
@@ -258,7 +266,8 @@ DesignRun design_from(const Settings& settings) {
                                std::to_string(options.starts.size()));
     }
 
-    const rough::Unreachable beyond = rough::unreachable(setup, options.reach);
+    const rough::Unreachable beyond = rough::unreachable(
+        setup, settings.has("reach-similarity") ? setup.required_similarity : rough::exact_enough);
     run.out_of_reach = beyond.reasons;
     run.bound = beyond.bound;
     return run;

@@ -82,15 +82,17 @@ std::string verdict_of(const DesignRun& run, double judged) {
                (std::isnan(judged) ? readable(own, 4) + " as designed" : readable(judged, 4));
     else if (std::isnan(judged))
         line = "not judged: similarity " + readable(own, 4) + " as designed, wanted is " +
-               brief(run.wanted, 15) + " at worst; " +
+               brief(run.setup.required_similarity, 15) + " at worst; " +
                (run.interrupted ? "it was stopped before finer grids and load steps"
                                 : "there was no time for finer grids and load steps");
     else if (run.morphed)
-        line = (judged >= run.wanted ? "brought back: similarity " + readable(judged, 5)
-                                     : "not brought back: similarity " + below(judged, run.wanted)) +
-               " after " + readable(run.morphed->before, 4) + " before, wanted is " + brief(run.wanted, 15) +
-               "; " + readable(run.found.best.judged(), 4) + " at worst, " + conditions(run);
-    else if (judged >= run.wanted)
+        line = (judged >= run.setup.required_similarity
+                    ? "brought back: similarity " + readable(judged, 5)
+                    : "not brought back: similarity " + below(judged, run.setup.required_similarity)) +
+               " after " + readable(run.morphed->before, 4) + " before, wanted is " +
+               brief(run.setup.required_similarity, 15) + "; " + readable(run.found.best.judged(), 4) +
+               " at worst, " + conditions(run);
+    else if (judged >= run.setup.required_similarity)
         line = is_verified(run)
                    ? "found: similarity " + readable(judged, 5) + " at worst, " + conditions(run)
                    : "not verified: similarity " + readable(judged, 5) + " at worst, " + conditions(run) +
@@ -98,8 +100,8 @@ std::string verdict_of(const DesignRun& run, double judged) {
                          "asked for";
     else
         line = "not found within the budget: the nearest curve has similarity " +
-               (std::isinf(judged) ? "none" : below(judged, run.wanted)) + " at worst, " + conditions(run) +
-               ", wanted is " + brief(run.wanted, 15);
+               (std::isinf(judged) ? "none" : below(judged, run.setup.required_similarity)) + " at worst, " +
+               conditions(run) + ", wanted is " + brief(run.setup.required_similarity, 15);
     if (!run.found.best.within_limits)
         line += "; no answer holds every limit";
     return line;
@@ -237,11 +239,11 @@ std::string left_off(const DesignRun& run) {
 /// What stands in the way of an answer that was not found.
 std::string in_the_way(const DesignRun& run) {
     std::string all;
-    if (run.bound < run.wanted)
+    if (run.bound < run.setup.required_similarity)
         join(all, "no profile has a similarity above " + readable(run.bound, 4));
     const double nodes = static_cast<double>(run.setup.model.grid.shape().nodes());
     for (const rough::Target& target : run.setup.targets)
-        if (is_area(target.quantity) && 0.5 / (target.y[0] * nodes) > 1 - run.wanted)
+        if (is_area(target.quantity) && 0.5 / (target.y[0] * nodes) > 1 - run.setup.required_similarity)
             join(all, "at its first point the area asked for is " + readable(target.y[0] * nodes) + " of " +
                           brief(nodes, 9) + " nodes, of which half a one is " +
                           percent(0.5 / (target.y[0] * nodes)) + ": more --nodes resolve it");
@@ -290,8 +292,8 @@ Summary summary_of(const DesignRun& run) {
     Summary summary;
     // A line in production compares like with like: the model, grid and load steps of its target.
     summary.judged = run.morphed ? run.found.best.similarity : judged_under(run);
-    summary.found = summary.judged >= run.wanted && is_verified(run) && run.out_of_reach.empty() &&
-                    run.found.best.within_limits;
+    summary.found = summary.judged >= run.setup.required_similarity && is_verified(run) &&
+                    run.out_of_reach.empty() && run.found.best.within_limits;
     summary.verdict = verdict_of(run, summary.judged);
     const auto add = [&](const char* key, const char* name, const std::string& text) {
         if (!text.empty())

@@ -122,7 +122,7 @@ class AccuracyStudy {
         std::vector<StageRecord> stages;
         const ga::Stopwatch clock;
         const rough::SearchResult found = rough::search(setup, options, {recorder(stages)});
-        run_.design = variant_run(options.variant, found, std::move(stages), clock.seconds());
+        run_.design = variant_run(found.name, found, std::move(stages), clock.seconds());
         run_.design.answer.response =
             respond(setup, found.best.genome, rough::exactly(model_)).responses.front();
         run_.budget = error_budget(setup, found.best);

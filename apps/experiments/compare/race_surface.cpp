@@ -11,12 +11,12 @@ Reached raced(const rough::DesignSetup& setup, const std::string& variant, const
               const Attempt& attempt) {
     Tally tally(targets, attempt);
     rough::SearchOptions options;
-    (rough::design_variants().count(variant) ? options.variant : options.pipeline) = variant;
+    options.pipeline = variant;
     options.seed = attempt.seed;
     options.threads = 1;
     options.evaluations = attempt.budget;
     options.stop = &tally.over();
-    options.alternatives = options.compared = 1;
+    options.alternatives = options.verifying = 1;
     const ga::Name similarity("similarity");
     const auto watch = [&](const ga::Event<rough::Genome>& event) {
         double best = -HUGE_VAL;

@@ -208,13 +208,12 @@ Race raced(const Settings& settings, const Conditions& conditions) {
         const bool area = target.setup.model.grid.is_area();
         const auto memory = area ? std::make_shared<rough::ResponseMemory>() : nullptr;
         for (const auto& [name, way] : ways) {
-            const bool named = rough::design_variants().count(way) > 0;
             RaceVariant variant{name, way, {}};
             for (long i = 0; i < seeds && !conditions.stop; ++i) {
                 conditions.progress.show(target.setup.targets[0].name + ": " + name + ", run " +
                                          std::to_string(i + 1) + " of " + std::to_string(seeds));
                 rough::SearchOptions options;
-                (named ? options.variant : options.pipeline) = way;
+                options.pipeline = way;
                 options.seed = race.origin.seed + static_cast<std::uint64_t>(i);
                 options.threads = race.origin.threads;
                 options.evaluator = evaluator.get();

@@ -15,13 +15,13 @@ namespace {
 struct Design {
     DesignSetup setup;
     rough::SearchResult found;
-    double wanted = rough::worth_the_name;
     rough::Unreachable beyond;
     Curve curve;
     bool interrupted = false;
 
     bool is_found() const {
-        return found.best.judged() >= wanted && found.best.within_limits && beyond.reasons.empty();
+        return found.best.judged() >= setup.required_similarity && found.best.within_limits &&
+               beyond.reasons.empty();
     }
 };
 
@@ -84,14 +84,13 @@ void take_limits(Keywords& keywords, DesignSetup& setup) {
 SearchOptions options_from(Keywords& keywords) {
     SearchOptions options;
     options.pipeline = keywords.take<std::string>("pipeline", "");
-    options.variant = keywords.take<std::string>("variant", options.pipeline.empty() ? "" : "pipeline");
+    if (const auto variant = keywords.take<std::string>("variant"))
+        options.pipeline = *variant;
     options.seed = keywords.take("seed", options.seed);
     options.threads = keywords.take("threads", 0);
     options.seconds = keywords.take("seconds", options.seconds);
     options.evaluations = keywords.take("evaluations", options.evaluations);
-    options.reach = keywords.take<double>("reach_similarity");
     options.alternatives = keywords.take("alternatives", options.alternatives);
-    options.begins_anew = true;
     return options;
 }
 
@@ -112,9 +111,10 @@ Design designed(const std::optional<Eigen::VectorXd>& pressure,
     DesignSetup& setup = design.setup;
     setup.targets = targets_from(pressure, stiffness, keywords);
     setup.max_pressure = keywords.take<double>("max_pressure");
+    const auto required = keywords.take<double>("reach_similarity");
+    setup.required_similarity = required.value_or(setup.required_similarity);
     take_limits(keywords, setup);
     SearchOptions options = options_from(keywords);
-    options.settles_steps = !keywords.has("steps");
     if (const auto starts = keywords.take<std::vector<rough::Genome>>("starts"))
         options.starts = *starts;
     const py::object progress = keywords.take<py::object>("progress", py::none());
@@ -133,10 +133,7 @@ Design designed(const std::optional<Eigen::VectorXd>& pressure,
     keywords.expect_none_left();
     if (setup.targets.empty())
         throw py::type_error("design: expected target_pressure and target_stiffness, target= or like=");
-    if (options.variant.empty())
-        options.variant = usual_variant(setup);
-    design.wanted = options.reach.value_or(design.wanted);
-    design.beyond = rough::unreachable(setup, options.reach);
+    design.beyond = rough::unreachable(setup, required.value_or(rough::exact_enough));
     if (!design.beyond.reasons.empty())
         options.evaluations = std::min(options.evaluations, rough::enough_for_the_nearest);
     Interruptible interrupt;

@@ -71,7 +71,7 @@ void expect_the_same(const std::string& words, const std::function<json(const fs
 const std::string design =
     "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 512 --pictures off --pipeline "
     "'shape 12 | score | best 4 | refine lm 6 | repeat 3 { tournament 2 | cross uniform | mutate 0.1 | "
-    "score | refine lm 6 | elite 1 } | best 2 | score judged' --out o";
+    "score | refine lm 6 | elite 1 } | best 2 | score verified' --out o";
 
 const std::string longer =
     std::string(design).replace(design.find("repeat 3"), 8, "repeat 30") + " --threads 1";

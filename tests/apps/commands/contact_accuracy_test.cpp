@@ -65,7 +65,7 @@ TEST_CASE("a design within an accuracy says what it modelled, and its similariti
     const Folder folder;
     const std::string words = "design --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' --pictures "
                               "off --nodes 1025 --shortest-wave 0.1 --max-pressure 1.6e-4 --pipeline "
-                              "'sample 8 | score | best 2 | refine lm 3 | score judged | best 1' ";
+                              "'sample 8 | score | best 2 | refine lm 3 | score verified | best 1' ";
     const Ended ended = rugosa(words + "--accuracy 0.01 --out r", folder.path());
     INFO(ended.err);
     REQUIRE(ended.code != 2);

@@ -133,7 +133,7 @@ TEST_CASE("the page of an area that was not judged draws its own curve alone and
     run.setup = run.searched = completed(run.setup);
     run.options.seconds = 0;
     run.options.alternatives = 1;
-    run.wanted = rough::worth_the_name;
+    run.setup.required_similarity = rough::default_required_similarity;
     run.found = search(run.setup, run.options);
     run.own = response_of(run.setup, run.found.best);
     run.trust_options.phase_draws = 0;

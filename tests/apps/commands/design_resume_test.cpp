@@ -11,7 +11,7 @@ namespace {
 const std::string words =
     "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 128 --threads 1 --pictures off "
     "--largest-slope 0.5 --pipeline 'shape 12 | score | best 4 | refine lm 6 | repeat 12 { tournament 2 | "
-    "cross uniform | mutate 0.1 | score | refine lm 6 | elite 1 } | best 2 | score judged'";
+    "cross uniform | mutate 0.1 | score | refine lm 6 | elite 1 } | best 2 | score verified'";
 
 } // namespace
 

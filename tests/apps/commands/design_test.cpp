@@ -48,7 +48,8 @@ TEST_CASE("a design's similarities follow from its genome, amplitude free or by 
               Approx(similarity(setup, genome, 4)).margin(1e-9));
         CHECK(variant["similarity_worst"].get<double>() ==
               Approx(rough::Judge(as_reported(setup)).of(genome).worst()).margin(1e-9));
-        CHECK(ended.code == (variant["similarity_worst"].get<double>() >= rough::worth_the_name ? 0 : 3));
+        CHECK(ended.code ==
+              (variant["similarity_worst"].get<double>() >= rough::default_required_similarity ? 0 : 3));
         CHECK(variant["similarity"].get<double>() > 0.95);
         CHECK(variant["alternatives"].size() >= 1);
         CHECK(variant["trust"]["checks"].size() == 5);

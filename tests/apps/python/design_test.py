@@ -28,6 +28,20 @@ class Design(WithFolder):
             self.assertEqual(design.similarity_worst, result["similarity_worst"])
             self.assertEqual(design.genome.to_dict()["series"], result["genome"]["series"])
 
+    def test_a_variant_gives_the_same_bits_by_name_and_by_its_printed_text(self):
+        listing = self.rugosa("operators").stdout.split("\nvariants\n")[1]
+        variants = dict(line.strip().split(" = ", 1) for line in listing.strip().splitlines())
+        self.assertIn("default", variants)
+        targets = 2 * [rugosa.Target(PRESSURE, STIFFNESS)]
+        for name, text in variants.items():
+            nodes = (16, 16) if name == "maps" else 48
+            with self.subTest(name):
+                genomes = [
+                    rugosa.design(target=targets, max_pressure=PRESSURE[-1], pipeline=pipeline, nodes=nodes,
+                                  evaluations=120, alternatives=1).genome.to_dict() for pipeline in (name, text)
+                ]
+                self.assertEqual(*genomes)
+
     def test_answers_as_it_says(self):
         design = rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=128, steps=20)
         pressure, stiffness = design.curve.secant_stiffness()

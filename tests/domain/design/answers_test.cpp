@@ -1,4 +1,3 @@
-#include "domain/design/archive.hpp"
 #include "domain/design/search.hpp"
 #include "domain/target/like.hpp"
 
@@ -107,52 +106,3 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("an archive keeps the best of what is scored as a whole, best first and each once") {
-    const DesignProblem problem(set_up());
-    const ga::Name similarity("similarity"), judged("judged"), low("low");
-    const auto scored = [](double phase, const ga::Name& objective, double value) {
-        ga::Individual<Genome> individual;
-        individual.genome = waves_of(phase, 0);
-        individual.fitness = ga::Fitness(objective, value);
-        return individual;
-    };
-    Archive archive(3);
-    const auto values = [&] {
-        std::vector<double> all;
-        for (const Archive::Kept& kept : archive.best)
-            all.push_back(kept.value);
-        return all;
-    };
-    archive.offer(problem, {waves_of(9, 0), 0, {}, {}, nullptr}); // unscored
-    archive.offer(problem, scored(8, low, 2));
-    CHECK(archive.best.empty());
-    archive.offer(problem, scored(1, similarity, 0.2));
-    archive.offer(problem, scored(2, judged, 0.9));
-    archive.offer(problem, scored(3, similarity, 0.5));
-    CHECK(values() == std::vector{0.9, 0.5, 0.2});
-    archive.offer(problem, scored(2, similarity, 0.95)); // the same genome
-    CHECK(values() == std::vector{0.9, 0.5, 0.2});
-    archive.offer(problem, scored(4, similarity, 0.1));
-    CHECK(values() == std::vector{0.9, 0.5, 0.2});
-    archive.offer(problem, scored(5, similarity, 0.5)); // behind its equal
-    CHECK(values() == std::vector{0.9, 0.5, 0.5});
-    CHECK(archive.best[1].genome.series[0].chromosomes[0].phases[0] == 3);
-    archive.offer(problem, scored(6, similarity, 0.99));
-    CHECK(values() == std::vector{0.99, 0.9, 0.5});
-}
-
-TEST_CASE("a search ends as soon as an answer has the similarity asked for on both grids, and not before") {
-    const DesignSetup setup = set_up();
-    SearchOptions options;
-    options.pipeline = "score | best 1 | refine lm 2";
-    options.starts = {waves_of(0.3, 1), waves_of(0.3, 2.2)};
-    options.threads = 1;
-    options.reach = 0.9;
-    const SearchResult reached = search(setup, options);
-    CHECK(reached.stopped == "the similarity asked for was reached");
-    CHECK(reached.counters.gradients == 0);
-    options.reach = 1.1; // nothing has that
-    const SearchResult missed = search(setup, options);
-    CHECK(missed.stopped.empty());
-    CHECK(missed.counters.gradients > 0);
-}

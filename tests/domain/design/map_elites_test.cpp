@@ -13,7 +13,7 @@ TEST_CASE("the elites of wave length and skewness are twenty different surfaces 
     setup.max_pressure = 1.6e-4;
     setup.targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
     SearchOptions options;
-    options.variant = "atlas";
+    options.pipeline = "atlas";
     options.alternatives = 20;
     const SearchResult found = search(setup, options);
     REQUIRE(found.alternatives.size() == 20);

@@ -51,7 +51,7 @@ TEST_CASE("a drifted surface comes back to its target by no more than it drifted
         const Genome drifted = moved(moved(surface(), 2, 0.25), 4, -0.2);
         const Morphed back = morph(setup, drifted, {{1, 2}, {1, 4}}, 0.1);
         CHECK(back.before < 0.97);
-        CHECK(back.after >= worth_the_name);
+        CHECK(back.after >= default_required_similarity);
         CHECK(back.after == Approx(similarity(setup, back.genome)).margin(1e-9));
         CHECK(back.off.empty());
         CHECK(squares(back) <= 0.25 * 0.25 + 0.2 * 0.2);
@@ -85,7 +85,7 @@ TEST_CASE("what is out of reach of the chromosomes is named, and no phase goes b
     const double limit = 0.02;
     const Morphed nearer = morph(setup, drifted, {{1, 2}, {1, 5}}, limit);
     CHECK(nearer.after > nearer.before);
-    CHECK(nearer.after < worth_the_name);
+    CHECK(nearer.after < default_required_similarity);
     REQUIRE(!nearer.off.empty());
     double worst = 0;
     for (const PointOff& off : nearer.off)
@@ -104,7 +104,7 @@ TEST_CASE("what is out of reach takes no more than two thirds of the curves allo
     const Genome drifted = moved(moved(moved(surface(), 1, 2), 2, -2), 4, 1.4);
     for (const auto& [limit, near] : {std::pair(0.05, 0.8503), std::pair(0.1, 0.8796)}) {
         const Morphed nearer = morph(setup, drifted, {{1, 3}, {1, 4}, {1, 5}}, limit);
-        CHECK(nearer.after < worth_the_name);
+        CHECK(nearer.after < default_required_similarity);
         CHECK(nearer.after > near - 0.001); // as all tries to their ends
         CHECK(nearer.gradients <= 30);
     }

@@ -76,7 +76,7 @@ TEST_CASE("refined, a scan's own waves answer as it does in stiffness and area t
         like(fractal_profile(ten_scans::grid, 0.8, 1e-3, 5), 512, ten_scans::grid.length);
     SearchOptions options;
     options.alternatives = 1;
-    options.pipeline = "own 1 | score judged | refine lm 12 sharpen=6";
+    options.pipeline = "own 1 | score verified | refine lm 12 sharpen=6";
     const Answer answer = search(setup, options).best;
     CHECK(answer.judged() > 0.85);
     CHECK(answer.within_limits);
@@ -85,11 +85,11 @@ TEST_CASE("refined, a scan's own waves answer as it does in stiffness and area t
 TEST_CASE("a design like a scan goes on from what it has until its evaluations are spent") {
     const DesignSetup setup = like(ten_scans::walk(9), 256, ten_scans::grid.length);
     SearchOptions options;
-    options.variant = "like";
+    options.pipeline = "like";
     options.alternatives = 1;
+    options.evaluations = 70;
     const SearchResult once = search(setup, options);
-    REQUIRE(once.best.judged() < worth_the_name);
-    options.begins_anew = true;
+    REQUIRE(once.best.judged() < default_required_similarity);
     options.evaluations = once.counters.asked + 60;
     const SearchResult longer = search(setup, options);
     CHECK(longer.counters.asked > once.counters.asked);
@@ -103,8 +103,7 @@ TEST_CASE("of ten scans at least six are met to 0.9 at their worst in stiffness 
     for (const ten_scans::Scan& scan : ten_scans::all()) {
         const DesignSetup setup = like(scan.profile, 2048, ten_scans::grid.length);
         SearchOptions options;
-        options.variant = "like";
-        options.begins_anew = true;
+        options.pipeline = "like";
         options.evaluations = 200; // about 50 s on two cores
         const SearchResult found = search(setup, options);
         WARN(scan.name << ": " << found.best.judged());

@@ -134,7 +134,7 @@ TEST_CASE("an evaluation on an area that is stopped says nothing of its genome",
     const DesignProblem problem(setup);
     CHECK_THROWS_AS(problem.evaluate(genome), ga::Stopped);
     for (const auto& objective : problem.objectives())
-        if (objective.name == "judged" || objective.name == "stepped")
+        if (objective.name == "verified" || objective.name == "more_steps")
             CHECK_THROWS_AS(objective.fitness(outcome), ga::Stopped);
 }
 

@@ -39,9 +39,9 @@ inline std::vector<double> corners(const DesignSetup& setup, const Genome& genom
                                    const std::string& objective) {
     std::vector<double> marks = corners(setup, genome, 1);
     std::vector<std::pair<DesignSetup, Index>> finer;
-    if (objective == "judged" || objective == "stepped")
+    if (objective == "verified" || objective == "more_steps")
         finer.emplace_back(in_finer_steps(setup), 1);
-    if (objective == "judged")
+    if (objective == "verified")
         finer.insert(finer.end(), {{setup, 4}, {in_finer_steps(setup), 4}});
     for (const auto& [steps, refine] : finer)
         for (const double mark : corners(steps, genome, refine))

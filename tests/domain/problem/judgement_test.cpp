@@ -55,8 +55,8 @@ TEST_CASE("the worst misfit of what refinement sees as judged or stepped is what
     const DesignProblem problem(drawn_setup());
     const DesignOutcome outcome = problem.evaluate(three_waves());
     const Judgement judged = Judge(problem.setup()).of(three_waves());
-    for (const auto& [name, value] : {std::pair("judged", judged.worst()),
-                                      std::pair("stepped", std::min(judged.similarity, judged.stepped))}) {
+    for (const auto& [name, value] : {std::pair("verified", judged.worst()),
+                                      std::pair("more_steps", std::min(judged.similarity, judged.stepped))}) {
         const auto& all = problem.objectives();
         const auto objective = std::find_if(all.begin(), all.end(),
                                             [&, name = name](const auto& one) { return one.name == name; });
