@@ -3,7 +3,7 @@
 #include "apps/prompt/settings.hpp"
 #include "apps/prompt/voice.hpp"
 #include "domain/errors.hpp"
-#include "ga/errors.hpp"
+#include "ga/base/errors.hpp"
 #include "ga/text/nearest.hpp"
 
 #include <cerrno>

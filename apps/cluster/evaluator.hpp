@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/problem/problem.hpp"
-#include "ga/evaluator.hpp"
+#include "ga/run/evaluator.hpp"
 
 namespace app {
 

@@ -7,7 +7,7 @@
 #include "apps/prompt/voice.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
-#include "ga/parallel.hpp"
+#include "ga/base/parallel.hpp"
 
 #include <iostream>
 

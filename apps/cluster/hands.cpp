@@ -1,7 +1,7 @@
 #include "apps/cluster/hands.hpp"
 
-#include "ga/parallel.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/parallel.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
 #include <stdexcept>

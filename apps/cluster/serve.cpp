@@ -8,7 +8,7 @@
 #include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/voice.hpp"
 #include "apps/report/units.hpp"
-#include "ga/parallel.hpp"
+#include "ga/base/parallel.hpp"
 
 #include <csignal>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -16,9 +16,9 @@
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
-#include "ga/checkpoint.hpp"
-#include "ga/parallel.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/parallel.hpp"
+#include "ga/base/stopwatch.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
 
 #include <algorithm>
 #include <cmath>

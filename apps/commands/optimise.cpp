@@ -9,7 +9,7 @@
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/words.hpp"
-#include "ga/parallel.hpp"
+#include "ga/base/parallel.hpp"
 
 #include <limits>
 

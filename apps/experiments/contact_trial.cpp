@@ -1,7 +1,7 @@
 #include "apps/experiments/contact_trial.hpp"
 
 #include "domain/errors.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
 #include <array>

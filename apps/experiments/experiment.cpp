@@ -6,7 +6,7 @@
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "ga/parallel.hpp"
+#include "ga/base/parallel.hpp"
 
 namespace app {
 

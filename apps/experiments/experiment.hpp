@@ -3,7 +3,7 @@
 #include "apps/prompt/progress.hpp"
 #include "apps/prompt/settings.hpp"
 #include "apps/report/record.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <atomic>
 #include <filesystem>

@@ -6,7 +6,7 @@
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
-#include "ga/run.hpp"
+#include "ga/pipeline/run.hpp"
 
 namespace app {
 

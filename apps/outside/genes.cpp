@@ -2,7 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/text/words.hpp"
-#include "ga/number.hpp"
+#include "ga/base/number.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/problem.hpp"
+#include "ga/problem/problem.hpp"
 #include "ga/text/parser.hpp"
 
 #include <string>

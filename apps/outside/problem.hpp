@@ -2,9 +2,9 @@
 
 #include "apps/outside/genes.hpp"
 #include "apps/outside/solution.hpp"
-#include "ga/number.hpp"
+#include "ga/base/number.hpp"
+#include "ga/problem/permutation.hpp"
 #include "ga/text/compiled_once.hpp"
-#include "ga/variation/permutation.hpp"
 
 #include <stdexcept>
 

@@ -1,6 +1,6 @@
 #include "apps/outside/process.hpp"
 
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <cerrno>
 #include <csignal>

@@ -3,7 +3,7 @@
 #include "domain/plain_stream.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
-#include "ga/number.hpp"
+#include "ga/base/number.hpp"
 #include "ga/text/nearest.hpp"
 
 #include <boost/program_options.hpp>

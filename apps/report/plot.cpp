@@ -4,7 +4,7 @@
 #include "apps/report/plot_svg.hpp"
 #include "domain/errors.hpp"
 #include "domain/plain_stream.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <boost/property_tree/exceptions.hpp>
 

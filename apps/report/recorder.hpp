@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/report/record.hpp"
-#include "ga/context.hpp"
+#include "ga/run/context.hpp"
 
 #include <nlohmann/json.hpp>
 

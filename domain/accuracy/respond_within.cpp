@@ -9,7 +9,7 @@
 #include "domain/contact/solvers/choice.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "domain/accuracy/respond.hpp"
 #include "domain/errors.hpp"
-#include "ga/parallel.hpp"
+#include "ga/base/parallel.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -4,7 +4,7 @@
 #include "domain/errors.hpp"
 #include "domain/response/interface.hpp"
 #include "domain/target/similarity.hpp"
-#include "ga/parallel.hpp"
+#include "ga/base/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>

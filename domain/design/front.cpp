@@ -2,7 +2,7 @@
 
 #include "domain/design/search.hpp"
 #include "domain/errors.hpp"
-#include "ga/comparison.hpp"
+#include "ga/problem/comparison.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/problem/problem.hpp"
-#include "ga/individual.hpp"
+#include "ga/problem/individual.hpp"
 
 namespace rough {
 

@@ -4,8 +4,8 @@
 #include "domain/design/target_dominance.hpp"
 #include "domain/mwm/length_scales.hpp"
 #include "domain/paper/variants.hpp"
-#include "ga/derived.hpp"
-#include "ga/number.hpp"
+#include "ga/base/number.hpp"
+#include "ga/blocks/derived.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include "domain/problem/harmonics.hpp"
 #include "domain/problem/stored.hpp"
 #include "domain/text/json.hpp"
-#include "ga/checkpoint.hpp"
+#include "ga/base/stopwatch.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/hall_of_fame.hpp"
-#include "ga/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "domain/design/front.hpp"
 #include "domain/profile/difference.hpp"
-#include "ga/context.hpp"
+#include "ga/run/context.hpp"
 
 #include <atomic>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/target/similarity.hpp"
-#include "ga/adaptation/vocabulary.hpp"
-#include "ga/run.hpp"
+#include "ga/pipeline/run.hpp"
+#include "ga/text/adaptation_vocabulary.hpp"
 #include "ga/text/parser.hpp"
 
 #include <cmath>

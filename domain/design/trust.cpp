@@ -7,8 +7,8 @@
 #include "domain/plain_stream.hpp"
 #include "domain/problem/setup.hpp"
 #include "domain/problem/surface_descriptors.hpp"
-#include "ga/budget.hpp"
-#include "ga/parallel.hpp"
+#include "ga/base/budget.hpp"
+#include "ga/base/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/mwm/genome.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 namespace rough {
 

@@ -1,6 +1,6 @@
 #include "domain/numerics/statistics.hpp"
 
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include "domain/paper/gcmma.hpp"
 #include "domain/problem/phases.hpp"
 #include "ga/ga.hpp"
-#include "ga/refinement/vocabulary.hpp"
 #include "ga/text/parser.hpp"
+#include "ga/text/refinement_vocabulary.hpp"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/problem/setup.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 namespace rough {
 

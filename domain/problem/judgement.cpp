@@ -5,8 +5,8 @@
 #include "domain/mwm/sampling.hpp"
 #include "domain/problem/rows.hpp"
 #include "domain/target/similarity.hpp"
-#include "ga/parallel.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/parallel.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>

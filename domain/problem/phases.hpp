@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/mwm/genome.hpp"
-#include "ga/problem.hpp"
+#include "ga/problem/problem.hpp"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/problem/problem.hpp"
-#include "ga/run.hpp"
+#include "ga/pipeline/run.hpp"
 #include "ga/text/parser.hpp"
 
 namespace rough {

@@ -2,8 +2,8 @@
 
 #include "domain/problem/judgement.hpp"
 #include "domain/problem/response_memory.hpp"
+#include "ga/base/random.hpp"
 #include "ga/niches/descriptors.hpp"
-#include "ga/random.hpp"
 #include "ga/refinement/sensitivity.hpp"
 
 #include <memory>

@@ -3,7 +3,7 @@
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
 #include "domain/profile/detrend.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <cmath>
 #include <complex>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ga/adaptation/cma_runs.hpp"
-#include "ga/stage.hpp"
+#include "ga/pipeline/stage.hpp"
 #include "ga/variation/mutations.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ga/adaptation/covariance.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <numeric>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ga/niches/distance.hpp"
-#include "ga/stage.hpp"
+#include "ga/pipeline/stage.hpp"
 
 #include <map>
 

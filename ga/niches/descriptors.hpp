@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ga/errors.hpp"
-#include "ga/problem.hpp"
+#include "ga/base/errors.hpp"
+#include "ga/problem/problem.hpp"
 
 namespace ga {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ga/niches/descriptors.hpp"
+#include "ga/pipeline/stage.hpp"
 #include "ga/refinement/sensitivity.hpp"
-#include "ga/stage.hpp"
 #include "ga/variation/mutations.hpp"
 
 namespace ga {

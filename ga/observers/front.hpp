@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ga/context.hpp"
 #include "ga/pareto/hypervolume.hpp"
+#include "ga/run/context.hpp"
 
 namespace ga {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/number.hpp"
+#include "ga/base/number.hpp"
 #include "ga/observers/summary.hpp"
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/context.hpp"
+#include "ga/run/context.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ga/pareto/ranking.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
+#include "ga/problem/ranking.hpp"
 
 namespace ga {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/parameters.hpp"
+#include "ga/pipeline/parameters.hpp"
 #include "ga/refinement/sensitivity.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ga/pipeline/stage.hpp"
 #include "ga/refinement/landscape.hpp"
-#include "ga/stage.hpp"
 
 namespace ga {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/stage.hpp"
+#include "ga/pipeline/stage.hpp"
 
 namespace ga {
 

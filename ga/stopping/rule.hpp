@@ -1,9 +1,9 @@
 #pragma once
 
-#include "ga/check.hpp"
-#include "ga/comparison.hpp"
-#include "ga/parameters.hpp"
 #include "ga/pareto/hypervolume.hpp"
+#include "ga/pipeline/check.hpp"
+#include "ga/pipeline/parameters.hpp"
+#include "ga/problem/comparison.hpp"
 
 #include <functional>
 

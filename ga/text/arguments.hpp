@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/parameters.hpp"
+#include "ga/pipeline/parameters.hpp"
 #include "ga/text/nearest.hpp"
 #include "ga/text/syntax.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/run.hpp"
+#include "ga/pipeline/run.hpp"
 #include "ga/text/parser.hpp"
 #include "ga/text/vocabulary.hpp"
 

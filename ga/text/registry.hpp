@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/pair.hpp"
+#include "ga/blocks/pair.hpp"
 #include "ga/stopping/rule.hpp"
 #include "ga/text/arguments.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/errors.hpp"
+#include "ga/base/errors.hpp"
 
 #include <string>
 #include <string_view>

@@ -107,8 +107,8 @@ void add_blocks(Registry<P>& registry) {
 } // namespace words
 
 /// The engine's own operators for a type of problem. Those its genome cannot do are listed with what they
-/// need. Refinement is added by ga/refinement/vocabulary.hpp, what learns and keeps niches by
-/// ga/adaptation/vocabulary.hpp.
+/// need. Refinement is added by ga/text/refinement_vocabulary.hpp, what learns and keeps niches by
+/// ga/text/adaptation_vocabulary.hpp.
 template <Problem P>
 Registry<P> vocabulary() {
     Registry<P> registry;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ga/adaptation/vocabulary.hpp"
-#include "ga/refinement/vocabulary.hpp"
+#include "ga/text/adaptation_vocabulary.hpp"
+#include "ga/text/refinement_vocabulary.hpp"
 
 namespace ga {
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "ga/problem/permutation.hpp"
 #include "ga/variation/genes.hpp"
 #include "ga/variation/mutate.hpp"
-#include "ga/variation/permutation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ga/problem/permutation.hpp"
 #include "ga/variation/cross.hpp"
-#include "ga/variation/permutation.hpp"
 
 namespace ga {
 

@@ -11,7 +11,7 @@
 #include "domain/paper/variants.hpp"
 #include "domain/problem/problem.hpp"
 #include "domain/profile/fractal.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 #include "tests/benchmarks/measure.hpp"
 
 #include <cstdio>

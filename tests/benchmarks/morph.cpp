@@ -7,7 +7,7 @@
 
 #include "domain/mwm/genome_json.hpp"
 #include "domain/target/like.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 #include "tests/benchmarks/measure.hpp"
 
 #include <cstdio>

@@ -4,7 +4,7 @@
 
 #include "domain/accuracy/respond.hpp"
 #include "domain/mwm/sobol.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 #include "tests/benchmarks/measure.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "ga/checkpoint.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
 
 #include "domain/design/pipelines.hpp"
 #include "domain/problem/stored.hpp"

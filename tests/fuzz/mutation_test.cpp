@@ -1,5 +1,5 @@
 #include "domain/text/atomic_file.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 #include "tests/fuzz/reader.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/errors.hpp"
-#include "ga/errors.hpp"
+#include "ga/base/errors.hpp"
 #include "tests/folder.hpp"
 
 #include <functional>

@@ -1,5 +1,5 @@
 #include "ga/adaptation/adaptation.hpp"
-#include "ga/checkpoint.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
 #include "tests/folder.hpp"
 #include "tests/ga/functions.hpp"
 

@@ -1,7 +1,7 @@
-#include "ga/adaptation/vocabulary.hpp"
-#include "ga/checkpoint.hpp"
-#include "ga/refinement/vocabulary.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
+#include "ga/text/adaptation_vocabulary.hpp"
 #include "ga/text/parser.hpp"
+#include "ga/text/refinement_vocabulary.hpp"
 #include "tests/folder.hpp"
 #include "tests/ga/functions.hpp"
 

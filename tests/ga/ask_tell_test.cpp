@@ -1,4 +1,4 @@
-#include "ga/ask_tell.hpp"
+#include "ga/pipeline/ask_tell.hpp"
 #include "ga/refinement/refinement.hpp"
 #include "tests/ga/vectors.hpp"
 

@@ -1,4 +1,4 @@
-#include "ga/checkpoint.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
 #include "ga/ga.hpp"
 #include "ga/refinement/refinement.hpp"
 #include "tests/folder.hpp"

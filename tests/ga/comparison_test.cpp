@@ -1,6 +1,6 @@
-#include "ga/comparison.hpp"
+#include "ga/base/random.hpp"
 #include "ga/pareto/hypervolume.hpp"
-#include "ga/random.hpp"
+#include "ga/problem/comparison.hpp"
 
 #include <catch2/catch.hpp>
 

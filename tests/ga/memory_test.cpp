@@ -1,4 +1,4 @@
-#include "ga/memory.hpp"
+#include "ga/run/memory.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "ga/checkpoint.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
 #include "ga/ga.hpp"
 #include "ga/observers/hall_of_fame.hpp"
 #include "ga/observers/log.hpp"

@@ -1,5 +1,5 @@
+#include "ga/base/random.hpp"
 #include "ga/pareto/hypervolume.hpp"
-#include "ga/random.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
-#include "ga/fingerprint.hpp"
-#include "ga/random.hpp"
-#include "ga/where.hpp"
+#include "ga/base/random.hpp"
+#include "ga/problem/fingerprint.hpp"
+#include "ga/run/state.hpp"
 
 #include <boost/random/bernoulli_distribution.hpp>
 #include <boost/random/geometric_distribution.hpp>

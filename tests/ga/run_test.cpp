@@ -1,4 +1,4 @@
-#include "ga/checkpoint.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
 #include "tests/folder.hpp"
 #include "tests/ga/curve_fit.hpp"
 #include "tests/ga/vectors.hpp"

@@ -1,4 +1,4 @@
-#include "ga/checkpoint.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
 #include "ga/text/compiled_once.hpp"
 #include "tests/folder.hpp"
 #include "tests/ga/vectors.hpp"

@@ -1,6 +1,6 @@
-#include "ga/refinement/vocabulary.hpp"
 #include "ga/text/listing.hpp"
 #include "ga/text/parser.hpp"
+#include "ga/text/refinement_vocabulary.hpp"
 #include "tests/ga/curve_fit.hpp"
 
 #include <catch2/catch.hpp>

@@ -8,7 +8,7 @@
 #include "apps/prompt/voice.hpp"
 #include "domain/accuracy/respond.hpp"
 #include "domain/errors.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>

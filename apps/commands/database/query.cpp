@@ -8,7 +8,7 @@
 #include "domain/mwm/genome_json.hpp"
 #include "domain/target/similarity.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "apps/commands/design/schedule.hpp"
 
-#include "ga/parallel.hpp"
+#include "ga/base/parallel.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/problem/problem.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
 

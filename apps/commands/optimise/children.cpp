@@ -2,7 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/text/json.hpp"
-#include "ga/number.hpp"
+#include "ga/base/number.hpp"
 
 #include <nlohmann/json.hpp>
 

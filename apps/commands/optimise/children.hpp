@@ -2,8 +2,8 @@
 
 #include "apps/commands/optimise/child.hpp"
 #include "apps/outside/solution.hpp"
-#include "ga/budget.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/budget.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <filesystem>
 #include <memory>

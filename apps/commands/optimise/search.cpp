@@ -3,7 +3,7 @@
 #include "apps/outside/problem.hpp"
 #include "apps/report/output.hpp"
 #include "domain/errors.hpp"
-#include "ga/checkpoint.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/progress.hpp"
 
 namespace app {

@@ -12,7 +12,7 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/text/words.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/progress.hpp"
 #include "domain/errors.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
 #include <map>

@@ -5,7 +5,7 @@
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 
 namespace app {
 

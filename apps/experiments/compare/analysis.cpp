@@ -1,5 +1,5 @@
 #include "apps/experiments/compare/contest.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <algorithm>
 #include <cmath>

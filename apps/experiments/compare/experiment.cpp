@@ -5,7 +5,7 @@
 #include "apps/experiments/compare/on_ranks.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "domain/text/words.hpp"
-#include "ga/parallel.hpp"
+#include "ga/base/parallel.hpp"
 
 #include <algorithm>
 #include <mutex>

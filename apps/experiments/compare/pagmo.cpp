@@ -1,7 +1,7 @@
 #include "apps/experiments/compare/pagmo.hpp"
 
-#include "ga/errors.hpp"
-#include "ga/random.hpp"
+#include "ga/base/errors.hpp"
+#include "ga/base/random.hpp"
 #include "ga/text/nearest.hpp"
 
 #include <algorithm>

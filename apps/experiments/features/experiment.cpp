@@ -8,8 +8,8 @@
 #include "domain/problem/pipeline.hpp"
 #include "domain/profile/difference.hpp"
 #include "domain/text/json.hpp"
-#include "ga/parallel.hpp"
-#include "ga/refinement/vocabulary.hpp"
+#include "ga/base/parallel.hpp"
+#include "ga/text/refinement_vocabulary.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "apps/experiments/paper/chromosome_example.hpp"
 
 #include "domain/mwm/waves.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <Eigen/QR>
 

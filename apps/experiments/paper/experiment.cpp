@@ -11,10 +11,10 @@
 #include "domain/errors.hpp"
 #include "domain/problem/stored.hpp"
 #include "domain/text/json.hpp"
-#include "ga/checkpoint.hpp"
+#include "ga/base/parallel.hpp"
+#include "ga/base/stopwatch.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/log.hpp"
-#include "ga/parallel.hpp"
-#include "ga/stopwatch.hpp"
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 #include "apps/experiments/paper/fractal_study.hpp"
 
 #include "domain/paper/dominance.hpp"
-#include "ga/parallel.hpp"
-#include "ga/random.hpp"
+#include "ga/base/parallel.hpp"
+#include "ga/base/random.hpp"
 
 namespace app {
 

@@ -3,7 +3,7 @@
 #include "apps/experiments/paper/lookup.hpp"
 #include "domain/paper/dominance.hpp"
 #include "domain/target/similarity.hpp"
-#include "ga/parallel.hpp"
+#include "ga/base/parallel.hpp"
 
 #include <algorithm>
 #include <limits>

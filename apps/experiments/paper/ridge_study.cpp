@@ -1,7 +1,7 @@
 #include "apps/experiments/paper/ridge_study.hpp"
 
 #include "domain/mwm/waves.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "apps/report/units.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/target/similarity.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "apps/report/recorder.hpp"
 #include "domain/target/similarity.hpp"
-#include "ga/parallel.hpp"
+#include "ga/base/parallel.hpp"
 
 #include <cmath>
 

@@ -9,7 +9,7 @@
 #include "domain/numerics/statistics.hpp"
 #include "domain/target/like.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "ga/parallel.hpp"
+#include "ga/base/parallel.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -13,8 +13,8 @@
 #include "domain/problem/setup.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
-#include "ga/parallel.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/parallel.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "apps/python/module/engine.hpp"
 
-#include "ga/variation/permutation.hpp"
+#include "ga/problem/permutation.hpp"
 
 namespace rugosa::python {
 

@@ -1,6 +1,6 @@
 #include "apps/python/module/python.hpp"
 #include "domain/errors.hpp"
-#include "ga/errors.hpp"
+#include "ga/base/errors.hpp"
 
 #include <csignal>
 #include <thread>

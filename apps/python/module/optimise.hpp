@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/python/module/engine.hpp"
-#include "ga/ask_tell.hpp"
+#include "ga/pipeline/ask_tell.hpp"
 
 namespace rugosa::python {
 

@@ -1,5 +1,5 @@
 #include "domain/database/store.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/stopwatch.hpp"
 #include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"

@@ -1,6 +1,6 @@
 #include "domain/database/store.hpp"
-#include "ga/random.hpp"
-#include "ga/stopwatch.hpp"
+#include "ga/base/random.hpp"
+#include "ga/base/stopwatch.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 

@@ -2,7 +2,7 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/target/like.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <catch2/catch.hpp>
 

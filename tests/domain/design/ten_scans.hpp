@@ -2,7 +2,7 @@
 
 #include "domain/profile/detrend.hpp"
 #include "domain/profile/fractal.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <catch2/catch.hpp>
 

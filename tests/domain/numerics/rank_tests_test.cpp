@@ -1,5 +1,5 @@
 #include "domain/numerics/rank_tests.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <catch2/catch.hpp>
 

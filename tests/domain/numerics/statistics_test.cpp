@@ -1,5 +1,5 @@
 #include "domain/numerics/statistics.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <catch2/catch.hpp>
 

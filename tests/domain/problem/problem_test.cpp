@@ -3,7 +3,7 @@
 #include "domain/design/starts.hpp"
 #include "domain/design/target_dominance.hpp"
 #include "domain/problem/drawn_start.hpp"
-#include "ga/pareto/ranking.hpp"
+#include "ga/problem/ranking.hpp"
 #include "tests/domain/problem/jacobian.hpp"
 #include "tests/domain/random_genome.hpp"
 

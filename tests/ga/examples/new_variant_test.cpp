@@ -1,10 +1,10 @@
 // The code of the page ga/README.md as it stands, block by block (tests/CMakeLists.txt): a new problem, a new
 // variant in code and in text, a new operator.
 
-#include "ga/ask_tell.hpp"
 #include "ga/ga.hpp"
-#include "ga/refinement/vocabulary.hpp"
+#include "ga/pipeline/ask_tell.hpp"
 #include "ga/text/parser.hpp"
+#include "ga/text/refinement_vocabulary.hpp"
 #include "ga/text/vocabulary.hpp"
 #include "tests/ga/curve_fit.hpp"
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "apps/outside/solution.hpp"
-#include "ga/pareto/ranking.hpp"
-#include "ga/problem.hpp"
-#include "ga/random.hpp"
-#include "ga/variation/permutation.hpp"
+#include "ga/base/random.hpp"
+#include "ga/problem/permutation.hpp"
+#include "ga/problem/problem.hpp"
+#include "ga/problem/ranking.hpp"
 
 #include <functional>
 #include <memory>

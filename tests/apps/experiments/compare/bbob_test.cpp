@@ -1,6 +1,6 @@
 #include "apps/experiments/compare/problems/bbob.hpp"
 #include "apps/experiments/compare/problems/bbob_instance.hpp"
-#include "ga/random.hpp"
+#include "ga/base/random.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #include "apps/experiments/compare/contest.hpp"
 #include "apps/experiments/compare/pagmo.hpp"
 #include "domain/errors.hpp"
-#include "ga/errors.hpp"
+#include "ga/base/errors.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "ga/base/errors.hpp"
+
+#include <omp.h>
+
+#include <cstddef>
+#include <exception>
+
+namespace ga {
+
+/// job(i) for i = 0 .. n-1 on up to `threads` threads, in no particular order. An exception ends no thread:
+/// the one of the smallest i is thrown again when all are done.
+template <class Job>
+void parallel_for(std::size_t n, int threads, Job job) {
+    std::exception_ptr error;
+    std::size_t failed = n;
+    const auto guarded = [&](std::size_t i) {
+        try {
+            job(i);
+        } catch (...) {
+#pragma omp critical(ga_parallel_for)
+            if (i < failed) {
+                failed = i;
+                error = std::current_exception();
+            }
+        }
+    };
+    if (threads <= 1 || n <= 1) {
+        for (std::size_t i = 0; i < n; ++i)
+            guarded(i);
+    } else {
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+        for (std::size_t i = 0; i < n; ++i)
+            guarded(i);
+    }
+    if (error)
+        std::rethrow_exception(error);
+}
+
+/// The number of threads a run uses: the one asked for, or for 0 what OpenMP has. Throws UsageError on more
+/// than 1024.
+inline int thread_count(int asked) {
+    constexpr int most = 1024;
+    if (asked > most)
+        throw UsageError("threads: " + std::to_string(asked) + " given, expected at most " +
+                         std::to_string(most));
+    return asked > 0 ? asked : omp_get_max_threads();
+}
+
+} // namespace ga

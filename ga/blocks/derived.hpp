@@ -1,0 +1,64 @@
+#pragma once
+
+#include "ga/pipeline/stage.hpp"
+
+namespace ga {
+
+/// Runs `body` under a problem derived from the run's own, such as a coarser grid or another target, and
+/// gives back its population unscored. What it pays is booked in the run, and the run's budget holds for it.
+/// The events that observers see are marked as derived. A run that stops inside is kept as it was before the
+/// stage.
+template <Problem P>
+PopulationOf<P> run_derived(const Stage<P>& body, const P& problem, PopulationOf<P> population,
+                            Context<P>& context) {
+    Ledger<P>& books = context.ledger();
+    Ledger<P> ledger(problem, books.evaluator(), books.memory().bytes(), books.left());
+    ledger.counters = books.counters;
+    Context<P> inside(context, ledger);
+    Frame<typename P::Genome> outermost;
+    inside.kept.loops.push_back(&outermost);
+    const auto unscored = [](PopulationOf<P> all) {
+        for (auto& individual : all)
+            individual.fitness = {};
+        return all;
+    };
+    const auto book = [&] {
+        books.counters = ledger.counters;
+        context.kept.next_identity = inside.kept.next_identity;
+        for (const std::string& note : inside.kept.notes())
+            context.kept.note(note);
+    };
+    try {
+        population = body(unscored(std::move(population)), inside);
+    } catch (...) {
+        book();
+        throw;
+    }
+    book();
+    return unscored(std::move(population));
+}
+
+/// A block whose body runs under derived problems, as one step: `change(population, body, context)` calls
+/// run_derived and gives the population that the block leaves, unscored.
+template <Problem P, class Change>
+Step<P> derived_step(const std::string& name, Stage<P> body, Change change) {
+    using G = typename P::Genome;
+    const auto stages = std::make_shared<const Stage<P>>(std::move(body));
+    Step<P> step;
+    step.text = name + " { " + stages->text() + " }";
+    step.check = [stages, name](Known& known) {
+        if (known.on_islands)
+            throw UsageError("stage '" + name + "' cannot run on islands; expected it before or after them");
+        Known inside = known;
+        inside.scored.reset();
+        stages->check(inside);
+        known.scored.reset();
+    };
+    step.apply = [stages, change](Population<G> population, Context<P>& context) {
+        return change(std::move(population), *stages, context);
+    };
+    step.begins = stages->begins();
+    return step;
+}
+
+} // namespace ga

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "ga/pipeline/stage.hpp"
+
+namespace ga {
+
+/// Makes a child of two individuals, or none.
+template <class G>
+struct Combine {
+    std::string name; ///< as text pipelines call it
+    std::function<std::optional<G>(const Individual<G>&, const Individual<G>&)>
+        of; ///< nothing: no child of these two
+};
+
+/// Sends the same population down two pipelines and combines every individual of the left answer with every
+/// one of the right. Children that are equal (twins (i,j) and (j,i)) are kept once; they are unscored and
+/// know both parents.
+template <class Left, class Right, class G>
+struct Pair : Operator {
+    Left left;          ///< on whose answer the first parents stand
+    Right right;        ///< on whose answer the second parents stand
+    Combine<G> combine; ///< what joins them
+
+    /// `pair(l, r, c)`.
+    Pair(Left l, Right r, Combine<G> c) : left(std::move(l)), right(std::move(r)), combine(std::move(c)) {}
+
+    /// The block as one step (Block).
+    template <Problem P>
+    Step<P> step() const {
+        const auto on_left = std::make_shared<const Stage<P>>(left),
+                   on_right = std::make_shared<const Stage<P>>(right);
+        const Name left_name(std::string("left")), right_name(std::string("right"));
+        return {"pair(" + on_left->text() + ", " + on_right->text() + ", " + combine.name + ")",
+                [=](Known& known) {
+                    Known other = known;
+                    on_left->check(known);
+                    on_right->check(other);
+                    known.scored.reset();
+                },
+                [=, combine = combine](Population<G> population, Context<P>& context) {
+                    typename Context<P>::OpenFrame frame(context.kept, {});
+                    if (!frame.resumed())
+                        frame->kept = {std::move(population), {}};
+                    expect_fit(frame->kept.size() == 2);
+                    if (frame->next == 0) {
+                        const typename Context<P>::Scope scope(context.where, left_name, 0);
+                        frame->kept[1] = (*on_left)(frame->kept[0], context);
+                        frame->next = 1;
+                    }
+                    Population<G> others;
+                    {
+                        const typename Context<P>::Scope scope(context.where, right_name, 0);
+                        others = (*on_right)(frame->kept[0], context);
+                    }
+                    return children(frame->kept[1], others, combine, context);
+                },
+                std::max(on_left->reads_of_start(), on_right->reads_of_start()),
+                on_left->begins() && on_right->begins()};
+    }
+
+  private:
+    template <Problem P>
+    static Population<G> children(const Population<G>& lefts, const Population<G>& rights,
+                                  const Combine<G>& combine, Context<P>& context) {
+        Population<G> children;
+        Table<bool> seen;
+        for (const auto& a : lefts)
+            for (const auto& b : rights) {
+                std::optional<G> genome = combine.of(a, b);
+                if (!genome)
+                    continue;
+                if (children.size() % 1024 == 0)
+                    context.need_room(children.size() + 1024, lefts, &*genome);
+                if (std::exchange(seen.at(identify(context.problem(), *genome)), true))
+                    continue;
+                children.push_back(
+                    {std::move(*genome), context.new_identity(), Parents(a.identity, b.identity), {}, {}});
+            }
+        if (children.empty())
+            throw NothingLeft(context.path() + ": " + std::to_string(lefts.size()) + " and " +
+                              std::to_string(rights.size()) + " individuals gave no child by " +
+                              combine.name);
+        return children;
+    }
+};
+
+/// The stage `pair(left, right, combine)`.
+template <class Left, class Right, class G>
+Pair<Left, Right, G> pair(Left left, Right right, Combine<G> combine) {
+    return {std::move(left), std::move(right), std::move(combine)};
+}
+
+} // namespace ga

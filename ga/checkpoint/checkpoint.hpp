@@ -1,0 +1,291 @@
+#pragma once
+
+#include "ga/checkpoint/envelope.hpp"
+#include "ga/pipeline/run.hpp"
+#include "ga/problem/permutation.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <bit>
+
+namespace ga {
+
+using nlohmann::json;
+
+///@{
+/// What checkpoints hold, and back without loss: a failure keeps its reason. Reading throws
+/// nlohmann's exceptions on anything else.
+inline void to_json(json& j, const Permutation& permutation) { j = permutation.order; }
+inline void from_json(const json& j, Permutation& permutation) { j.get_to(permutation.order); }
+
+inline void to_json(json& j, const Counters& c) {
+    j = {c.asked, c.evaluations, c.remembered, c.gradients, c.failures};
+}
+inline void from_json(const json& j, Counters& c) { c = {j.at(0), j.at(1), j.at(2), j.at(3), j.at(4)}; }
+
+template <class G>
+void to_json(json& j, const Individual<G>& individual) {
+    const Fitness& fitness = individual.fitness;
+    json scored;
+    if (fitness.has_failed())
+        scored = {fitness.objective(), fitness.reason()};
+    else if (fitness.several())
+        scored = {fitness.objective(), fitness.values(), fitness.violation()};
+    else if (fitness.known())
+        scored = {fitness.objective(), fitness.value(), fitness.violation(), fitness.minimises()};
+    j = {individual.genome, individual.identity,
+         std::vector<Identity>(individual.parents.begin(), individual.parents.end()), std::move(scored),
+         individual.origin ? json(*individual.origin) : json()};
+}
+template <class G>
+void from_json(const json& j, Individual<G>& individual) {
+    j.at(0).get_to(individual.genome);
+    j.at(1).get_to(individual.identity);
+    const auto parents = j.at(2).get<std::vector<Identity>>();
+    individual.parents = parents.size() == 2   ? Parents(parents[0], parents[1])
+                         : parents.size() == 1 ? Parents(parents[0])
+                                               : Parents();
+    individual.fitness = {};
+    if (const json& scored = j.at(3); !scored.is_null()) {
+        const Name policy(scored.at(0).get<std::string>());
+        if (scored.size() == 2)
+            individual.fitness = Fitness::failed(policy, reason(scored.at(1).get<std::string>()));
+        else if (scored.size() == 3)
+            individual.fitness = Fitness(policy, scored.at(1).get<Point>(), scored.at(2).get<double>());
+        else
+            individual.fitness = Fitness(policy, scored.at(1).get<double>(), scored.at(3).get<bool>(),
+                                         scored.at(2).get<double>());
+    }
+    individual.origin.reset();
+    if (!j.at(4).is_null())
+        individual.origin = std::make_shared<const G>(j.at(4).get<G>());
+}
+
+/// A state as it was read, before its operator has understood it.
+class StoredState : public AnyState {
+  public:
+    /// Holds what was read.
+    explicit StoredState(json j) : json_(std::move(j)) {}
+    ///@{
+    /// As AnyState says.
+    std::unique_ptr<AnyState> clone() const override { return std::make_unique<StoredState>(*this); }
+    void write(json& j) const override { j = json_; }
+    const json* stored() const override { return &json_; }
+    ///@}
+
+  private:
+    json json_;
+};
+
+template <class G>
+void to_json(json& j, const Frame<G>& frame) {
+    json states = json::object();
+    for (const auto& [path, state] : frame.states)
+        (*state).write(states[path]);
+    // JSON has no infinity, which numbers may be
+    std::vector<std::vector<std::uint64_t>> bits;
+    for (const auto& row : frame.numbers) {
+        bits.emplace_back();
+        for (const double number : row)
+            bits.back().push_back(std::bit_cast<std::uint64_t>(number));
+    }
+    j = {frame.next, frame.population, frame.kept, bits, std::move(states)};
+}
+template <class G>
+void from_json(const json& j, Frame<G>& frame) {
+    j.at(0).get_to(frame.next);
+    j.at(1).get_to(frame.population);
+    j.at(2).get_to(frame.kept);
+    for (const auto& row : j.at(3).get<std::vector<std::vector<std::uint64_t>>>()) {
+        frame.numbers.emplace_back();
+        for (const std::uint64_t bits : row)
+            frame.numbers.back().push_back(std::bit_cast<double>(bits));
+    }
+    for (const auto& [path, state] : j.at(4).items())
+        frame.states[path] = HeldState(std::make_unique<StoredState>(state));
+}
+
+template <class G>
+void to_json(json& j, const Snapshot<G>& snapshot) {
+    j = {snapshot.frames,        snapshot.counters,
+         snapshot.next_identity, snapshot.best ? json(*snapshot.best) : json(),
+         snapshot.notes,         snapshot.seconds};
+}
+template <class G>
+void from_json(const json& j, Snapshot<G>& snapshot) {
+    j.at(0).get_to(snapshot.frames);
+    j.at(1).get_to(snapshot.counters);
+    j.at(2).get_to(snapshot.next_identity);
+    if (!j.at(3).is_null())
+        snapshot.best = j.at(3).get<Individual<G>>();
+    j.at(4).get_to(snapshot.notes);
+    j.at(5).get_to(snapshot.seconds);
+}
+///@}
+
+/// Outcomes that a checkpoint can hold; others are evaluated again where they are asked for after it, which
+/// changes the count of evaluations and no result.
+template <class Outcome>
+concept Storable = requires(const json& j, const Outcome& outcome) {
+    json(outcome);
+    { j.get<Outcome>() } -> std::same_as<Outcome>;
+};
+
+/// Keeps a run in one file, replaced as a whole by renaming: between stages, at most once in so many seconds
+/// and for at most a twentieth of the time, and at the end. The one before is kept beside it ("FILE.before"),
+/// and is gone on from where the newer one was damaged. A run that is resumed, after whatever end of its
+/// process, reaches the very result of one that was never interrupted. A file that cannot be written ends no
+/// run: its notes say so. Genomes must convert to and from nlohmann::json without loss.
+template <Problem P>
+class Checkpoints : public Keeper<P> {
+  public:
+    using Genome = typename P::Genome;   ///< kept as json
+    using Outcome = typename P::Outcome; ///< kept where it converts to json
+    using Taken = Snapshot<Genome>;      ///< a run between two stages
+
+    /// @param file         where the run is kept
+    /// @param description  whatever else decides the result (the problem's settings); a file with another
+    ///                     is refused
+    /// @param resume       go on from the file if there is one; otherwise it is replaced
+    /// @param interval     seconds between two writes
+    Checkpoints(std::filesystem::path file, std::string description, bool resume, double interval = 1)
+        : file_(std::move(file)), description_(std::move(description)), resume_(resume), interval_(interval) {
+    }
+
+    /// Keeps a value of an observer with the run: it is written with every checkpoint and read back when the
+    /// run is resumed, before its first stage. The value must live as long as the run.
+    template <class T>
+    void keep(const std::string& name, T& value) {
+        kept_.push_back(
+            {name, [&value] { return json(value); }, [&value](const json& j) { value = j.get<T>(); }});
+    }
+
+    std::optional<Taken> begin(Ledger<P>& ledger, std::uint64_t run) override {
+        run_ = run;
+        const std::filesystem::path before = file_.string() + ".before";
+        if (!resume_) {
+            std::error_code none;
+            std::filesystem::remove(before, none); // of another run
+        }
+        if (!resume_ || !(std::filesystem::exists(file_) || std::filesystem::exists(before)))
+            return std::nullopt;
+        std::string bytes;
+        try {
+            bytes = opened(std::filesystem::exists(file_) ? file_ : before);
+        } catch (const UsageError& damaged) {
+            if (!std::filesystem::exists(before))
+                throw;
+            bytes = opened(before);
+            std::filesystem::rename(before, file_); // the next write keeps what stands under the name
+            trouble_ = std::string(damaged.what()) + "; went on from the one before";
+        }
+        try {
+            const json j = read_cbor(bytes, file_);
+            if (j.at("version") != version || j.at("run") != run_ || j.at("description") != description_)
+                throw UsageError("checkpoint '" + file_.string() +
+                                 "' is of another run; expected the same pipeline, seed, start and settings");
+            for (const auto& value : kept_)
+                value.read(j.at("kept").at(value.name));
+            recall(j, ledger);
+            auto snapshot = j.at("snapshot").get<Taken>();
+            if (!j.at("answer").is_null())
+                answer_ = j.at("answer").get<Population<Genome>>();
+            return snapshot;
+        } catch (const json::exception& error) {
+            throw UsageError("checkpoint '" + file_.string() + "' cannot be read: " + error.what());
+        }
+    }
+    std::optional<Population<Genome>> answer() const override { return answer_; }
+    bool due(double seconds) const override { return seconds >= next_write_; }
+    std::string trouble() const override {
+        return trouble_ + (trouble_.empty() || unwritten_.empty() ? "" : "; ") + unwritten_;
+    }
+
+    void write(const Taken& snapshot, const Ledger<P>& ledger,
+               const Population<Genome>* answer = nullptr) override {
+        const Stopwatch clock;
+        json j = {{"version", version},
+                  {"run", run_},
+                  {"description", description_},
+                  {"snapshot", snapshot},
+                  {"answer", answer ? json(*answer) : json()},
+                  {"kept", json::object()}};
+        for (const auto& value : kept_)
+            j["kept"][value.name] = value.write();
+        remember(j, snapshot, ledger);
+        const std::vector<std::uint8_t> bytes = json::to_cbor(j);
+        const std::string error = seal(file_, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        unwritten_ = error.empty() ? ""
+                                   : "checkpoint '" + file_.string() + "' cannot be written (" + error +
+                                         "); the run went on without it";
+        next_write_ = snapshot.seconds + std::max(interval_, 20 * clock.seconds());
+    }
+
+  private:
+    static constexpr int version = 2;
+
+    struct Kept {
+        std::string name;
+        std::function<json()> write;
+        std::function<void(const json&)> read;
+    };
+
+    static json stored(const typename Table<Evaluation<Outcome>>::Entry& entry) {
+        if (const Outcome* outcome = std::get_if<Outcome>(&entry.value))
+            return {entry.print.high, entry.print.low, *outcome};
+        return {entry.print.high, entry.print.low, nullptr, *std::get<Reason>(entry.value)};
+    }
+
+    /// Both halves of the memory; what a stopped stage had evaluated already is set apart.
+    void remember(json& j, const Taken& snapshot, const Ledger<P>& ledger) const {
+        if constexpr (Storable<Outcome>) {
+            json old = json::array(), young = json::array(), prepaid = json::array();
+            const auto put = [](const auto& table, std::size_t i, json& list) {
+                if (const auto& entry = table.entry(i); !std::holds_alternative<Pending>(entry.value))
+                    list.push_back(stored(entry));
+            };
+            const auto& memory = ledger.memory();
+            for (std::size_t i = 0; i < memory.old().size(); ++i)
+                put(memory.old(), i, old);
+            for (std::size_t i = 0; i < memory.young().size(); ++i)
+                put(memory.young(), i, i < snapshot.remembered ? young : prepaid);
+            j["memory"] = {std::move(old), std::move(young), std::move(prepaid)};
+        }
+    }
+    static void recall(const json& j, Ledger<P>& ledger) {
+        if constexpr (Storable<Outcome>) {
+            const auto each = [](const json& list, auto take) {
+                for (const json& entry : list) {
+                    const Fingerprint print{entry.at(0), entry.at(1)};
+                    if (entry.size() == 3)
+                        take(print, Evaluation<Outcome>(entry.at(2).get<Outcome>()));
+                    else
+                        take(print, Evaluation<Outcome>(reason(entry.at(3).get<std::string>())));
+                }
+            };
+            auto& memory = ledger.memory();
+            const auto into = [](auto& half) {
+                return [&half](const Fingerprint& print, auto evaluation) {
+                    half.at(print) = std::move(evaluation);
+                };
+            };
+            each(j.at("memory").at(0), into(memory.old()));
+            each(j.at("memory").at(1), into(memory.young()));
+            each(j.at("memory").at(2), [&](const Fingerprint& print, auto evaluation) {
+                if (!memory.old().find(print))
+                    ledger.prepay(print, std::move(evaluation));
+            });
+        }
+    }
+
+    std::filesystem::path file_;
+    std::string description_, trouble_, unwritten_;
+    bool resume_;
+    double interval_;
+    double next_write_ = 0;
+    std::uint64_t run_ = 0;
+    std::optional<Population<Genome>> answer_;
+    std::vector<Kept> kept_;
+};
+
+} // namespace ga

@@ -1,0 +1,140 @@
+#pragma once
+
+#include "ga/pipeline/run.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <thread>
+
+namespace ga {
+
+/// A pipeline whose paid calls are made by whoever drives it, in a loop of his own:
+///
+///     AskTell<P> search(sample(20) | score() | ..., problem);
+///     while (auto questions = search.ask(); !questions.empty(); questions = search.ask())
+///         for (auto& [id, genome] : questions)
+///             search.tell(id, outcome_of(genome));
+///     search.result().best->genome;
+///
+/// The pipeline runs on a thread of its own, which waits while questions are open; observers are called on
+/// it. Outcomes that are the same give the bits of `run`. The problem's `evaluate` is never called;
+/// derivatives are its own members'. Safe to be used from several threads.
+template <Problem P>
+class AskTell : Evaluator<P> {
+  public:
+    using Genome = typename P::Genome;   ///< of the problem
+    using Outcome = typename P::Outcome; ///< what is told
+
+    /// A genome whose outcome is wanted.
+    struct Question {
+        std::size_t id; ///< counts the questions of the run, from 0
+        Genome genome;  ///< to be evaluated
+    };
+
+    /// Starts the run; the parameters are those of `run_by`. Throws UsageError when the pipeline cannot work.
+    AskTell(Stage<P> pipeline, P problem, Population<Genome> population = {}, RunOptions options = {},
+            std::vector<Observer<Genome>> observers = {}, Keeper<P>* keeper = nullptr)
+        : pipeline_(std::move(pipeline)), problem_(std::move(problem)), asked_to_stop_(options.budget.stop) {
+        check(pipeline_, problem_, population);
+        options.budget.stop = &stop_;
+        thread_ = std::thread([this, population = std::move(population), options = std::move(options),
+                               observers = std::move(observers), keeper]() mutable {
+            try {
+                result_ = run_by(static_cast<Evaluator<P>&>(*this), pipeline_, problem_,
+                                 std::move(population), options, std::move(observers), keeper);
+            } catch (...) {
+                error_ = std::current_exception();
+            }
+            const std::lock_guard lock(guard_);
+            done_ = true;
+            changed_.notify_all();
+        });
+    }
+    AskTell(const AskTell&) = delete;
+    /// Stops the run and waits for its end.
+    ~AskTell() override {
+        stop();
+        thread_.join();
+    }
+
+    /// The questions that are open: waits for the next batch where none is. Empty when the run has ended.
+    /// Throws what ended the run, where something was thrown.
+    std::vector<Question> ask() {
+        std::unique_lock lock(guard_);
+        changed_.wait(lock, [&] { return done_ || open_ > 0; });
+        if (error_)
+            std::rethrow_exception(error_);
+        std::vector<Question> questions;
+        for (std::size_t i = 0; i < calls_.size(); ++i)
+            if (std::holds_alternative<Pending>(*calls_[i].answer))
+                questions.push_back({first_ + i, *calls_[i].genome});
+        return questions;
+    }
+    /// Answers an open question. Throws UsageError where the question is not open; a run that was stopped
+    /// takes no answers and does not mind them.
+    void tell(std::size_t id, Outcome outcome) { answer(id, std::move(outcome)); }
+    /// Says that a question has no answer, and why.
+    void fail(std::size_t id, std::string why) { answer(id, reason(std::move(why))); }
+
+    /// Asks the run to end with what it has; open questions need no answers.
+    void stop() {
+        const std::lock_guard lock(guard_);
+        stop_ = true;
+        changed_.notify_all();
+    }
+    /// What the run gives back; one that has not ended is stopped. Throws what ended the run, where something
+    /// was thrown.
+    Result<Genome> result() {
+        stop();
+        std::unique_lock lock(guard_);
+        changed_.wait(lock, [&] { return done_; });
+        if (error_)
+            std::rethrow_exception(error_);
+        return result_;
+    }
+
+  private:
+    /// Hands the calls out and waits until they are answered, or the run must end.
+    void outcomes(const P&, std::span<Call<P>> calls, const Watch& watch) override {
+        using namespace std::chrono_literals;
+        std::unique_lock lock(guard_);
+        calls_ = calls;
+        open_ = calls.size();
+        changed_.notify_all();
+        while (open_ > 0 && !stop_ && !watch.expired()) {
+            changed_.wait_for(lock, 20ms);
+            if (asked_to_stop_ && asked_to_stop_->load())
+                stop_ = true;
+        }
+        first_ += calls.size();
+        calls_ = {};
+        open_ = 0;
+    }
+
+    void answer(std::size_t id, Evaluation<Outcome> evaluation) {
+        const std::lock_guard lock(guard_);
+        if (stop_ || done_)
+            return;
+        if (id < first_ || id - first_ >= calls_.size() ||
+            !std::holds_alternative<Pending>(*calls_[id - first_].answer))
+            throw UsageError("question " + std::to_string(id) + " is not open; expected one that ask gave");
+        *calls_[id - first_].answer = std::move(evaluation);
+        if (--open_ == 0)
+            changed_.notify_all();
+    }
+
+    Stage<P> pipeline_;
+    P problem_;
+    const std::atomic<bool>* asked_to_stop_;
+    std::atomic<bool> stop_ = false;
+    std::mutex guard_;
+    std::condition_variable changed_;
+    std::span<Call<P>> calls_;
+    std::size_t first_ = 0, open_ = 0; ///< id of the first of the calls; how many are not answered
+    bool done_ = false;
+    Result<Genome> result_;
+    std::exception_ptr error_;
+    std::thread thread_;
+};
+
+} // namespace ga

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "ga/pipeline/stage.hpp"
+
+namespace ga {
+
+/// Puts function(genome) in the place of every genome, in parallel. An individual stays itself, unscored;
+/// where the function throws, the individual keeps its genome and is marked as failed under the objective
+/// that scored it, the problem's first where none has.
+template <class Function>
+struct Transform : Operator {
+    std::string name;  ///< of the stage
+    Function function; ///< genome -> genome; called from several threads
+
+    /// A stage of that name.
+    Transform(std::string name_, Function function_)
+        : name(std::move(name_)), function(std::move(function_)) {}
+    ///@{
+    /// What every operator has (Operator).
+    std::string text() const { return name; }
+    void check(Known& known) const { known.scored.reset(); }
+
+    template <Problem P>
+    requires std::is_invocable_r_v<typename P::Genome, const Function&, const typename P::Genome&>
+        PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context) const {
+        parallel_for(population.size(), context.threads(), [&](std::size_t i) {
+            auto& individual = population[i];
+            if (individual.fitness.has_failed())
+                return;
+            try {
+                individual.genome = function(std::as_const(individual.genome));
+                individual.fitness = {};
+            } catch (...) {
+                const Fitness& fitness = individual.fitness;
+                individual.fitness = Fitness::failed(
+                    fitness.known() ? fitness.objective_name() : context.objective_name(0), reason_caught());
+            }
+        });
+        return population;
+    }
+    ///@}
+};
+
+/// @param name  as in a text pipeline; more words may follow the first ("reduce dominant")
+template <class Function>
+Transform<Function> transform(std::string name, Function function) {
+    return {std::move(name), std::move(function)};
+}
+
+} // namespace ga

@@ -1,0 +1,195 @@
+#pragma once
+
+#include "ga/problem/individual.hpp"
+
+#include <span>
+#include <utility>
+
+namespace ga {
+
+/// How far up to go when counting individuals: all of them.
+constexpr std::size_t everyone = static_cast<std::size_t>(-1);
+
+/// Positions by Deb's rules among the constrained: one that holds its constraints before one that does not,
+/// less violation before more, then the greater merit; failed ones last (Deb 2000). -1 for the first class,
+/// -2 for the next and so on; equals share a class.
+inline std::vector<double> classes_by_rules(std::span<const Fitness* const> all) {
+    const auto key = [&](std::size_t i) {
+        const Fitness& f = *all[i];
+        const double violation = f.has_failed() ? HUGE_VAL : f.feasible() ? 0 : f.violation();
+        return std::pair(violation, violation == 0 ? -f.merit() : 0.0);
+    };
+    const auto order = in_order(all.size(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+    std::vector<double> merits(all.size());
+    double place = -1;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i > 0 && key(order[i - 1]) < key(order[i]))
+            --place;
+        merits[order[i]] = all[order[i]]->has_failed() ? -HUGE_VAL : place;
+    }
+    return merits;
+}
+
+/// NSGA-II's crowded comparison (Deb et al. 2002) as one number: -rank + c / (2 (1 + c)) with the rank of the
+/// front among these, from 0, and the crowding distance c; those that violate constraints follow by how much.
+inline std::vector<double> crowded_merits(std::span<const Fitness* const> all) {
+    std::vector<Point> points;
+    std::vector<std::size_t> feasible, others;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (!all[i]->has_failed() && all[i]->feasible()) {
+            feasible.push_back(i);
+            points.push_back(all[i]->values());
+        } else {
+            others.push_back(i);
+        }
+    const std::vector<std::size_t> ranks = pareto_ranks(points);
+    const std::vector<double> room = crowding_distances(points, ranks);
+    std::vector<double> merits(all.size(), -HUGE_VAL);
+    double last = 0;
+    for (std::size_t i = 0; i < feasible.size(); ++i) {
+        const double bonus = std::isfinite(room[i]) ? room[i] / (2 * (1 + room[i])) : 0.5;
+        merits[feasible[i]] = -static_cast<double>(ranks[i]) + bonus;
+        last = std::min(last, -static_cast<double>(ranks[i]));
+    }
+    double before = -HUGE_VAL;
+    for (const std::size_t i : in_order(others.size(), [&](std::size_t a, std::size_t b) {
+             return all[others[a]]->violation() < all[others[b]]->violation();
+         }))
+        if (const Fitness& each = *all[others[i]]; !each.has_failed()) {
+            if (each.violation() > std::exchange(before, each.violation()))
+                --last;
+            merits[others[i]] = last;
+        }
+    return merits;
+}
+
+/// What each is worth among all of these, by the policy that scored them: greater is better, equal is as
+/// good, minus infinity for the failed. Under one objective the fitness itself, under constraints the class
+/// by Deb's rules, under several objectives rank and crowding. Throws UsageError where two were scored by
+/// different policies, or one was not.
+inline std::vector<double> merits(std::span<const Fitness* const> all) {
+    bool several = false, ruled = false;
+    std::vector<double> merits(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Fitness& each = *all[i];
+        if (!each.known() || each.objective_name() != all[0]->objective_name())
+            throw UsageError("fitness under '" + all[0]->objective() + "' was compared with '" +
+                             each.objective() + "'; expected score before, by one objective for all");
+        several |= each.several();
+        ruled |= !each.feasible();
+        merits[i] = several ? 0 : each.merit();
+    }
+    return several ? crowded_merits(all) : ruled ? classes_by_rules(all) : merits;
+}
+/// The same of a population, and of others behind it.
+template <class G>
+std::vector<double> merits(const Population<G>& population, const Population<G>& others = {}) {
+    std::vector<const Fitness*> all(population.size() + others.size());
+    auto at = all.begin();
+    for (const auto* part : {&population, &others})
+        for (const auto& individual : *part)
+            *at++ = &individual.fitness;
+    return merits(std::span<const Fitness* const>(all));
+}
+
+/// Positions of the n best merits, best first; equal ones in their order.
+inline std::vector<std::size_t> ranking(const std::vector<double>& merits, std::size_t n = everyone) {
+    std::vector<std::size_t> order(merits.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto end = order.begin() + static_cast<std::ptrdiff_t>(std::min(n, order.size()));
+    std::partial_sort(order.begin(), end, order.end(), [&](std::size_t a, std::size_t b) {
+        return merits[a] != merits[b] ? merits[a] > merits[b] : a < b;
+    });
+    order.erase(end, order.end());
+    return order;
+}
+/// Positions of the n best individuals, best first, failed ones last; equal ones in the population's order.
+template <class G>
+std::vector<std::size_t> ranking(const Population<G>& population, std::size_t n = everyone) {
+    return ranking(merits(population), n);
+}
+
+/// The n best, best first, failed ones last; all when there are fewer.
+template <class G>
+Population<G> best_of(const Population<G>& population, std::size_t n) {
+    Population<G> chosen;
+    chosen.reserve(std::min(n, population.size()));
+    for (const std::size_t i : ranking(population, n))
+        chosen.push_back(population[i]);
+    return chosen;
+}
+
+/// What a block keeps of a generation's start: as many of the best as its stages read.
+template <class G>
+Population<G> start_of_generation(const Population<G>& population, std::size_t reads) {
+    return reads == 0 ? Population<G>() : reads == everyone ? population : best_of(population, reads);
+}
+
+/// Ascending.
+template <class G>
+std::vector<Identity> identities_of(const Population<G>& population) {
+    std::vector<Identity> all;
+    for (const auto& individual : population)
+        all.push_back(individual.identity);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+/// The population and behind it those of `start` that are not there any more.
+template <class G>
+Population<G> joined_with(const Population<G>& start, Population<G> population) {
+    const std::vector<Identity> present = identities_of(population);
+    for (const auto& old : start)
+        if (!std::binary_search(present.begin(), present.end(), old.identity))
+            population.push_back(old);
+    return population;
+}
+
+/// What `better` is where there are rules or several objectives.
+inline bool better_by_rules(const Fitness& a, const Fitness& b) {
+    if (!(a.several() && b.several() && a.feasible() && b.feasible())) {
+        const Fitness* const both[] = {&a, &b};
+        const std::vector<double> worth = merits(both);
+        return worth[0] > worth[1];
+    }
+    if (a.objective_name() != b.objective_name())
+        throw UsageError("fitness under '" + a.objective() + "' was compared with '" + b.objective() + "'");
+    return dominates(a.values(), b.values());
+}
+/// Whether one is better, whatever others there are: by Deb's rules, under several objectives by dominance.
+/// Throws UsageError where they were scored by different policies.
+inline bool better(const Fitness& a, const Fitness& b) {
+    const bool rules = a.several() || b.several() || !a.feasible() || !b.feasible();
+    if (!rules && a.known() && b.known(a.objective_name())) // nearly always
+        return a.merit() > b.merit();
+    return better_by_rules(a, b);
+}
+
+/// Whether all are scored, under one policy.
+template <class G>
+bool comparable(const Population<G>& population) {
+    return std::all_of(population.begin(), population.end(), [&](const auto& each) {
+        return each.fitness.known() && each.fitness.known(population.front().fitness.objective_name());
+    });
+}
+
+/// The individuals that no other betters: under several objectives the front, under one the best and its
+/// equals. Unscored and failed ones are left out.
+template <class G>
+Population<G> front_of(const Population<G>& population) {
+    Population<G> scored;
+    for (const auto& individual : population)
+        if (individual.fitness.known() && !individual.fitness.has_failed())
+            scored.push_back(individual);
+    const std::vector<double> worth = merits(scored);
+    const bool several = !scored.empty() && scored.front().fitness.several();
+    const double most = worth.empty() ? 0 : *std::max_element(worth.begin(), worth.end());
+    const double least = several ? std::min(0.0, most) : most; // ranks of the first front are 0 and more
+    Population<G> front;
+    for (std::size_t i = 0; i < scored.size(); ++i)
+        if (worth[i] >= least)
+            front.push_back(std::move(scored[i]));
+    return front;
+}
+
+} // namespace ga

@@ -1,0 +1,239 @@
+#pragma once
+
+#include "ga/base/errors.hpp"
+#include "ga/problem/fingerprint.hpp"
+
+#include <concepts>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace ga {
+
+/// One reading of an evaluation's outcome. A pure function; NaN, infinity or an exception marks the
+/// individual as failed.
+template <class Outcome>
+struct Objective {
+    std::string name;                              ///< as pipelines call it
+    std::function<double(const Outcome&)> fitness; ///< of an outcome
+    bool minimise = false;                         ///< less is better; otherwise greater is
+};
+
+/// All that ga knows of a domain: a genome, the one paid call `evaluate` (pure: called from several threads
+/// at once, its outcome is remembered; it may throw), and the objectives that read its outcome.
+/// objectives().front() is the one `score()` takes; there is at least one.
+template <class P>
+concept Problem = requires(const P& problem, const typename P::Genome& genome) {
+    requires std::copyable<typename P::Genome>;
+    requires std::copyable<typename P::Outcome>;
+    { problem.evaluate(genome) } -> std::same_as<typename P::Outcome>;
+    { problem.objectives() } -> std::same_as<const std::vector<Objective<typename P::Outcome>>&>;
+};
+
+/// Optional: the bytes that identify a genome, where ga cannot read its bits or where several genomes have
+/// one outcome.
+template <class P>
+concept Keyed = requires(const P& problem, const typename P::Genome& genome) {
+    { problem.key(genome) } -> std::convertible_to<std::string>;
+};
+
+/// Optional: the final form of a genome once it is evaluated; `score` puts it in the genome's place. It must
+/// have the genome's own key, so that forgetting an outcome never changes a result.
+template <class P>
+concept Settling = requires(const P& problem, const typename P::Genome& genome,
+                            const typename P::Outcome& outcome) {
+    { problem.settled(genome, outcome) } -> std::same_as<typename P::Genome>;
+};
+
+/// Optional: a genome as a vector of real genes, and back.
+template <class P>
+concept ConvertsGenes = requires(const P& problem, const typename P::Genome& genome,
+                                 const std::vector<double>& genes) {
+    { problem.genes(genome) } -> std::same_as<std::vector<double>>;
+    { problem.with_genes(genome, genes) } -> std::same_as<typename P::Genome>;
+};
+
+/// A problem with real genes: it converts its genomes, or they are vectors of double themselves.
+template <class P>
+concept HasGenes = ConvertsGenes<P> || std::same_as<typename P::Genome, std::vector<double>>;
+
+/// The genome's genes by the problem's `genes`, or the genome itself where it is a vector of numbers.
+template <HasGenes P>
+std::vector<double> genes_of(const P& problem, const typename P::Genome& genome) {
+    if constexpr (ConvertsGenes<P>)
+        return problem.genes(genome);
+    else
+        return genome;
+}
+/// The genome with its genes replaced: undoes genes_of.
+template <HasGenes P>
+typename P::Genome with_genes(const P& problem, const typename P::Genome& genome, std::vector<double> genes) {
+    if constexpr (ConvertsGenes<P>)
+        return problem.with_genes(genome, genes);
+    else
+        return genes;
+}
+
+/// Residuals and their derivatives; complete in ga/refinement/sensitivity.hpp, for those who refine.
+struct Sensitivity;
+
+/// Optional: the one derivative from which `refine` builds every form (squares, minimax, or a domain's own).
+template <class P>
+concept Sensitive = HasGenes<P> &&
+    requires(const P& problem, const typename P::Genome& genome, const std::string& objective) {
+    { problem.sensitivity(genome, objective) } -> std::same_as<Sensitivity>;
+};
+
+/// Optional: the fitness's derivatives with respect to all genes.
+template <class P>
+concept Differentiable = HasGenes<P> &&
+    requires(const P& problem, const typename P::Genome& genome, const std::string& objective) {
+    { problem.gradient(genome, objective) } -> std::same_as<std::vector<double>>;
+};
+
+/// Optional: by how much an outcome violates the problem's constraints, all together; 0 or less where it
+/// holds them. Individuals are then compared by Deb's rules (2000): one that holds them before one that does
+/// not, less violation before more, then the fitness.
+template <class P>
+concept Constrained = requires(const P& problem, const typename P::Outcome& outcome) {
+    { problem.violation(outcome) } -> std::convertible_to<double>;
+};
+
+/// Optional: the bytes an outcome takes in memory, where it owns more than itself.
+template <class P>
+concept Weighed = requires(const P& problem, const typename P::Outcome& outcome) {
+    { problem.bytes(outcome) } -> std::convertible_to<std::size_t>;
+};
+
+/// A gene that may move, between its bounds.
+struct Variable {
+    std::size_t gene; ///< index into the problem's genes
+    double lower;     ///< in the gene's unit
+    double upper;     ///< no less than `lower`
+};
+
+/// Which genes of a genome may move, and how far: a named choice that refinement takes.
+template <class G>
+struct Variables {
+    std::string name;                                  ///< as pipelines call it: "genes=NAME"
+    std::function<std::vector<Variable>(const G&)> of; ///< of a genome
+};
+
+/// Optional: genes that operators may move with their bounds, in order; refinement's choice called `all`. It
+/// may return a reference.
+template <class P>
+concept Bounded = requires(const P& problem, const typename P::Genome& genome) {
+    { problem.bounds(genome) } -> std::convertible_to<const std::vector<Variable>&>;
+};
+
+/// The problem's bounds. Throws UsageError where they are not in the order of genes, each once, or a lower
+/// one is above the upper.
+template <Bounded P>
+decltype(auto) checked_bounds(const P& problem, const typename P::Genome& genome) {
+    decltype(auto) all = problem.bounds(genome);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (!(all[i].lower <= all[i].upper) || (i > 0 && all[i].gene <= all[i - 1].gene))
+            throw UsageError("the problem's bounds: number " + std::to_string(i + 1) + " is of gene " +
+                             std::to_string(all[i].gene) + ", " + std::to_string(all[i].lower) + " to " +
+                             std::to_string(all[i].upper) +
+                             "; expected genes in ascending order and no lower "
+                             "bound above the upper");
+    return all;
+}
+
+/// Optional: a new genome drawn at random.
+template <class P>
+concept Sampled = requires(const P& problem, Stream& stream) {
+    { problem.sample(stream) } -> std::same_as<typename P::Genome>;
+};
+
+/// Optional: a problem's own mutation of each gene with probability `rate`; true when one changed.
+template <class P>
+concept MutatesItself = requires(const P& problem, typename P::Genome& genome, double rate, Stream& stream) {
+    { problem.mutate(genome, rate, stream) } -> std::same_as<bool>;
+};
+
+/// Optional: a problem's own uniform cross-over.
+template <class P>
+concept CrossesUniformly = requires(const P& problem, typename P::Genome& genome, Stream& stream) {
+    problem.cross_uniform(genome, genome, stream);
+};
+
+/// Optional: a problem's own cross-over at points, where genomes are more than positions.
+template <class P>
+concept CrossesAtPoints = requires(const P& problem, typename P::Genome& genome, std::size_t n,
+                                   Stream& stream) {
+    problem.cross_points(genome, genome, n, stream);
+};
+
+/// Optional: how far apart two genomes are, 0 for equal ones, the same both ways.
+template <class P>
+concept Measured = requires(const P& problem, const typename P::Genome& genome) {
+    { problem.distance(genome, genome) } -> std::convertible_to<double>;
+};
+
+/// A feature of a genome that costs nothing to compare with an evaluation, by which surfaces, shapes or
+/// programs of the same worth may differ. A pure function; called from several threads.
+template <class G>
+struct Descriptor {
+    std::string name;                   ///< as pipelines call it
+    std::function<double(const G&)> of; ///< of a genome
+    double lower;                       ///< of the range that is divided into cells
+    double upper;                       ///< of that range, above `lower`
+    /// Its derivatives with respect to all genes; where there is none, differences stand for them.
+    std::function<std::vector<double>(const G&)> gradient = {};
+};
+
+/// Optional: features by which genomes differ, for `map-elites` and `emit`.
+template <class P>
+concept Describing = requires(const P& problem) {
+    { problem.descriptors() } -> std::same_as<const std::vector<Descriptor<typename P::Genome>>&>;
+};
+
+/// Whether a member pointer's or a static member's type is a function's.
+template <class Member>
+constexpr bool is_function_member =
+    std::is_member_function_pointer_v<Member> || std::is_function_v<std::remove_pointer_t<Member>>;
+
+/// A compile-time error that names a member which is there but does not fit its concept, as a misspelt
+/// signature would otherwise be passed over. Overloaded and templated members cannot be seen.
+template <class P>
+constexpr bool members_fit() {
+#define GA_MEMBER_FITS(member, Concept)                                                                      \
+    if constexpr (requires { &P::member; })                                                                  \
+        if constexpr (is_function_member<decltype(&P::member)>)                                              \
+            static_assert(Concept<P>,                                                                        \
+                          "the problem's member '" #member "' has another signature than " #Concept          \
+                          " (ga/problem/problem.hpp) asks for");
+    GA_MEMBER_FITS(key, Keyed)
+    GA_MEMBER_FITS(settled, Settling)
+    GA_MEMBER_FITS(genes, ConvertsGenes)
+    GA_MEMBER_FITS(with_genes, ConvertsGenes)
+    GA_MEMBER_FITS(sensitivity, Sensitive)
+    GA_MEMBER_FITS(gradient, Differentiable)
+    GA_MEMBER_FITS(bounds, Bounded)
+    GA_MEMBER_FITS(sample, Sampled)
+    GA_MEMBER_FITS(violation, Constrained)
+    GA_MEMBER_FITS(bytes, Weighed)
+    GA_MEMBER_FITS(mutate, MutatesItself)
+    GA_MEMBER_FITS(cross_uniform, CrossesUniformly)
+    GA_MEMBER_FITS(cross_points, CrossesAtPoints)
+    GA_MEMBER_FITS(distance, Measured)
+    GA_MEMBER_FITS(descriptors, Describing)
+#undef GA_MEMBER_FITS
+    return true;
+}
+
+/// The identity under which the genome's outcome is remembered.
+template <Problem P>
+Fingerprint identify(const P& problem, const typename P::Genome& genome) {
+    if constexpr (Keyed<P>)
+        return fingerprint(std::string_view(problem.key(genome)));
+    else
+        return fingerprint(genome);
+}
+
+} // namespace ga

@@ -1,0 +1,156 @@
+#pragma once
+
+#include "ga/base/budget.hpp"
+#include "ga/base/errors.hpp"
+#include "ga/base/parallel.hpp"
+#include "ga/problem/problem.hpp"
+#include "ga/run/memory.hpp"
+
+#include <span>
+
+namespace ga {
+
+/// One outcome to be found: a genome, and the place for its outcome or for the reason that it has none.
+template <Problem P>
+struct Call {
+    const typename P::Genome* genome;        ///< to be evaluated
+    Evaluation<typename P::Outcome>* answer; ///< left as it is when the run must end first
+};
+
+/// One derivative to be found: of residuals (for a problem with `sensitivity`) or of the fitness (with
+/// `gradient`). Answered by one of the three.
+template <Problem P>
+struct Slope {
+    typename P::Genome genome;                      ///< where
+    Name objective;                                 ///< of which objective
+    bool of_residuals = true;                       ///< otherwise of the fitness
+    std::shared_ptr<const Sensitivity> sensitivity; ///< residuals and their derivatives
+    std::vector<double> gradient;                   ///< of the fitness, one a gene
+    Reason failure;                                 ///< why there is none
+};
+
+/// The outcome or the reason that there is none: an evaluation with its failure caught. Pending where the
+/// problem itself ended it, by throwing Stopped.
+template <Problem P>
+Evaluation<typename P::Outcome> evaluated(const P& problem, const typename P::Genome& genome) {
+    try {
+        return problem.evaluate(genome);
+    } catch (const Stopped& stop) {
+        return Pending{.why = reason(stop.reason)};
+    } catch (...) {
+        return reason_caught();
+    }
+}
+/// Answers a request for a derivative by the problem's own member.
+template <Problem P>
+void differentiate(const P& problem, Slope<P>& slope) {
+    try {
+        if constexpr (Sensitive<P>)
+            if (slope.of_residuals) {
+                auto found = problem.sensitivity(slope.genome, slope.objective.text());
+                if (found.jacobian.rows() != found.residuals.size())
+                    slope.failure =
+                        reason("derivatives of " + std::to_string(found.jacobian.rows()) + " rows for " +
+                               std::to_string(found.residuals.size()) + " residuals");
+                else
+                    slope.sensitivity = std::make_shared<const decltype(found)>(std::move(found));
+            }
+        if constexpr (Differentiable<P>)
+            if (!slope.of_residuals)
+                slope.gradient = problem.gradient(slope.genome, slope.objective.text());
+    } catch (const Stopped& stop) {
+        slope.failure = reason(stop.reason);
+    } catch (...) {
+        slope.failure = reason_caught();
+    }
+}
+
+/// How the paid calls are made: here, on threads, in other processes, on other machines, by a surrogate.
+/// Replace it to make them elsewhere; what is remembered, counted and paid is the engine's, in front of it.
+/// It is asked from one thread at a time, and its answers must not depend on the order in which it makes
+/// them.
+template <Problem P>
+class Evaluator {
+  public:
+    virtual ~Evaluator() = default;
+    /// Answers the calls, or those begun before the watch expires.
+    virtual void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) = 0;
+    /// Answers requests for derivatives.
+    virtual void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch&) {
+        for (Slope<P>* slope : slopes)
+            differentiate(problem, *slope);
+    }
+    /// job(0) .. job(n-1), in no particular order: work beside evaluations.
+    virtual void each(std::size_t n, const std::function<void(std::size_t)>& job) {
+        for (std::size_t i = 0; i < n; ++i)
+            job(i);
+    }
+    virtual int threads() const { return 1; } ///< that `each` spreads over
+};
+
+/// One call after the other, on the thread that asks.
+template <Problem P>
+class Serial : public Evaluator<P> {
+  public:
+    void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) override {
+        for (Call<P>& call : calls)
+            if (!watch.expired())
+                *call.answer = evaluated(problem, *call.genome);
+    }
+};
+
+/// Calls spread over threads, each taking the next: calls of uneven cost keep every thread busy.
+template <Problem P>
+class OnThreads : public Evaluator<P> {
+  public:
+    /// On so many threads, 0 for as many as OpenMP has.
+    explicit OnThreads(int threads) : threads_(thread_count(threads)) {}
+
+    void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) override {
+        parallel_for(calls.size(), threads_, [&](std::size_t i) {
+            if (!watch.expired())
+                *calls[i].answer = evaluated(problem, *calls[i].genome);
+        });
+    }
+    void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch&) override {
+        parallel_for(slopes.size(), threads_, [&](std::size_t i) { differentiate(problem, *slopes[i]); });
+    }
+    void each(std::size_t n, const std::function<void(std::size_t)>& job) override {
+        parallel_for(n, threads_, job);
+    }
+    int threads() const override { return threads_; }
+
+  private:
+    int threads_;
+};
+
+/// Another evaluator that keeps the genomes of all calls, for tests and for looking on.
+template <Problem P>
+class Recording : public Evaluator<P> {
+  public:
+    /// Records what `by`, which must outlive it, is asked.
+    explicit Recording(Evaluator<P>& by) : by_(by) {}
+
+    std::vector<typename P::Genome> evaluated;      ///< in the order they were asked for
+    std::vector<typename P::Genome> differentiated; ///< likewise
+    std::vector<std::size_t> batches;               ///< calls a batch
+
+    void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) override {
+        batches.push_back(calls.size());
+        for (const Call<P>& call : calls)
+            evaluated.push_back(*call.genome);
+        by_.outcomes(problem, calls, watch);
+    }
+    void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch& watch) override {
+        for (const Slope<P>* slope : slopes)
+            differentiated.push_back(slope->genome);
+        by_.slopes(problem, slopes, watch);
+    }
+    void each(std::size_t n, const std::function<void(std::size_t)>& job) override { by_.each(n, job); }
+    int threads() const override { return by_.threads(); }
+
+  private:
+    Evaluator<P>& by_;
+};
+
+} // namespace ga

@@ -1,0 +1,139 @@
+#pragma once
+
+#include "ga/run/ledger.hpp"
+
+#include <condition_variable>
+#include <deque>
+#include <semaphore>
+#include <system_error>
+#include <thread>
+
+namespace ga {
+
+/// Runs job(i, door) for i = 0 .. n-1, each on a thread of its own, and serves what they ask in rounds:
+/// whenever every job that is not done waits for an answer, their inquiries go to `through` together, in the
+/// jobs' order and from the caller's thread. So searches that ask one thing at a time fill every thread of
+/// the evaluator, what two of them ask is paid once, and no bit depends on which of them was quicker. `after`
+/// is called after every round. An exception ends no other job; that of the smallest i is thrown when all are
+/// done.
+template <Problem P>
+class Rounds {
+  public:
+    /// See above.
+    template <class Job>
+    static void run(std::size_t n, Door<P>& through, Job job, const std::function<void()>& after = {}) {
+        if (n == 1)
+            return job(std::size_t{0}, through);
+        std::exception_ptr first;
+        for (std::size_t from = 0; from < n; from += at_once) {
+            Rounds rounds(std::min(at_once, n - from));
+            try {
+                rounds.go(from, through, job, after);
+            } catch (...) {
+                first = first ? first : std::current_exception();
+            }
+        }
+        if (first)
+            std::rethrow_exception(first);
+    }
+
+  private:
+    static constexpr std::size_t at_once = 64; ///< threads that wait at the same time
+
+    class Seat : public Door<P> {
+      public:
+        using Door<P>::serve;
+        void serve(std::span<Inquiry<P>* const> inquiries) override {
+            asked = inquiries;
+            rounds->wait();
+            answered.acquire();
+        }
+        Rounds* rounds = nullptr;
+        std::span<Inquiry<P>* const> asked;
+        std::binary_semaphore answered{0};
+        std::exception_ptr error;
+        bool done = false;
+    };
+
+    explicit Rounds(std::size_t n) : seats_(n), busy_(n) {
+        for (Seat& seat : seats_)
+            seat.rounds = this;
+    }
+
+    /// One job less is busy.
+    void wait() {
+        const std::lock_guard lock(guard_);
+        if (--busy_ == 0)
+            all_wait_.notify_one();
+    }
+
+    template <class Job>
+    void go(std::size_t from, Door<P>& through, Job& job, const std::function<void()>& after) {
+        std::vector<std::thread> threads;
+        const auto work = [&](std::size_t i) {
+            return [&, i] {
+                Seat& seat = seats_[i];
+                try {
+                    job(from + i, static_cast<Door<P>&>(seat));
+                } catch (...) {
+                    seat.error = std::current_exception();
+                }
+                seat.done = true;
+                wait();
+            };
+        };
+        for (std::size_t i = 0; i < seats_.size(); ++i)
+            try {
+                threads.emplace_back(work(i));
+            } catch (const std::system_error&) {
+                seats_[i].error = std::make_exception_ptr(
+                    UsageError("the system gives no thread for search " + std::to_string(from + i + 1) +
+                               " of those that run side by side; expected fewer islands or more memory"));
+                seats_[i].done = true;
+                wait();
+            }
+        while (one_round(through, after)) {
+        }
+        for (std::thread& thread : threads)
+            thread.join();
+        for (const Seat& seat : seats_)
+            if (seat.error)
+                std::rethrow_exception(seat.error);
+    }
+
+    bool one_round(Door<P>& through, const std::function<void()>& after) {
+        std::unique_lock lock(guard_);
+        all_wait_.wait(lock, [&] { return busy_ == 0; });
+        std::vector<Inquiry<P>*> all;
+        std::vector<Seat*> waiting;
+        for (Seat& seat : seats_)
+            if (!seat.done) {
+                waiting.push_back(&seat);
+                all.insert(all.end(), seat.asked.begin(), seat.asked.end());
+            }
+        if (waiting.empty())
+            return false;
+        lock.unlock();
+        try {
+            through.serve(std::span<Inquiry<P>* const>(all));
+            if (after)
+                after();
+        } catch (...) {
+            for (Inquiry<P>* inquiry : all)
+                inquiry->error = std::current_exception();
+        }
+        lock.lock();
+        busy_ = waiting.size();
+        lock.unlock();
+        for (Seat* seat : waiting)
+            seat->answered.release();
+        return true;
+    }
+
+    std::deque<Seat> seats_;
+    std::mutex guard_;
+    std::condition_variable all_wait_;
+    std::size_t busy_;
+};
+
+} // namespace ga
