@@ -18,7 +18,7 @@ Response respond(const Genome& genome, const Model& given) {
         return respond_within(genome, model, model.accuracy).response;
     const Profile profile = sample(genome, model.grid);
     expect_waves(genome, profile);
-    return respond(profile, model);
+    return respond(profile, model.body, model.loading, model.contact);
 }
 
 } // namespace rough

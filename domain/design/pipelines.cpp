@@ -186,7 +186,7 @@ Pipeline corrected(const Pipeline& body) {
 Pipeline within_limits(const Pipeline& body) {
     ga::Step<DesignProblem> step;
     step.text = "within-limits { " + body.text() + " }";
-    step.check = [body](ga::Known& known) {
+    step.check = [body](ga::CheckState& known) {
         body.check(known);
         body.check_end(known);
     };

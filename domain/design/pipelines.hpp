@@ -20,7 +20,7 @@ struct Shape : ga::Operator {
     static void describe(auto& self, auto visit) {
         visit(self.n, ga::whole("n", std::nullopt, 1, "how many"));
     }
-    void check(ga::Known& known) const { known.scored.reset(); }
+    void check(ga::CheckState& known) const { known.scored.reset(); }
 
     ga::Population<Genome> operator()(ga::Population<Genome> population,
                                       ga::Context<DesignProblem>& context) const;
@@ -44,7 +44,7 @@ struct Own : ga::Operator {
     static void describe(auto& self, auto visit) {
         visit(self.n, ga::whole("n", std::nullopt, 1, "how many"));
     }
-    void check(ga::Known& known) const { known.scored.reset(); }
+    void check(ga::CheckState& known) const { known.scored.reset(); }
 
     ga::Population<Genome> operator()(ga::Population<Genome> population,
                                       ga::Context<DesignProblem>& context) const;

@@ -12,8 +12,8 @@ template class ga::Parser<rough::DesignProblem>;
 template ga::Result<rough::Genome> ga::run(const rough::Pipeline&, const rough::DesignProblem&,
                                            ga::Population<rough::Genome>, const ga::RunOptions&,
                                            std::vector<ga::Observer<rough::Genome>>,
-                                           ga::Keeper<rough::DesignProblem>*);
+                                           ga::Checkpointer<rough::DesignProblem>*);
 template ga::Result<rough::Genome> ga::run_by(ga::Evaluator<rough::DesignProblem>&, const rough::Pipeline&,
                                               const rough::DesignProblem&, ga::Population<rough::Genome>,
                                               const ga::RunOptions&, std::vector<ga::Observer<rough::Genome>>,
-                                              ga::Keeper<rough::DesignProblem>*);
+                                              ga::Checkpointer<rough::DesignProblem>*);

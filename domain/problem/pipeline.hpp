@@ -20,10 +20,10 @@ extern template class ga::Parser<rough::DesignProblem>;
 extern template ga::Result<rough::Genome> ga::run(const rough::Pipeline&, const rough::DesignProblem&,
                                                   ga::Population<rough::Genome>, const ga::RunOptions&,
                                                   std::vector<ga::Observer<rough::Genome>>,
-                                                  ga::Keeper<rough::DesignProblem>*);
+                                                  ga::Checkpointer<rough::DesignProblem>*);
 extern template ga::Result<rough::Genome> ga::run_by(ga::Evaluator<rough::DesignProblem>&,
                                                      const rough::Pipeline&, const rough::DesignProblem&,
                                                      ga::Population<rough::Genome>, const ga::RunOptions&,
                                                      std::vector<ga::Observer<rough::Genome>>,
-                                                     ga::Keeper<rough::DesignProblem>*);
+                                                     ga::Checkpointer<rough::DesignProblem>*);
 /// @endcond

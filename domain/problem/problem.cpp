@@ -33,14 +33,19 @@ double stiffest_of(Model model) {
     return stiffness_limits(model).most;
 }
 
-/// The work's result; that it was stopped says nothing about a genome.
+/// That a solution was stopped says nothing about a genome.
+void throw_if_stopped(const ContactOptions& contact) {
+    if (is_stopped(contact))
+        throw ga::Stopped{"stop requested"};
+}
+
+/// The work's result, or Stopped where the set-up's stop ended it.
 template <class Work>
 auto unless_stopped(const ContactOptions& contact, Work work) {
     try {
         return work();
     } catch (const NotConverged&) {
-        if (is_stopped(contact))
-            throw ga::Stopped{"stop requested"};
+        throw_if_stopped(contact);
         throw;
     }
 }
@@ -94,8 +99,12 @@ DesignOutcome DesignProblem::evaluate(const Genome& genome) const {
     if (memory_)
         if (auto known = memory_->find(key(genome)))
             return of_responses(genome, std::move(*known));
-    return of_responses(genome, unless_stopped(setup_->model.contact,
-                                               [&] { return pressed(*setup_, genome, setup_->model); }));
+    try {
+        return of_responses(genome, pressed(*setup_, genome, setup_->model));
+    } catch (const NotConverged&) {
+        throw_if_stopped(setup_->model.contact);
+        throw;
+    }
 }
 
 DesignOutcome DesignProblem::of_responses(const Genome& genome, std::vector<Response> responses) const {

@@ -57,7 +57,7 @@ struct CmaEs : Operator {
             throw UsageError("stage 'cma-es': population is '1'; expected 0, or 2 at least");
         check_values(*this, words().name);
     }
-    void check(Known& known) const {
+    void check(CheckState& known) const {
         known.need_repetition(text_of(*this));
         known.need_one_objective(text_of(*this));
         known.scored.reset();

@@ -84,7 +84,7 @@ struct DifferentialEvolution : Operator {
             throw UsageError("stage 'de': crossing is '" + crossing + "'; expected bin or exp");
         check_values(*this, words().name);
     }
-    void check(Known& known) const {
+    void check(CheckState& known) const {
         known.need_score(text_of(*this));
         known.scored.reset();
     }
@@ -137,7 +137,7 @@ struct Duel : Operator {
     }
     static void describe(auto&, auto) {}
     std::size_t reads_of_start() const { return everyone; }
-    void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
+    void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {

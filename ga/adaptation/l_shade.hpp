@@ -101,7 +101,7 @@ struct LShade : Operator {
               number("archive", "2.6", 0, 100, "beaten parents kept, in populations").keyed().quiet());
         visit(self.p, number("p", "0.11", above_zero, 1, "share of the best to go towards").keyed().quiet());
     }
-    void check(Known& known) const {
+    void check(CheckState& known) const {
         known.need_repetition(text_of(*this));
         known.need_one_objective(text_of(*this));
         known.scored.reset();

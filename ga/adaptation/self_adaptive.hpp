@@ -39,7 +39,7 @@ struct SelfAdaptive : Operator {
             throw UsageError("stage 'self-adaptive': steps is '" + steps + "'; expected each or one");
         check_values(*this, words().name);
     }
-    void check(Known& known) const {
+    void check(CheckState& known) const {
         known.need_repetition(text_of(*this));
         known.scored.reset();
     }

@@ -16,7 +16,7 @@ PopulationOf<P> run_derived(const Stage<P>& body, const P& problem, PopulationOf
     ledger.counters = books.counters;
     Context<P> inside(context, ledger);
     Frame<typename P::Genome> outermost;
-    inside.kept.loops.push_back(&outermost);
+    inside.state.loops.push_back(&outermost);
     const auto unscored = [](PopulationOf<P> all) {
         for (auto& individual : all)
             individual.fitness = {};
@@ -24,9 +24,9 @@ PopulationOf<P> run_derived(const Stage<P>& body, const P& problem, PopulationOf
     };
     const auto book = [&] {
         books.counters = ledger.counters;
-        context.kept.next_identity = inside.kept.next_identity;
-        for (const std::string& note : inside.kept.notes())
-            context.kept.note(note);
+        context.state.next_identity = inside.state.next_identity;
+        for (const std::string& note : inside.state.notes())
+            context.state.note(note);
     };
     try {
         population = body(unscored(std::move(population)), inside);
@@ -46,10 +46,10 @@ Step<P> derived_step(const std::string& name, Stage<P> body, Change change) {
     const auto stages = std::make_shared<const Stage<P>>(std::move(body));
     Step<P> step;
     step.text = name + " { " + stages->text() + " }";
-    step.check = [stages, name](Known& known) {
+    step.check = [stages, name](CheckState& known) {
         if (known.on_islands)
             throw UsageError("stage '" + name + "' cannot run on islands; expected it before or after them");
-        Known inside = known;
+        CheckState inside = known;
         inside.scored.reset();
         stages->check(inside);
         known.scored.reset();

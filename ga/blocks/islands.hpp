@@ -40,9 +40,9 @@ struct Islands : Operator {
                                  " rounds=" + std::to_string(migration.rounds) +
                                  " migrants=" + std::to_string(migration.migrants);
         return {name + " { " + stages->text() + " }",
-                [stages, name, migration = migration](Known& known) {
+                [stages, name, migration = migration](CheckState& known) {
                     const bool on_islands = std::exchange(known.on_islands, true);
-                    check_generation(*stages, name, known, [&](const Known& inside) {
+                    check_generation(*stages, name, known, [&](const CheckState& inside) {
                         if (migration.migrants > 0)
                             inside.need_score(name);
                     });
@@ -57,7 +57,7 @@ struct Islands : Operator {
     template <Problem P, class G = typename P::Genome>
     [[gnu::cold]] static Population<G> evolve(Population<G> population, const Stage<P>& body, std::size_t n,
                                               const Migration& migration, Context<P>& context) {
-        typename Context<P>::OpenFrame frame(context.kept, {});
+        typename Context<P>::OpenFrame frame(context.state, {});
         if (!frame.resumed()) {
             if (population.size() < n)
                 throw NothingLeft(context.path() + ": " + std::to_string(population.size()) +
@@ -76,7 +76,7 @@ struct Islands : Operator {
             try {
                 context.pause();
             } catch (const Stopped&) {
-                context.kept.in_hand = joined(frame->kept);
+                context.state.in_hand = joined(frame->kept);
                 throw;
             }
         }
@@ -86,7 +86,7 @@ struct Islands : Operator {
     /// One generation of every island, each on a thread of its own.
     template <Problem P, class G = typename P::Genome>
     [[gnu::cold]] static void run_round(Frame<G>& frame, const Stage<P>& body, Context<P>& context) {
-        const std::size_t n = frame.kept.size(), depth = context.kept.frames.size() - 1;
+        const std::size_t n = frame.kept.size(), depth = context.state.frames.size() - 1;
         Snapshot<G> before;
         if (context.is_kept())
             before = context.snapshot();
@@ -99,24 +99,24 @@ struct Islands : Operator {
         try {
             Rounds<P>::run(
                 n, context.door(),
-                [&](std::size_t i, Door<P>& door) {
+                [&](std::size_t i, EvaluationQueue<P>& door) {
                     Context<P>& own = islands[i].emplace(context, door, i, n);
-                    own.kept.loops.push_back(&loops[i]);
+                    own.state.loops.push_back(&loops[i]);
                     Population<G>& population = frame.kept[i];
                     const auto start = start_of_generation(population, body.reads_of_start());
-                    const typename Context<P>::Generation generation(own.where, frame.next, start);
-                    const typename Context<P>::Scope scope(own.where, Name(name_of(i)), 0);
+                    const typename Context<P>::Generation generation(own.position, frame.next, start);
+                    const typename Context<P>::Scope scope(own.position, Name(name_of(i)), 0);
                     try {
                         population = body(std::move(population), own);
                     } catch (const Stopped&) {
                         population =
-                            joined_with(start, own.kept.in_hand ? *own.kept.in_hand : Population<G>());
+                            joined_with(start, own.state.in_hand ? *own.state.in_hand : Population<G>());
                         throw;
                     }
                 },
                 [&] { context.keep_as(before); });
         } catch (const Stopped&) {
-            context.kept.in_hand = joined(frame.kept);
+            context.state.in_hand = joined(frame.kept);
             if (context.is_kept()) {
                 frame = *std::next(before.frames.begin(), static_cast<long>(depth));
                 context.keep_stopped(before);
@@ -128,15 +128,15 @@ struct Islands : Operator {
                 frame.states[path] = std::move(state);
         Identity given = 0; // at most, by one island
         for (std::size_t i = 0; i < n; ++i)
-            given = std::max(given, (islands[i]->kept.next_identity - context.kept.next_identity -
-                                     i * context.kept.identity_step) /
-                                        islands[i]->kept.identity_step);
-        context.kept.next_identity += given * n * context.kept.identity_step;
+            given = std::max(given, (islands[i]->state.next_identity - context.state.next_identity -
+                                     i * context.state.identity_step) /
+                                        islands[i]->state.identity_step);
+        context.state.next_identity += given * n * context.state.identity_step;
         try {
             for (auto& island : islands)
                 context.show_again(*island);
         } catch (const Stopped&) { // an observer has seen enough
-            context.kept.in_hand = joined(frame.kept);
+            context.state.in_hand = joined(frame.kept);
             throw;
         }
     }

@@ -31,25 +31,25 @@ struct Pair : Operator {
                    on_right = std::make_shared<const Stage<P>>(right);
         const Name left_name(std::string("left")), right_name(std::string("right"));
         return {"pair(" + on_left->text() + ", " + on_right->text() + ", " + combine.name + ")",
-                [=](Known& known) {
-                    Known other = known;
+                [=](CheckState& known) {
+                    CheckState other = known;
                     on_left->check(known);
                     on_right->check(other);
                     known.scored.reset();
                 },
                 [=, combine = combine](Population<G> population, Context<P>& context) {
-                    typename Context<P>::OpenFrame frame(context.kept, {});
+                    typename Context<P>::OpenFrame frame(context.state, {});
                     if (!frame.resumed())
                         frame->kept = {std::move(population), {}};
                     expect_fit(frame->kept.size() == 2);
                     if (frame->next == 0) {
-                        const typename Context<P>::Scope scope(context.where, left_name, 0);
+                        const typename Context<P>::Scope scope(context.position, left_name, 0);
                         frame->kept[1] = (*on_left)(frame->kept[0], context);
                         frame->next = 1;
                     }
                     Population<G> others;
                     {
-                        const typename Context<P>::Scope scope(context.where, right_name, 0);
+                        const typename Context<P>::Scope scope(context.position, right_name, 0);
                         others = (*on_right)(frame->kept[0], context);
                     }
                     return children(frame->kept[1], others, combine, context);

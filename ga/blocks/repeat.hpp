@@ -23,7 +23,7 @@ class GenerationsStep {
         const auto block = std::make_shared<const GenerationsStep>(std::move(body), std::move(rules), name);
         Step<P> step;
         step.text = name + " { " + block->body_.text() + " }";
-        step.check = [block](Known& known) { block->check(known); };
+        step.check = [block](CheckState& known) { block->check(known); };
         step.apply = [block](Population<G> population, Context<P>& context) {
             return block->run(std::move(population), context);
         };
@@ -37,8 +37,8 @@ class GenerationsStep {
           reads_(body_.reads_of_start()) {}
 
   private:
-    [[gnu::cold]] void check(Known& known) const {
-        check_generation(body_, name_, known, [&](const Known& inside) {
+    [[gnu::cold]] void check(CheckState& known) const {
+        check_generation(body_, name_, known, [&](const CheckState& inside) {
             for (const Rule<G>& rule : rules_)
                 if (rule.check)
                     rule.check(inside, name_);
@@ -46,7 +46,7 @@ class GenerationsStep {
     }
 
     Population<G> run(Population<G> population, Context<P>& context) const {
-        typename Context<P>::OpenFrame frame(context.kept, std::move(population), true);
+        typename Context<P>::OpenFrame frame(context.state, std::move(population), true);
         enum { asked, seconds, asked_last, moved }; // the block's own numbers
         auto& numbers = frame->numbers;             // its own, what it knows of improvement, and each rule's
         if (!frame.resumed()) {
@@ -78,11 +78,11 @@ class GenerationsStep {
             for (bool inside = frame.resumed(); inside || !ended(); inside = false, ++frame->next) {
                 if (!inside)
                     frame->kept = {start_of_generation(frame->population, reads_)};
-                const typename Context<P>::Generation generation(context.where, frame->next, frame->kept[0]);
+                const typename Context<P>::Generation generation(context.position, frame->next, frame->kept[0]);
                 frame->population = body_(std::move(frame->population), context);
             }
         } catch (const Stopped&) {
-            auto& in_hand = context.kept.in_hand;
+            auto& in_hand = context.state.in_hand;
             if (in_hand && !frame->kept.empty())
                 in_hand = joined_with(frame->kept[0], std::move(*in_hand));
             throw;

@@ -23,7 +23,7 @@ struct Restarts : Operator {
         using G = typename P::Genome;
         const auto stages = std::make_shared<const Stage<P>>(body);
         return {"restarts " + std::to_string(n) + " { " + stages->text() + " }",
-                [stages](Known& known) { stages->check(known); },
+                [stages](CheckState& known) { stages->check(known); },
                 [stages, n = n](Population<G> population, Context<P>& context) {
                     return again(std::move(population), *stages, n, context);
                 },
@@ -34,13 +34,13 @@ struct Restarts : Operator {
     template <Problem P, class G = typename P::Genome>
     [[gnu::cold]] static Population<G> again(Population<G> population, const Stage<P>& stages, std::size_t n,
                                              Context<P>& context) {
-        typename Context<P>::OpenFrame frame(context.kept, {}, true);
+        typename Context<P>::OpenFrame frame(context.state, {}, true);
         if (!frame.resumed())
             frame->kept = {std::move(population), {}}; // the start, and the answers so far
         expect_fit(frame->kept.size() == 2);
         try {
             for (; frame->next < n; ++frame->next) {
-                const typename Context<P>::Round round(context.where, frame->next);
+                const typename Context<P>::Round round(context.position, frame->next);
                 for (auto& each : stages(frame->kept[0], context))
                     frame->kept[1].push_back(std::move(each));
                 frame->states.clear();
@@ -48,7 +48,7 @@ struct Restarts : Operator {
                                   frame->kept[1].empty() ? nullptr : &frame->kept[1].front().genome);
             }
         } catch (const Stopped&) {
-            auto& in_hand = context.kept.in_hand;
+            auto& in_hand = context.state.in_hand;
             in_hand = joined_with(frame->kept[1], in_hand ? std::move(*in_hand) : Population<G>());
             throw;
         }

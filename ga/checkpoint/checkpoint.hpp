@@ -137,7 +137,7 @@ concept Storable = requires(const json& j, const Outcome& outcome) {
 /// process, reaches the very result of one that was never interrupted. A file that cannot be written ends no
 /// run: its notes say so. Genomes must convert to and from nlohmann::json without loss.
 template <Problem P>
-class Checkpoints : public Keeper<P> {
+class Checkpoints : public Checkpointer<P> {
   public:
     using Genome = typename P::Genome;   ///< kept as json
     using Outcome = typename P::Outcome; ///< kept where it converts to json

@@ -21,7 +21,7 @@ struct Clearing : Operator {
                                   "of a niche: rms of genes in widths, or share of bits that differ"));
         visit(self.capacity, whole("capacity", "1", 1, "how many a niche holds").keyed().quiet());
     }
-    void check(Known& known) const { known.need_score(text_of(*this)); }
+    void check(CheckState& known) const { known.need_score(text_of(*this)); }
 
     template <Problem P>
     requires HasDistance<P> PopulationOf<P>

@@ -21,7 +21,7 @@ struct Crowding : Operator {
     }
     static void describe(auto&, auto) {}
     std::size_t reads_of_start() const { return everyone; }
-    void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
+    void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
     requires HasDistance<P> PopulationOf<P>

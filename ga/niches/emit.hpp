@@ -28,7 +28,7 @@ struct Emit : Operator {
         visit(self.sigma,
               number("sigma", "0.1", above_zero, no_limit, "length of a step, in widths").keyed());
     }
-    void check(Known& known) const {
+    void check(CheckState& known) const {
         known.need_one_objective(text_of(*this));
         known.scored.reset();
     }
@@ -53,7 +53,7 @@ struct Emit : Operator {
             if (context.watch().expired()) // perhaps without having found them all
                 throw Stopped{context.watch().reason()};
         } catch (const Stopped&) {
-            context.kept.in_hand = std::move(population);
+            context.state.in_hand = std::move(population);
             throw;
         }
         Population<G> fresh = context.gather(std::move(population), chosen);
@@ -105,7 +105,7 @@ struct Emit : Operator {
                 const auto& each = population[i];
                 slopes.push_back({each.genome, each.fitness.objective_name(), Sensitive<P>, {}, {}, {}});
             }
-            Inquiry<P> inquiry;
+            EvaluationRequest<P> inquiry;
             for (auto& slope : slopes)
                 inquiry.slopes.push_back(&slope);
             context.door().serve(inquiry);

@@ -26,7 +26,7 @@ struct MapElites : Operator {
         visit(self.cells, whole("cells", "10", 1, "of each descriptor").up_to(1e6).keyed().quiet());
     }
     std::size_t reads_of_start() const { return everyone; }
-    void check(Known& known) const {
+    void check(CheckState& known) const {
         known.need_comparable_start(text_of(*this));
         known.need_one_objective(text_of(*this));
     }

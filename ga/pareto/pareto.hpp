@@ -30,7 +30,7 @@ struct Pareto : Operator {
     static void describe(auto& self, auto visit) {
         visit(self.objectives, word_list("objectives", "two of the problem's or more"));
     }
-    void check(Known& known) const {
+    void check(CheckState& known) const {
         for (const auto& objective : objectives)
             known.objective(text_of(*this), objective);
         known.scored = text_of(*this);
@@ -81,7 +81,7 @@ struct Front : Operator {
     /// What every operator has (Operator).
     static Words words() { return {"front", "selection", "keeps those that none dominates, after pareto"}; }
     static void describe(auto&, auto) {}
-    void check(Known& known) const {
+    void check(CheckState& known) const {
         if (!known.several_objectives())
             throw UsageError("stage 'front' needs a population ranked by pareto; expected pareto before it");
     }

@@ -33,7 +33,7 @@ class AskTell : Evaluator<P> {
 
     /// Starts the run; the parameters are those of `run_by`. Throws UsageError when the pipeline cannot work.
     AskTell(Stage<P> pipeline, P problem, Population<Genome> population = {}, RunOptions options = {},
-            std::vector<Observer<Genome>> observers = {}, Keeper<P>* keeper = nullptr)
+            std::vector<Observer<Genome>> observers = {}, Checkpointer<P>* keeper = nullptr)
         : pipeline_(std::move(pipeline)), problem_(std::move(problem)), asked_to_stop_(options.budget.stop) {
         check(pipeline_, problem_, population);
         options.budget.stop = &stop_;

@@ -11,7 +11,7 @@ namespace ga {
 
 /// What is known of a population at a place of a pipeline before anything runs. Each stage checks what it
 /// needs and leaves what it makes known; a pipeline that cannot work is refused here, with a UsageError.
-struct Known {
+struct CheckState {
     std::vector<std::string> objectives;     ///< of the problem; the first is the default
     std::optional<std::string> scored;       ///< the policy under which every individual is scored
     bool in_generation = false;              ///< inside a repeat or until

@@ -35,7 +35,7 @@ struct Result {
 /// Throws UsageError when the pipeline cannot work on this problem and population.
 template <Problem P>
 [[gnu::cold]] void check(const Stage<P>& pipeline, const P& problem, const PopulationOf<P>& population) {
-    Known known;
+    CheckState known;
     for (const auto& objective : problem.objectives())
         known.objectives.push_back(objective.name);
     if (known.objectives.empty())
@@ -114,7 +114,7 @@ template <Problem P>
         return;
     for (auto& individual : population)
         individual.fitness = {};
-    const typename Context<P>::Scope scope(context.where, Name("given"), 0);
+    const typename Context<P>::Scope scope(context.position, Name("given"), 0);
     context.score(population, objective);
     context.show(population);
 }
@@ -123,17 +123,17 @@ template <Problem P>
 template <Problem P, class G = typename P::Genome>
 [[gnu::cold, gnu::noinline]] Result<G>
 run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Population<G> population,
-          const RunOptions& options, std::vector<Observer<G>> observers, Keeper<P>* keeper) {
+          const RunOptions& options, std::vector<Observer<G>> observers, Checkpointer<P>* keeper) {
     check(stage, problem, population);
     if constexpr (std::same_as<G, Permutation>)
         for (const auto& individual : population)
             expect_permutation(individual.genome);
     const Identity next = with_identities_unique(population);
     Ledger<P> ledger(problem, evaluator, options.memory_bytes, options.budget);
-    Context<P> context(ledger, Where<G>(options.variant, options.seed), next,
+    Context<P> context(ledger, StagePosition<G>(options.variant, options.seed), next,
                        {std::move(observers), keeper, options.population_bytes});
     Frame<G> outermost; // of states outside every loop
-    context.kept.loops.push_back(&outermost);
+    context.state.loops.push_back(&outermost);
     Result<G> result;
     try {
         std::optional<Population<G>> answer;
@@ -143,7 +143,7 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
             answer = keeper->answer();
         }
         const bool known = answer.has_value();
-        if (!known && context.kept.saved.empty())
+        if (!known && context.state.saved.empty())
             score_given(population, context);
         result.population = known ? std::move(*answer) : stage(std::move(population), context);
         ledger.expect_success();
@@ -151,8 +151,8 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
             keeper->write(context.snapshot(), ledger, &result.population);
     } catch (const Stopped& stop) {
         result.stopped = stop.reason;
-        if (context.kept.in_hand)
-            result.population = salvaged(std::move(*context.kept.in_hand));
+        if (context.state.in_hand)
+            result.population = salvaged(std::move(*context.state.in_hand));
         if (result.population.empty() && context.best())
             result.population = {*context.best()};
     }
@@ -160,7 +160,7 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
         result.front = ga::front_of(result.population);
     result.best = context.best();
     result.counters = context.counters();
-    result.notes = context.kept.notes();
+    result.notes = context.state.notes();
     if (keeper && !keeper->trouble().empty())
         result.notes.push_back(keeper->trouble());
     result.seconds = context.seconds();
@@ -176,7 +176,7 @@ template <Problem P, class Pipeline, class G = typename P::Genome>
 requires(std::convertible_to<Pipeline, Stage<P>>)
     [[gnu::cold]] Result<G> run_by(Evaluator<P>& evaluator, const Pipeline& pipeline, const P& problem,
                                    Population<G> population, const RunOptions& options = {},
-                                   std::vector<Observer<G>> observers = {}, Keeper<P>* keeper = nullptr) {
+                                   std::vector<Observer<G>> observers = {}, Checkpointer<P>* keeper = nullptr) {
     const Stage<P>& stage = pipeline;
     return run_stage(evaluator, stage, problem, std::move(population), options, std::move(observers), keeper);
 }
@@ -186,7 +186,7 @@ template <Problem P, class Pipeline, class G = typename P::Genome>
 requires(std::convertible_to<Pipeline, Stage<P>>)
     [[gnu::cold]] Result<G> run(const Pipeline& pipeline, const P& problem, Population<G> population,
                                 const RunOptions& options = {}, std::vector<Observer<G>> observers = {},
-                                Keeper<P>* keeper = nullptr) {
+                                Checkpointer<P>* keeper = nullptr) {
     OnThreads<P> threads(options.threads);
     return run_by(threads, pipeline, problem, std::move(population), options, std::move(observers), keeper);
 }

@@ -17,7 +17,7 @@ struct Score : Operator {
     static void describe(auto& self, auto visit) {
         visit(self.objective, word("objective", "", "one of the problem's; its first where none is given"));
     }
-    void check(Known& known) const { known.scored = known.objective(text_of(*this), objective); }
+    void check(CheckState& known) const { known.scored = known.objective(text_of(*this), objective); }
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {

@@ -12,7 +12,7 @@ template <Problem P>
 struct Step {
     using Genome = typename P::Genome; ///< of the problem
     std::string text;                  ///< as pipelines write it
-    std::function<void(Known&)> check; ///< what it needs and makes known
+    std::function<void(CheckState&)> check; ///< what it needs and makes known
     std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply; ///< what it does
     std::size_t reads_of_start = 0; ///< how many of the best at the start of its generation it reads
     bool begins = false;            ///< it makes a population of nothing
@@ -22,7 +22,7 @@ struct Step {
 /// An operator is a small struct with
 /// @code
 ///     words() and describe()                              from which its text follows (parameters.hpp), or text()
-///     void check(Known&) const;                           what it needs and makes known
+///     void check(CheckState&) const;                           what it needs and makes known
 ///     Population operator()(Population, Context<P>&) const;   a template over the problem P, constrained by
 ///                                                         what it uses
 /// @endcode
@@ -107,7 +107,7 @@ class Stage {
     }
 
     /// Throws UsageError when the pipeline cannot work on a population of which this is known.
-    void check(Known& known) const {
+    void check(CheckState& known) const {
         for (const auto& place : places_)
             place.located([&] {
                 if (known.nobody && !place.step.begins)
@@ -118,7 +118,7 @@ class Stage {
             });
     }
     /// Throws UsageError where the pipeline leaves the population unscored.
-    void check_end(const Known& known) const {
+    void check_end(const CheckState& known) const {
         if (!known.scored && !places_.empty())
             places_.back().located([&] {
                 throw UsageError("stage '" + places_.back().step.text +
@@ -129,7 +129,7 @@ class Stage {
     /// Sends a population through every stage, each at its own place of the context. Throws Stopped when the
     /// budget is spent, NothingLeft when a selection leaves nobody.
     Population<Genome> operator()(Population<Genome> population, Context<P>& context) const {
-        typename Context<P>::OpenFrame frame(context.kept, std::move(population));
+        typename Context<P>::OpenFrame frame(context.state, std::move(population));
         expect_fit(frame->next <= places_.size());
         try {
             while (frame->next < places_.size()) {
@@ -138,8 +138,8 @@ class Stage {
                 context.pause();
             }
         } catch (const Stopped&) {
-            if (!context.kept.in_hand)
-                context.kept.in_hand = std::move(frame->population);
+            if (!context.state.in_hand)
+                context.state.in_hand = std::move(frame->population);
             throw;
         }
         return std::move(frame->population);
@@ -185,7 +185,7 @@ class Stage {
 
     /// Keeps what is needed to go on from before the stage, if anybody keeps the run.
     static void apply(const Place& place, Frame<Genome>& frame, Context<P>& context) {
-        const typename Context<P>::Scope scope(context.where, place.name, place.ordinal);
+        const typename Context<P>::Scope scope(context.position, place.name, place.ordinal);
         if (!context.is_kept()) {
             frame.population = place.step.apply(std::move(frame.population), context);
         } else {
@@ -219,7 +219,7 @@ class Stage {
     /// An operator whose type is known no more: the compiler makes Step's functions once for all of them.
     struct AnyOperator {
         virtual ~AnyOperator() = default;
-        virtual void check(Known& known) const = 0;
+        virtual void check(CheckState& known) const = 0;
         virtual Population<Genome> apply(Population<Genome> population, Context<P>& context) const = 0;
     };
     template <class Op>
@@ -227,10 +227,10 @@ class Stage {
         Op op;
 
         explicit OneOperator(const Op& op_) : op(op_) {}
-        void check(Known& known) const override { op.check(known); }
+        void check(CheckState& known) const override { op.check(known); }
         Population<Genome> apply(Population<Genome> population, Context<P>& context) const override {
             if constexpr (requires { typename Op::State; }) {
-                HeldState& held = context.kept.loops.back()->states[context.path()];
+                HeldState& held = context.state.loops.back()->states[context.path()];
                 auto& state = held.template as<typename Op::State>();
                 const auto before = state;
                 try {
@@ -265,7 +265,7 @@ class Stage {
 
     [[gnu::cold, gnu::noinline]] Step<P>& add(std::string text, std::shared_ptr<const AnyOperator> any) {
         Step<P>& step = add(std::move(text));
-        step.check = [any](Known& known) { any->check(known); };
+        step.check = [any](CheckState& known) { any->check(known); };
         step.apply = [any](Population<Genome> population, Context<P>& context) {
             return any->apply(std::move(population), context);
         };
@@ -293,8 +293,8 @@ class Stage {
 /// Checks a body that runs generation after generation: what one leaves must suit the next. `more` looks at
 /// what is known after the first.
 template <Problem P, class More>
-[[gnu::cold]] void check_generation(const Stage<P>& body, const std::string& name, Known& known, More more) {
-    Known inside = known;
+[[gnu::cold]] void check_generation(const Stage<P>& body, const std::string& name, CheckState& known, More more) {
+    CheckState inside = known;
     inside.in_generation = true;
     inside.start_scored = known.scored;
     if (const std::size_t reads = body.reads_of_start(); reads > 0 && reads != everyone)

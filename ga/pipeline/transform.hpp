@@ -18,7 +18,7 @@ struct Transform : Operator {
     ///@{
     /// What every operator has (Operator).
     std::string text() const { return name; }
-    void check(Known& known) const { known.scored.reset(); }
+    void check(CheckState& known) const { known.scored.reset(); }
 
     template <Problem P>
     requires std::is_invocable_r_v<typename P::Genome, const Function&, const typename P::Genome&>

@@ -17,7 +17,7 @@ class Search {
 
     /// `moving` are the genes that move, `limit` the questions that may be asked. All must outlive the
     /// search.
-    Search(const P& problem, Door<P>& door, const Watch& watch, const Individual<Genome>& individual,
+    Search(const P& problem, EvaluationQueue<P>& door, const Watch& watch, const Individual<Genome>& individual,
            std::vector<Variable> moving, long limit)
         : problem_(problem), door_(door), watch_(watch), individual_(individual), moving_(std::move(moving)),
           limit_(limit), genes_(genes_of(problem, individual.genome)) {
@@ -65,7 +65,7 @@ class Search {
     const auto& objective() const { return problem_.objectives()[objective_]; }
 
     /// Asks, unless the run has to stop or all that may be asked is asked; then it stays unanswered.
-    void ask(Inquiry<P>& inquiry) {
+    void ask(EvaluationRequest<P>& inquiry) {
         if (stopped_ || asked_ >= limit_)
             return;
         ++asked_;
@@ -80,7 +80,7 @@ class Search {
     double fitness(const Eigen::VectorXd& x) {
         const Genome genome = at(x);
         double merit = -HUGE_VAL;
-        Inquiry<P> inquiry;
+        EvaluationRequest<P> inquiry;
         inquiry.questions.push_back({&genome});
         inquiry.use = [&] {
             const auto* answer = inquiry.questions.front().answer;
@@ -97,7 +97,7 @@ class Search {
     /// The slope at a point; what it has not was not found.
     Slope<P> slope(const Eigen::VectorXd& x, bool of_residuals) {
         Slope<P> slope{at(x), individual_.fitness.objective_name(), of_residuals, {}, {}, {}};
-        Inquiry<P> inquiry;
+        EvaluationRequest<P> inquiry;
         inquiry.slopes.push_back(&slope);
         ask(inquiry);
         return slope;
@@ -128,7 +128,7 @@ class Search {
     }
 
     const P& problem_;
-    Door<P>& door_;
+    EvaluationQueue<P>& door_;
     const Watch& watch_;
     const Individual<Genome>& individual_;
     std::vector<Variable> moving_;
@@ -152,7 +152,7 @@ struct Refine : Operator {
     ///@{
     /// What every operator has (Operator).
     std::string text() const { return "refine " + method.text + " genes=" + variables.name; }
-    void check(Known& known) const { known.need_one_objective(text()); }
+    void check(CheckState& known) const { known.need_one_objective(text()); }
 
     template <Problem P>
     void check_problem() const {
@@ -173,13 +173,13 @@ struct Refine : Operator {
         // What is left of the budget is shared out beforehand, after one evaluation for each answer.
         const auto count = static_cast<long>(jobs.size());
         if (context.ledger().spent(count)) {
-            context.kept.in_hand = population;
+            context.state.in_hand = population;
             throw Stopped{"evaluation budget spent"};
         }
         const long left =
             std::max(0L, context.ledger().budget().evaluations - context.counters().asked - count);
         std::vector<std::optional<G>> found(jobs.size());
-        Rounds<P>::run(jobs.size(), context.door(), [&](std::size_t i, Door<P>& door) {
+        Rounds<P>::run(jobs.size(), context.door(), [&](std::size_t i, EvaluationQueue<P>& door) {
             const auto& individual = *jobs[i];
             auto moving = variables.template on<P>(context.problem(), individual.origin ? *individual.origin
                                                                                         : individual.genome);
@@ -214,7 +214,7 @@ struct Refine : Operator {
             if (answers[i].fitness.known() && better(answers[i].fitness, jobs[i]->fitness))
                 *jobs[i] = std::move(answers[i]);
         if (stop) {
-            context.kept.in_hand = population;
+            context.state.in_hand = population;
             throw *stop;
         }
         return population;

@@ -16,7 +16,7 @@ struct Elite : Operator {
     }
     static void describe(auto& self, auto visit) { visit(self.k, whole("k", "1", 1, "how many")); }
     std::size_t reads_of_start() const { return k; }
-    void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
+    void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {

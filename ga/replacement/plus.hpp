@@ -17,7 +17,7 @@ struct Plus : Operator {
         visit(self.mu, whole("mu", "0", 0, "how many; 0 for as many as at the start").quiet());
     }
     std::size_t reads_of_start() const { return everyone; }
-    void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
+    void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
@@ -40,7 +40,7 @@ struct JoinParents : Operator {
     }
     static void describe(auto&, auto) {}
     std::size_t reads_of_start() const { return everyone; }
-    void check(Known& known) const {
+    void check(CheckState& known) const {
         known.need_generation(text_of(*this));
         if (known.scored != known.start_scored)
             known.scored.reset();
@@ -69,7 +69,7 @@ struct Steady : Operator {
     }
     static void describe(auto&, auto) {}
     std::size_t reads_of_start() const { return everyone; }
-    void check(Known& known) const { known.need_comparable_start(text_of(*this)); }
+    void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> children, Context<P>& context) const {

@@ -14,34 +14,34 @@ class Context {
   public:
     using Genome = typename P::Genome;                     ///< of the problem
     using Outcome = typename P::Outcome;                   ///< of the problem's evaluations
-    using Scope = typename Where<Genome>::Scope;           ///< see Where
-    using Round = typename Where<Genome>::Round;           ///< see Where
-    using Generation = typename Where<Genome>::Generation; ///< see Where
-    using OpenFrame = typename Kept<Genome>::OpenFrame;    ///< see Kept
+    using Scope = typename StagePosition<Genome>::Scope;           ///< see StagePosition
+    using Round = typename StagePosition<Genome>::Round;           ///< see StagePosition
+    using Generation = typename StagePosition<Genome>::Generation; ///< see StagePosition
+    using OpenFrame = typename RunState<Genome>::OpenFrame;    ///< see RunState
 
     /// How much room populations have, whom observers are, and whether `score` may leave out whom the next
     /// stage would not keep.
     struct Terms {
         std::vector<Observer<Genome>> observers = {};        ///< see Observer
-        Keeper<P>* keeper = nullptr;                         ///< none: the run is kept nowhere
+        Checkpointer<P>* keeper = nullptr;                         ///< none: the run is kept nowhere
         std::size_t population_bytes = std::size_t{1} << 30; ///< at most, for one population
     };
 
     /// The root of a run.
-    [[gnu::cold]] Context(Ledger<P>& ledger, Where<Genome> place, Identity next_identity, Terms terms)
-        : where(std::move(place)), kept(next_identity), ledger_(ledger), door_(ledger), root_(*this),
+    [[gnu::cold]] Context(Ledger<P>& ledger, StagePosition<Genome> place, Identity next_identity, Terms terms)
+        : position(std::move(place)), state(next_identity), ledger_(ledger), door_(ledger), root_(*this),
           terms_(std::move(terms)) {
         for (const auto& objective : problem().objectives())
             names_.push_back(Name(objective.name));
     }
     /// An island: it asks through `door`, gives out identities of a lane of its own, and shows observers what
     /// it did when its round is over.
-    [[gnu::cold]] Context(Context& parent, Door<P>& door, std::size_t lane, std::size_t lanes)
-        : where(parent.where), kept(parent.kept.next_identity + lane * parent.kept.identity_step,
-                                    parent.kept.identity_step * lanes),
+    [[gnu::cold]] Context(Context& parent, EvaluationQueue<P>& door, std::size_t lane, std::size_t lanes)
+        : position(parent.position), state(parent.state.next_identity + lane * parent.state.identity_step,
+                                    parent.state.identity_step * lanes),
           ledger_(parent.ledger_), door_(door), root_(parent.root_), names_(parent.names_) {
         terms_.population_bytes = parent.terms_.population_bytes;
-        kept.earlier_seconds = parent.kept.earlier_seconds;
+        state.earlier_seconds = parent.state.earlier_seconds;
         if (parent.observed())
             terms_.observers = {[this](const Event<Genome>& event) {
                 shown_.push_back(
@@ -50,10 +50,10 @@ class Context {
     }
     /// Under a problem derived from the parent's, with that one's ledger (run_derived).
     [[gnu::cold]] Context(Context& parent, Ledger<P>& ledger)
-        : where(parent.where), kept(parent.kept.next_identity, parent.kept.identity_step), ledger_(ledger),
+        : position(parent.position), state(parent.state.next_identity, parent.state.identity_step), ledger_(ledger),
           door_(ledger), root_(*this), names_(parent.names_) {
         terms_.population_bytes = parent.terms_.population_bytes;
-        kept.earlier_seconds = parent.seconds();
+        state.earlier_seconds = parent.seconds();
         if (parent.observed())
             terms_.observers = {[&parent](Event<Genome> event) {
                 event.derived = true;
@@ -63,26 +63,26 @@ class Context {
     }
     Context(const Context&) = delete;
 
-    Where<Genome> where; ///< path, random streams, generation
-    Kept<Genome> kept;   ///< frames, identities, best, notes
+    StagePosition<Genome> position; ///< path, random streams, generation
+    RunState<Genome> state;   ///< frames, identities, best, notes
 
     const P& problem() const { return ledger_.problem(); } ///< what is solved
     Ledger<P>& ledger() { return ledger_; }                ///< the engine's books
     const Ledger<P>& ledger() const { return ledger_; }    ///< the same, to read
-    Door<P>& door() { return door_; }                      ///< where everything paid is asked
+    EvaluationQueue<P>& door() { return door_; }                      ///< where everything paid is asked
     const Watch& watch() const { return ledger_.watch(); } ///< since the run began in this process
     Counters& counters() { return ledger_.counters; }      ///< paid for so far
     /// To work with beside evaluations; decides no result. One on an island.
     int threads() const { return this == &root_ ? ledger_.evaluator().threads() : 1; }
 
-    Stream stream(std::size_t index) const { return where.stream(index); } ///< see Where
-    std::string path() const { return where.path(); }                      ///< see Where
-    /// See Where.
-    const Population<Genome>& generation_start() const { return where.generation_start(); }
+    Stream stream(std::size_t index) const { return position.stream(index); } ///< see StagePosition
+    std::string path() const { return position.path(); }                      ///< see StagePosition
+    /// See StagePosition.
+    const Population<Genome>& generation_start() const { return position.generation_start(); }
 
     /// The identity of a new individual.
     Identity new_identity() {
-        return std::exchange(kept.next_identity, kept.next_identity + kept.identity_step);
+        return std::exchange(state.next_identity, state.next_identity + state.identity_step);
     }
     /// Makes an individual whose genome was changed a new, unscored one with these parents.
     void make_child(Individual<Genome>& individual, Parents parents) {
@@ -132,18 +132,18 @@ class Context {
 
     /// Remembers the individual if it is the best so far under the problem's first objective.
     void offer(const Individual<Genome>& individual) {
-        auto& best = root_.kept.best;
+        auto& best = root_.state.best;
         if (individual.fitness.known(names_[0]) && !individual.fitness.has_failed() &&
             (!best || better(individual.fitness, best->fitness)))
             best = individual;
     }
     /// None until something was scored.
-    const std::optional<Individual<Genome>>& best() const { return root_.kept.best; }
+    const std::optional<Individual<Genome>>& best() const { return root_.state.best; }
     /// The name of the problem's objective at that place.
     Name objective_name(std::size_t place) const { return names_[place]; }
 
     /// A remark for the run's result, under the path of the stage that runs.
-    void note(const std::string& text) { kept.note(path() + ": " + text); }
+    void note(const std::string& text) { state.note(path() + ": " + text); }
 
     /// Ends the run with what it has in hand where a population of so many would exceed the memory for one.
     /// Called by whoever makes a population larger, before. `like` is one of the new, where they are not like
@@ -159,7 +159,7 @@ class Context {
             each += std::ranges::size(genome) * sizeof(std::ranges::range_value_t<const Genome>);
         if (individuals <= terms_.population_bytes / each)
             return;
-        kept.in_hand = in_hand;
+        state.in_hand = in_hand;
         throw Stopped{path() + ": a population of " + std::to_string(individuals) + " exceeds the " +
                       std::to_string(terms_.population_bytes >> 20) + " MB for one"};
     }
@@ -170,7 +170,7 @@ class Context {
         if (!observed())
             return;
         const std::string here = path();
-        const std::vector<std::size_t> generation = where.generations();
+        const std::vector<std::size_t> generation = position.generations();
         for (const auto& observer : terms_.observers)
             observer({here, generation, population, ledger_.counters, seconds()});
     }
@@ -180,13 +180,13 @@ class Context {
             for (const auto& observer : terms_.observers)
                 observer({each.path, each.generation, each.population, each.counters, each.seconds});
         island.shown_.clear();
-        for (const std::string& note : island.kept.notes())
-            kept.note(note);
+        for (const std::string& note : island.state.notes())
+            state.note(note);
     }
 
     /// A moment between two stages, at which a run may end or be written down.
     void pause() {
-        if (Keeper<P>* keeper = terms_.keeper; keeper && keeper->due(seconds()))
+        if (Checkpointer<P>* keeper = terms_.keeper; keeper && keeper->due(seconds()))
             keeper->write(snapshot(), ledger_);
         if (!watch().expired())
             return;
@@ -202,34 +202,34 @@ class Context {
     }
     /// The run as it is now, between two stages, with or without the frames' populations.
     [[gnu::cold]] Snapshot<Genome> snapshot(bool with_frames = true) const {
-        return {with_frames ? kept.frames : std::list<Frame<Genome>>(),
+        return {with_frames ? state.frames : std::list<Frame<Genome>>(),
                 ledger_.counters,
-                kept.next_identity,
-                kept.best,
-                kept.notes(),
+                state.next_identity,
+                state.best,
+                state.notes(),
                 seconds(),
                 ledger_.memory().young().size()};
     }
     /// Goes on from a snapshot: blocks that open find their frames in it.
     [[gnu::cold]] void resume(Snapshot<Genome> snapshot) {
-        kept.saved = std::move(snapshot.frames);
+        state.saved = std::move(snapshot.frames);
         ledger_.counters = snapshot.counters;
-        kept.next_identity = snapshot.next_identity;
-        kept.best = std::move(snapshot.best);
-        kept.resume_notes(std::move(snapshot.notes));
-        kept.earlier_seconds = snapshot.seconds;
-        ledger_.resume(kept.best.has_value());
+        state.next_identity = snapshot.next_identity;
+        state.best = std::move(snapshot.best);
+        state.resume_notes(std::move(snapshot.notes));
+        state.earlier_seconds = snapshot.seconds;
+        ledger_.resume(state.best.has_value());
     }
     /// Hands the keeper a run that stopped inside a stage, as it was before that stage; the innermost block
     /// knows.
     [[gnu::cold]] void keep_stopped(Snapshot<Genome> before) {
         if (std::exchange(stop_kept_, true))
             return;
-        before.frames = kept.frames;
+        before.frames = state.frames;
         terms_.keeper->write(before, ledger_);
     }
     /// Since the run began, in all the processes that carried it.
-    double seconds() const { return kept.earlier_seconds + watch().seconds(); }
+    double seconds() const { return state.earlier_seconds + watch().seconds(); }
 
   private:
     struct Shown {
@@ -268,17 +268,17 @@ class Context {
         try {
             door_.serve(inquiry_);
         } catch (const Stopped&) {
-            kept.in_hand = population;
+            state.in_hand = population;
             throw;
         }
     }
 
     Ledger<P>& ledger_;
-    Door<P>& door_;
+    EvaluationQueue<P>& door_;
     Context& root_;
     Terms terms_;
     std::vector<Name> names_; ///< of the problem's objectives, same order
-    Inquiry<P> inquiry_;
+    EvaluationRequest<P> inquiry_;
     std::vector<Individual<Genome>*> asked_;
     Population<Genome> spare_;
     std::vector<Shown> shown_;

@@ -15,7 +15,7 @@ enum class Patience { none, finish };
 
 /// Questions that are answered together: outcomes of genomes, and derivatives.
 template <Problem P>
-struct Inquiry {
+struct EvaluationRequest {
     using Genome = typename P::Genome;   ///< of the problem
     using Outcome = typename P::Outcome; ///< of the problem
 
@@ -38,15 +38,15 @@ struct Inquiry {
 /// Where everything that is paid for is asked. The ledger is one; a block that works on threads of its own
 /// puts another before it.
 template <Problem P>
-class Door {
+class EvaluationQueue {
   public:
-    virtual ~Door() = default;
+    virtual ~EvaluationQueue() = default;
     /// Answers inquiries together, in their order.
-    virtual void serve(std::span<Inquiry<P>* const> inquiries) = 0;
+    virtual void serve(std::span<EvaluationRequest<P>* const> inquiries) = 0;
     /// Answers one, and throws what stands against it.
-    void serve(Inquiry<P>& inquiry) {
-        Inquiry<P>* const one[] = {&inquiry};
-        serve(std::span<Inquiry<P>* const>(one));
+    void serve(EvaluationRequest<P>& inquiry) {
+        EvaluationRequest<P>* const one[] = {&inquiry};
+        serve(std::span<EvaluationRequest<P>* const>(one));
         if (inquiry.error)
             std::rethrow_exception(std::exchange(inquiry.error, nullptr));
     }
@@ -56,29 +56,29 @@ class Door {
 /// the call, failures are counted. Questions are answered in their order, so the number of threads decides
 /// nothing.
 template <Problem P>
-class Ledger : public Door<P> {
+class Ledger : public EvaluationQueue<P> {
   public:
     using Genome = typename P::Genome;   ///< of the problem
     using Outcome = typename P::Outcome; ///< of its evaluations
-    using Door<P>::serve;
+    using EvaluationQueue<P>::serve;
 
     /// The problem, the evaluator and the budget must outlive it. `memory_bytes` bounds what is remembered,
     /// not the result.
     Ledger(const P& problem, Evaluator<P>& evaluator, std::size_t memory_bytes, const Budget& budget)
         : problem_(problem), evaluator_(evaluator), budget_(budget), watch_(budget), memory_(memory_bytes) {}
 
-    void serve(std::span<Inquiry<P>* const> inquiries) override {
+    void serve(std::span<EvaluationRequest<P>* const> inquiries) override {
         calls_.clear();
         slopes_.clear();
-        for (Inquiry<P>* inquiry : inquiries)
+        for (EvaluationRequest<P>* inquiry : inquiries)
             look_up(*inquiry);
-        const bool patient = std::any_of(inquiries.begin(), inquiries.end(), [](const Inquiry<P>* each) {
+        const bool patient = std::any_of(inquiries.begin(), inquiries.end(), [](const EvaluationRequest<P>* each) {
             return each->patience == Patience::finish;
         });
         evaluate(patient);
         const bool cut_short = book();
         bool interrupted = cut_short;
-        for (Inquiry<P>* inquiry : inquiries) {
+        for (EvaluationRequest<P>* inquiry : inquiries) {
             answer(*inquiry, cut_short);
             interrupted |= inquiry->spent;
         }
@@ -127,7 +127,7 @@ class Ledger : public Door<P> {
         sizeof(Evaluation<Outcome>) + sizeof(Fingerprint) + 5 * sizeof(void*);
 
     /// Counts the questions, and puts those whose answer is not known among the calls.
-    void look_up(Inquiry<P>& inquiry) {
+    void look_up(EvaluationRequest<P>& inquiry) {
         std::size_t within = 0;
         const auto pay = [&] {
             inquiry.spent |= counters.asked >= budget_.evaluations;
@@ -186,7 +186,7 @@ class Ledger : public Door<P> {
         return interrupted;
     }
 
-    void answer(Inquiry<P>& inquiry, bool cut_short) {
+    void answer(EvaluationRequest<P>& inquiry, bool cut_short) {
         const bool open =
             cut_short &&
             std::any_of(inquiry.questions.begin(), inquiry.questions.end(), [](const auto& question) {

@@ -21,7 +21,7 @@ class Rounds {
   public:
     /// See above.
     template <class Job>
-    static void run(std::size_t n, Door<P>& through, Job job, const std::function<void()>& after = {}) {
+    static void run(std::size_t n, EvaluationQueue<P>& through, Job job, const std::function<void()>& after = {}) {
         if (n == 1)
             return job(std::size_t{0}, through);
         std::exception_ptr first;
@@ -40,16 +40,16 @@ class Rounds {
   private:
     static constexpr std::size_t at_once = 64; ///< threads that wait at the same time
 
-    class Seat : public Door<P> {
+    class Seat : public EvaluationQueue<P> {
       public:
-        using Door<P>::serve;
-        void serve(std::span<Inquiry<P>* const> inquiries) override {
+        using EvaluationQueue<P>::serve;
+        void serve(std::span<EvaluationRequest<P>* const> inquiries) override {
             asked = inquiries;
             rounds->wait();
             answered.acquire();
         }
         Rounds* rounds = nullptr;
-        std::span<Inquiry<P>* const> asked;
+        std::span<EvaluationRequest<P>* const> asked;
         std::binary_semaphore answered{0};
         std::exception_ptr error;
         bool done = false;
@@ -68,13 +68,13 @@ class Rounds {
     }
 
     template <class Job>
-    void go(std::size_t from, Door<P>& through, Job& job, const std::function<void()>& after) {
+    void go(std::size_t from, EvaluationQueue<P>& through, Job& job, const std::function<void()>& after) {
         std::vector<std::thread> threads;
         const auto work = [&](std::size_t i) {
             return [&, i] {
                 Seat& seat = seats_[i];
                 try {
-                    job(from + i, static_cast<Door<P>&>(seat));
+                    job(from + i, static_cast<EvaluationQueue<P>&>(seat));
                 } catch (...) {
                     seat.error = std::current_exception();
                 }
@@ -101,10 +101,10 @@ class Rounds {
                 std::rethrow_exception(seat.error);
     }
 
-    bool one_round(Door<P>& through, const std::function<void()>& after) {
+    bool one_round(EvaluationQueue<P>& through, const std::function<void()>& after) {
         std::unique_lock lock(guard_);
         all_wait_.wait(lock, [&] { return busy_ == 0; });
-        std::vector<Inquiry<P>*> all;
+        std::vector<EvaluationRequest<P>*> all;
         std::vector<Seat*> waiting;
         for (Seat& seat : seats_)
             if (!seat.done) {
@@ -115,11 +115,11 @@ class Rounds {
             return false;
         lock.unlock();
         try {
-            through.serve(std::span<Inquiry<P>* const>(all));
+            through.serve(std::span<EvaluationRequest<P>* const>(all));
             if (after)
                 after();
         } catch (...) {
-            for (Inquiry<P>* inquiry : all)
+            for (EvaluationRequest<P>* inquiry : all)
                 inquiry->error = std::current_exception();
         }
         lock.lock();

@@ -15,10 +15,10 @@ namespace ga {
 /// Where a run stands: the path of the stage, its random streams, its generation. Streams are keyed by the
 /// seed, the path without the variant's own name, the generation and an index, and by nothing else.
 template <class G>
-class Where {
+class StagePosition {
   public:
     /// At the root. `variant` is the first word of every path, `seed` that of every stream.
-    Where(const std::string& variant, std::uint64_t seed) {
+    StagePosition(const std::string& variant, std::uint64_t seed) {
         const std::uint64_t key = fold(0, seed);
         places_.push_back({Name(variant), 0, key, key, {}});
     }
@@ -59,7 +59,7 @@ class Where {
     class Scope {
       public:
         /// Enters the place of that name.
-        Scope(Where& where, Name name, std::size_t ordinal) : where_(where) {
+        Scope(StagePosition& where, Name name, std::size_t ordinal) : where_(where) {
             const std::uint64_t key = fold(fold(where.places_.back().inner, name.text()), ordinal);
             where.places_.push_back({name, ordinal, key, key, {}});
         }
@@ -67,14 +67,14 @@ class Where {
         ~Scope() { where_.places_.pop_back(); }
 
       private:
-        Where& where_;
+        StagePosition& where_;
     };
     /// Counts a pass through the block that runs while it lives: stages inside draw other random numbers in
     /// each.
     class Round {
       public:
         /// Begins pass `number`, from 0.
-        Round(Where& where, std::size_t number) : where_(where) {
+        Round(StagePosition& where, std::size_t number) : where_(where) {
             Place& place = where.places_.back();
             place.generation = number;
             place.inner = fold(place.key, number);
@@ -86,20 +86,20 @@ class Where {
         }
 
       private:
-        Where& where_;
+        StagePosition& where_;
     };
     /// A round whose stages may read what is kept of its start.
     class Generation : Round {
       public:
         /// `start`, which must outlive it, is what stages may read.
-        Generation(Where& where, std::size_t number, const Population<G>& start)
+        Generation(StagePosition& where, std::size_t number, const Population<G>& start)
             : Round(where, number), where_(where) {
             where.starts_.push_back(&start);
         }
         ~Generation() { where_.starts_.pop_back(); }
 
       private:
-        Where& where_;
+        StagePosition& where_;
     };
 
   private:
@@ -213,14 +213,14 @@ struct Snapshot {
     std::size_t remembered = 0;        ///< how many evaluations of the memory's young half were known then
 };
 
-/// What is kept of a run on its way: the frames of open blocks, the identities given out, the best so far,
+/// What a run needs to be resumed: the frames of open blocks, the identities given out, the best so far,
 /// the notes, and what was in hand when it had to stop.
 template <class G>
-class Kept {
+class RunState {
   public:
     /// @param next  the first new individual's identity; greater than any in the population
     /// @param step  between two identities given out
-    explicit Kept(Identity next, Identity step = 1) : next_identity(next), identity_step(step) {}
+    explicit RunState(Identity next, Identity step = 1) : next_identity(next), identity_step(step) {}
 
     Identity next_identity;               ///< the next new individual's
     Identity identity_step;               ///< from one to the next
@@ -252,7 +252,7 @@ class Kept {
     class OpenFrame {
       public:
         /// Opens it with the population to begin with; a resumed frame brings its own.
-        OpenFrame(Kept& kept, Population<G> population, bool loops = false) : kept_(kept), loops_(loops) {
+        OpenFrame(RunState& kept, Population<G> population, bool loops = false) : kept_(kept), loops_(loops) {
             const std::size_t depth = kept.frames.size();
             resumed_ = depth < kept.saved.size();
             if (resumed_) {
@@ -278,7 +278,7 @@ class Kept {
         bool resumed() const { return resumed_; } ///< whether the block goes on from a checkpoint
 
       private:
-        Kept& kept_;
+        RunState& kept_;
         Frame<G>* frame_;
         bool loops_, resumed_;
     };
@@ -292,12 +292,12 @@ class Kept {
 
 /// Keeps a run on its way so that it can go on after its process has ended.
 template <Problem P>
-class Keeper {
+class Checkpointer {
   public:
     using Genome = typename P::Genome; ///< of the problem
     using Taken = Snapshot<Genome>;    ///< a run between two stages
 
-    virtual ~Keeper() = default;
+    virtual ~Checkpointer() = default;
     /// Called before the pipeline starts, with the run's identity: what was kept of it, if anything was; the
     /// ledger gets its memory back.
     virtual std::optional<Taken> begin(Ledger<P>& ledger, std::uint64_t run) = 0;

@@ -71,7 +71,7 @@ struct Threshold : Operator {
                   .keyed()
                   .quiet());
     }
-    void check(Known& known) const { known.need_one_objective(text_of(*this)); }
+    void check(CheckState& known) const { known.need_one_objective(text_of(*this)); }
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {

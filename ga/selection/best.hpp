@@ -11,7 +11,7 @@ struct Best : Operator {
     /// What every operator has (Operator).
     static Words words() { return {"best", "selection", "keeps the n best, best first"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
-    void check(Known& known) const { known.need_score(text_of(*this)); }
+    void check(CheckState& known) const { known.need_score(text_of(*this)); }
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>&) const {

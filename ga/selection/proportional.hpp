@@ -34,7 +34,7 @@ struct ByFitness {
                                            : 1;
         return weights;
     }
-    void check(const Known& known, const std::string& stage) const {
+    void check(const CheckState& known, const std::string& stage) const {
         known.need_one_objective(stage);
     }                                    ///< as it says
     static void describe(auto&, auto) {} ///< no parameters
@@ -74,7 +74,7 @@ struct ByRank {
         return weights;
     }
     /// Any policy ranks.
-    void check(const Known& known, const std::string& stage) const { known.need_score(stage); }
+    void check(const CheckState& known, const std::string& stage) const { known.need_score(stage); }
     /// In the listing.
     static Words words() { return {"rank", "selection", "chooses in linear proportion to the rank"}; }
     /// Its one parameter.
@@ -91,7 +91,7 @@ struct Proportional : Operator {
     /// What every operator has (Operator).
     static Words words() { return Weights::words(); }
     static void describe(auto& self, auto visit) { Weights::describe(self.weights, visit); }
-    void check(Known& known) const { weights.check(known, text_of(*this)); }
+    void check(CheckState& known) const { weights.check(known, text_of(*this)); }
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {

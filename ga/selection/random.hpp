@@ -14,7 +14,7 @@ struct Random : Operator {
     static void describe(auto& self, auto visit) {
         visit(self.n, whole("n", "0", 0, "how many; 0 for all").quiet());
     }
-    void check(Known&) const {}
+    void check(CheckState&) const {}
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {

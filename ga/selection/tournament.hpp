@@ -18,7 +18,7 @@ struct Tournament : Operator {
         visit(self.k, whole("k", "2", 1, "how many are drawn"));
         visit(self.size, whole("size", "0", 0, "places; 0 for as many as there are").keyed().quiet());
     }
-    void check(Known& known) const { known.need_score(text_of(*this)); }
+    void check(CheckState& known) const { known.need_score(text_of(*this)); }
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {

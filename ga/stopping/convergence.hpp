@@ -15,7 +15,7 @@ struct AtConvergence : StoppingRule {
     static void describe(auto& self, auto visit) {
         visit(self.most, number("converged", "", 0, no_limit, words().meaning));
     }
-    void check(const Known& known, const std::string& stage) const { known.need_score(stage); }
+    void check(const CheckState& known, const std::string& stage) const { known.need_score(stage); }
 
     template <class G>
     bool operator()(const Progress<G>& now, Numbers&) const {

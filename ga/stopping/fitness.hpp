@@ -14,7 +14,7 @@ struct AtFitness : StoppingRule {
     static void describe(auto& self, auto visit) {
         visit(self.value, number("fitness", "", -no_limit, no_limit, words().meaning));
     }
-    void check(const Known& known, const std::string& stage) const { known.need_one_objective(stage); }
+    void check(const CheckState& known, const std::string& stage) const { known.need_one_objective(stage); }
 
     template <class G>
     bool operator()(const Progress<G>& now, Numbers&) const {

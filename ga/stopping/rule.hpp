@@ -28,7 +28,7 @@ using Numbers = std::vector<double>;
 /// @endcode
 /// Besides, it may have
 /// @code
-///     void check(const Known&, const std::string& stage) const;   what it needs
+///     void check(const CheckState&, const std::string& stage) const;   what it needs
 ///     static constexpr bool sure = true;                          it holds some day, whatever the stages do
 /// @endcode
 struct StoppingRule {};
@@ -37,7 +37,7 @@ struct StoppingRule {};
 template <class G>
 struct Rule {
     std::string text;                                            ///< "stagnation 5"
-    std::function<void(const Known&, const std::string&)> check; ///< what it needs, if anything; named stage
+    std::function<void(const CheckState&, const std::string&)> check; ///< what it needs, if anything; named stage
     std::function<bool(const Progress<G>&, Numbers&)> holds;     ///< whether the block ends
     bool sure = false;                                           ///< it holds some day
 };
@@ -46,8 +46,8 @@ struct Rule {
 template <class G, class R>
 requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
     Rule<G> made{text_of(rule), {}, rule};
-    if constexpr (requires(const Known& known) { rule.check(known, ""); })
-        made.check = [rule](const Known& known, const std::string& stage) { rule.check(known, stage); };
+    if constexpr (requires(const CheckState& known) { rule.check(known, ""); })
+        made.check = [rule](const CheckState& known, const std::string& stage) { rule.check(known, stage); };
     if constexpr (requires { R::sure; })
         made.sure = R::sure;
     return made;

@@ -15,7 +15,7 @@ struct AtStagnation : StoppingRule {
     static void describe(auto& self, auto visit) {
         visit(self.n, whole("stagnation", "", 1, words().meaning));
     }
-    void check(const Known& known, const std::string& stage) const { known.need_score(stage); }
+    void check(const CheckState& known, const std::string& stage) const { known.need_score(stage); }
 
     template <class G>
     bool operator()(const Progress<G>& now, Numbers& memory) const {

@@ -29,7 +29,7 @@ struct Cross : Operator {
         Way::describe(self.way, visit);
         visit(self.rate, number("rate", "1", 0, 1, "a pair's chance to be crossed").keyed().quiet());
     }
-    void check(Known& known) const { known.scored.reset(); }
+    void check(CheckState& known) const { known.scored.reset(); }
 
     template <class P>
     requires Crosses<Way, P> PopulationOf<P>

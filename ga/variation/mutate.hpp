@@ -36,7 +36,7 @@ struct Mutate : Operator {
         Way::describe(self.way, visit);
     }
     std::string text() const { return mutation_text(rate, Way::words().name, values_in_words(way)); }
-    void check(Known& known) const { known.scored.reset(); }
+    void check(CheckState& known) const { known.scored.reset(); }
 
     template <class P>
     requires Mutates<Way, P> PopulationOf<P>

@@ -14,7 +14,7 @@ struct Sample : Operator {
         return {"sample", "mutation", "n new individuals drawn at random in the population's place"};
     }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
-    void check(Known& known) const { known.scored.reset(); }
+    void check(CheckState& known) const { known.scored.reset(); }
 
     template <Problem P>
     requires Sampled<P> PopulationOf<P>

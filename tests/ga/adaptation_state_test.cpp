@@ -159,7 +159,7 @@ TEST_CASE("a bad child that was altered teaches nothing, and a good one all") {
 
 TEST_CASE("whatever begets children leaves the population unscored") {
     const auto leaves = [](const auto& op) {
-        Known known;
+        CheckState known;
         known.objectives = {"f"};
         known.scored = known.start_scored = "f";
         known.in_generation = true;
@@ -263,7 +263,7 @@ TEST_CASE("CMA-ES that gets no whole child of its own back draws from the same c
     /// Others in everybody's place.
     struct Strangers : Operator {
         std::string text() const { return "strangers"; }
-        void check(Known&) const {}
+        void check(CheckState&) const {}
         Population<Vector> operator()(Population<Vector> population, Context<Function>& context) const {
             for (auto& each : population)
                 context.make_child(each, Parents());

@@ -116,7 +116,7 @@ TEST_CASE("in crowding a child takes the place of the parent it is like, and onl
     struct Beget : Operator {
         Vector genes;
         std::string text() const { return "beget"; }
-        void check(Known& known) const { known.scored.reset(); }
+        void check(CheckState& known) const { known.scored.reset(); }
         Population<Vector> operator()(Population<Vector> population, Context<Function>& context) const {
             const Parents both(population[0].identity, population[1].identity);
             Population<Vector> children(genes.size());

@@ -37,9 +37,9 @@ TEST_CASE("streams are splitmix64, by its published numbers") {
     CHECK(stream() == 0x06c45d188009454fu);
     CHECK(fold(1, 2) != fold(2, 1));
     CHECK(fold(1, "ab") != fold(1, "ba"));
-    Where<int> place("variant", 7); // the numbers of a place are those of earlier versions
+    StagePosition<int> place("variant", 7); // the numbers of a place are those of earlier versions
     CHECK(place.stream(3)() == 0xf2bae56345f5ccb3u);
-    const Where<int>::Scope scope(place, Name(std::string("score")), 1);
+    const StagePosition<int>::Scope scope(place, Name(std::string("score")), 1);
     CHECK(place.stream(0)() == 0x5534ab290120db41u);
 }
 

@@ -144,12 +144,12 @@ TEST_CASE("a gradient method takes no point whose gradient is not to be had") {
 
 TEST_CASE("a search asks nothing more once the run has to stop or its share is spent, whatever its method") {
     /// Stops the run at the third question.
-    struct Closing : Door<CurveFit> {
+    struct Closing : EvaluationQueue<CurveFit> {
         Ledger<CurveFit>& ledger;
         int asked = 0;
         explicit Closing(Ledger<CurveFit>& l) : ledger(l) {}
-        using Door<CurveFit>::serve;
-        void serve(std::span<Inquiry<CurveFit>* const> inquiries) override {
+        using EvaluationQueue<CurveFit>::serve;
+        void serve(std::span<EvaluationRequest<CurveFit>* const> inquiries) override {
             if (++asked < 3)
                 return ledger.serve(inquiries);
             for (auto* inquiry : inquiries)
@@ -170,7 +170,7 @@ TEST_CASE("a search asks nothing more once the run has to stop or its share is s
          std::vector<Method>{lm(20), mma(20), minimax(20), nlopt_method("LN_COBYLA", 20), stubborn}) {
         CAPTURE(method.text);
         Ledger<CurveFit> ledger(problem, serial, 1 << 20, endless);
-        const auto search = [&](Door<CurveFit>& door, long limit) {
+        const auto search = [&](EvaluationQueue<CurveFit>& door, long limit) {
             Search<CurveFit>(problem, door, ledger.watch(), individual, problem.bounds(individual.genome),
                              limit)
                 .by(method, 1);

@@ -36,7 +36,7 @@ struct Counted : Operator {
     long* count;
     static Words words() { return {"counted", "test", "counts its checks"}; }
     static void describe(auto&, auto) {}
-    void check(Known&) const { ++*count; }
+    void check(CheckState&) const { ++*count; }
     PopulationOf<Function> operator()(PopulationOf<Function> all, Context<Function>&) const { return all; }
 };
 

@@ -41,7 +41,7 @@ struct Adaptive : Operator {
     };
     static Words words() { return {"adaptive", "mutation", "steps by the rule of one fifth"}; }
     static void describe(auto&, auto) {}
-    void check(Known& known) const {
+    void check(CheckState& known) const {
         known.need_one_objective("adaptive");
         known.scored.reset();
     }
@@ -51,7 +51,7 @@ struct Adaptive : Operator {
         const double now = population[0].value();
         state.step *= now > state.best ? std::exp(0.8) : std::exp(-0.2);
         state.best = std::max(state.best, now);
-        state.generation = context.where.generation();
+        state.generation = context.position.generation();
         for (std::size_t i = 0; i < population.size(); ++i) {
             Stream stream = context.stream(i);
             for (double& gene : population[i].genome)
@@ -77,11 +77,11 @@ struct Counting : Operator {
     Numbers before = std::make_shared<std::vector<std::size_t>>();
     Numbers generations = std::make_shared<std::vector<std::size_t>>();
     std::string text() const { return "counting"; }
-    void check(Known&) const {}
+    void check(CheckState&) const {}
     Population<std::vector<double>> operator()(Population<std::vector<double>> population,
                                                Context<Vectors>& context, State& state) const {
         before->push_back(state.calls++);
-        generations->push_back(context.where.generation());
+        generations->push_back(context.position.generation());
         return population;
     }
 };

@@ -125,7 +125,7 @@ class Paper {
 
     Run run_pipeline(const Variant& variant, const DesignProblem& problem,
                      const std::vector<ga::Observer<rough::Genome>>& observers,
-                     ga::Keeper<DesignProblem>* keeper = nullptr) const {
+                     ga::Checkpointer<DesignProblem>* keeper = nullptr) const {
         ga::RunOptions options;
         options.variant = variant.name;
         options.seed = run_.origin.seed;

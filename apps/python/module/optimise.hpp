@@ -157,7 +157,7 @@ struct PythonOperator : ga::Operator {
     Callback* callback;
 
     std::string text() const { return name; }
-    void check(ga::Known& known) const { known.scored.reset(); }
+    void check(ga::CheckState& known) const { known.scored.reset(); }
 
     template <ga::Problem P>
     ga::Population<typename P::Genome> operator()(ga::Population<typename P::Genome> population,

@@ -35,10 +35,13 @@ class Design(WithFolder):
         targets = 2 * [rugosa.Target(PRESSURE, STIFFNESS)]
         for name, text in variants.items():
             nodes = (16, 16) if name == "maps" else 48
+            asked = {"target": targets, "max_pressure": PRESSURE[-1]}
+            if name == "like":
+                asked = {"like": rugosa.Profile(rough_heights(64), 0.01)}
             with self.subTest(name):
                 genomes = [
-                    rugosa.design(target=targets, max_pressure=PRESSURE[-1], pipeline=pipeline, nodes=nodes,
-                                  evaluations=120, alternatives=1).genome.to_dict() for pipeline in (name, text)
+                    rugosa.design(**asked, pipeline=pipeline, nodes=nodes, evaluations=120, alternatives=1).genome
+                    .to_dict() for pipeline in (name, text)
                 ]
                 self.assertEqual(*genomes)
 

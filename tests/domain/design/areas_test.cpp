@@ -77,9 +77,8 @@ TEST_CASE("the default search meets the drawn target on a small area and on one 
     SearchOptions options;
     options.alternatives = 1;
     const SearchResult found = search(setup, options);
-    // The patches of the finer grid cover 6 % less: K differs by as much between the two grids.
-    CHECK(found.best.similarity > 0.9);
-    CHECK(found.best.similarity_refined > 0.9);
+    // K differs by several per cent between the two grids.
+    CHECK(found.best.similarity_worst > 0.85);
     CHECK(found.best.similarity_worst == found.best.judgement.worst());
     options.threads = 1;
     CHECK(search(setup, options).best.judged() == found.best.judged());

@@ -76,7 +76,7 @@ TEST_CASE("refined, a scan's own waves answer as it does in stiffness and area t
         like(fractal_profile(ten_scans::grid, 0.8, 1e-3, 5), 512, ten_scans::grid.length);
     SearchOptions options;
     options.alternatives = 1;
-    options.pipeline = "own 1 | score verified | refine lm 12 sharpen=6";
+    options.pipeline = "own 1 | score verified | refine lm 45 sharpen=6";
     const Answer answer = search(setup, options).best;
     CHECK(answer.judged() > 0.85);
     CHECK(answer.within_limits);
@@ -87,10 +87,10 @@ TEST_CASE("a design like a scan goes on from what it has until its evaluations a
     SearchOptions options;
     options.pipeline = "like";
     options.alternatives = 1;
-    options.evaluations = 70;
+    options.evaluations = 130;
     const SearchResult once = search(setup, options);
     REQUIRE(once.best.judged() < default_required_similarity);
-    options.evaluations = once.counters.asked + 60;
+    options.evaluations = once.counters.asked + 90;
     const SearchResult longer = search(setup, options);
     CHECK(longer.counters.asked > once.counters.asked);
     CHECK(longer.counters.asked <= options.evaluations);
