@@ -1,7 +1,7 @@
 #include "apps/cluster/crew.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/prompt/settings.hpp"
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "domain/errors.hpp"
 #include "ga/base/errors.hpp"
 #include "ga/text/nearest.hpp"
@@ -39,7 +39,7 @@ void print_help() {
 }
 
 int dispatch(app::Words words) {
-    app::take_voice(words);
+    app::parse_verbosity(words);
     std::vector<std::string> names;
     for (const auto& command : app::commands())
         names.push_back(command.name);

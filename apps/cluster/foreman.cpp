@@ -4,7 +4,7 @@
 #include "apps/cluster/ranks.hpp"
 #include "apps/experiments/contact_trial.hpp"
 #include "apps/prompt/interrupt.hpp"
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "ga/base/parallel.hpp"

@@ -6,7 +6,7 @@
 #include "apps/cluster/talk.hpp"
 #include "apps/cluster/watch.hpp"
 #include "apps/prompt/interrupt.hpp"
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "apps/report/units.hpp"
 #include "ga/base/parallel.hpp"
 

@@ -3,7 +3,7 @@
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/scan_settings.hpp"
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "apps/report/account.hpp"
 #include "apps/report/contact_page.hpp"
 #include "apps/report/csv.hpp"

@@ -7,7 +7,7 @@
 #include "apps/commands/design/summary.hpp"
 #include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/progress.hpp"
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/recorder.hpp"
 #include "apps/report/units.hpp"
@@ -62,12 +62,12 @@ int design(const Words& words) {
             "(surface.3mf, surface.stl) beside them. A target is a CSV file with "
             "the columns pressure_MPa and stiffness_MPa_per_mm, contact_fraction or conductance, or "
             "displacement_mm and contact_fraction or pressure_MPa; columns lower and upper give a tolerance "
-            "band. The answer is judged by its worst similarity, over a grid four times finer, four times "
+            "band. The answer is verified by its worst similarity, over a grid four times finer, four times "
             "the load steps and both; found is one of 0.99 or what --reach-similarity asks. With --from "
             "nothing "
             "is searched: the named chromosomes' phases of a surface in production are changed as little as "
             "brings it back to the target, on the set-up's own grid. Exit codes: 0 "
-            "found; 2 wrong use; 3 similarity or limits missed, an area not judged in time, or "
+            "found; 2 wrong use; 3 similarity or limits missed, an area not verified in time, or "
             "the target is out of reach; 130 interrupted. The best so far is written in every case but wrong "
             "use.",
             design_settings(),
@@ -77,7 +77,7 @@ int design(const Words& words) {
              "design --target stiffness.csv,area.csv --weights 1,0.3",
              "design --target stiffness.csv,area.csv --variant nsga2",
              "design --from genome.json --control 1:3,1:5 --largest-change 0.02 --target target.csv",
-             "design --target target.csv --largest-slope 0.05 --smallest-radius 0.01",
+             "design --target target.csv --max-slope 0.05 --min-radius 0.01",
              "design --target target.csv --pipeline \"sample 200 | score | best 20 | refine lm 40 | best "
              "1\""}))
         return 0;
@@ -132,7 +132,7 @@ int design(const Words& words) {
     run.searched = run.found.setup;
     run.interrupted = interrupt.asked();
     run.own = response_of(run.setup, run.found.best);
-    if (!run.setup.model.grid.is_area() || (run.found.best.is_judged() && !run.interrupted))
+    if (!run.setup.model.grid.is_2d() || (run.found.best.is_verified() && !run.interrupted))
         run.not_asked = off_unasked(run);
     run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
     run.summary = summary_of(run);
@@ -155,7 +155,7 @@ int design(const Words& words) {
         else if (pictures)
             say("note: no time was left for report.html; expected more --seconds for it");
     }
-    if (run.found.stopped.empty() || run.found.best.judged() >= run.setup.required_similarity)
+    if (run.found.stopped.empty() || run.found.best.lowest() >= run.setup.required_similarity)
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
             std::filesystem::remove(folder / kept);
     tell_notes(run.found.notes);

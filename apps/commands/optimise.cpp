@@ -3,7 +3,7 @@
 #include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/progress.hpp"
 #include "apps/prompt/settings.hpp"
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
 #include "apps/report/units.hpp"

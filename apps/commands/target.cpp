@@ -3,7 +3,7 @@
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/scan_settings.hpp"
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"

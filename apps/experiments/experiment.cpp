@@ -1,7 +1,7 @@
 #include "apps/experiments/experiment.hpp"
 
 #include "apps/prompt/interrupt.hpp"
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"

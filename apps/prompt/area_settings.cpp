@@ -116,7 +116,7 @@ rough::Model surface_model_from(const Settings& settings, const std::string& pre
 
 std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
     double farthest = 0;
-    if (grid.is_area() && grid.wraps)
+    if (grid.is_2d() && grid.wraps)
         for (const rough::PlaneWave& wave : plane_waves(genome, grid))
             farthest = std::max(farthest, wave.moved);
     return farthest > 1e-12

@@ -19,11 +19,11 @@ const std::map<std::string, std::string> flag_of{{"kernel", "kernel"},   {"lengt
 void expect_same_model(const rough::Target& goal, const rough::Model& model) {
     const auto differences = recorded_differences(goal, model);
     for (const auto& [key, recorded, own] : differences)
-        if ((key == "datum_mm" && model.grid.is_area()) || (key == "width_mm" && !model.grid.is_area()))
+        if ((key == "datum_mm" && model.grid.is_2d()) || (key == "width_mm" && !model.grid.is_2d()))
             throw rough::InputError(goal.name + ": recorded with " + key + " " + recorded +
                                     ", expected a target of " +
-                                    (model.grid.is_area() ? "an area, which has none"
-                                                          : "a profile, or --nodes and --length as pairs"));
+                                    (model.grid.is_2d() ? "an area, which has none"
+                                                        : "a profile, or --nodes and --length as pairs"));
     std::string flags;
     for (const auto& [key, recorded, own] : differences) {
         const auto length = goal.recorded.find("length_mm");

@@ -1,6 +1,6 @@
 #include "apps/prompt/progress.hpp"
 
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 
 #include <atomic>
 #include <cmath>

@@ -118,7 +118,7 @@ std::string page_of_area(const ContactShown& shown) {
 std::string contact_page(const ContactShown& shown) {
     const rough::Response& response = shown.response;
     const rough::Model& model = shown.model;
-    if (shown.profile.is_area())
+    if (shown.profile.is_2d())
         return page_of_area(shown);
     const auto steps = shown_steps(response.steps());
     const rough::ContactCurve curve = solved_anew(shown, steps);

@@ -1,6 +1,6 @@
 #include "apps/report/gnuplot.hpp"
 
-#include "apps/outside/process.hpp"
+#include "apps/external/process.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 

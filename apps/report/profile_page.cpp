@@ -1,6 +1,6 @@
 #include "apps/report/profile_page.hpp"
 
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "apps/report/units.hpp"
 
 #include <algorithm>

@@ -51,8 +51,8 @@ struct VariantRun {
     double seconds = 0;            ///< wall time
     long curves = 0, gradients = 0;
 
-    /// What an answer is judged by: it must survive finer grids and load steps.
-    double judged() const { return similarity_worst; }
+    /// What an answer is verified by: it must survive finer grids and load steps.
+    double lowest() const { return similarity_worst; }
 };
 
 /// What one or several variants found for one target.

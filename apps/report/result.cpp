@@ -34,7 +34,7 @@ json variant_json(const VariantRun& variant, const std::vector<rough::Model>& lo
     for (const rough::Model& model : loaded)
         result["modelled"].push_back(modelled_json(variant.answer.genome, model));
     if (const rough::Model& model = loaded.front();
-        model.body.kernel == rough::Kernel::free && !model.grid.is_area())
+        model.body.kernel == rough::Kernel::free && !model.grid.is_2d())
         for (const double stiffness : variant.answer.response.tangent_stiffness)
             result["tangent_stiffness_per_ln_datum_MPa_per_mm"].push_back(
                 rough::datum_sensitivity(stiffness, model.grid.length, model.body.effective_modulus));
@@ -72,7 +72,7 @@ json model_json(const rough::Model& model) {
                    {"accuracy", nullptr}};
     if (model.accuracy > 0)
         result["accuracy"] = model.accuracy;
-    if (model.grid.is_area()) {
+    if (model.grid.is_2d()) {
         result["nodes"] = {model.grid.nodes, model.grid.rows};
         result["length_mm"] = {model.grid.length, model.grid.width};
     } else if (model.body.kernel == rough::Kernel::free)

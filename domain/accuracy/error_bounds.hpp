@@ -4,7 +4,7 @@
 
 namespace rough {
 
-/// Pressures under this part of the last one are judged against it, not against themselves.
+/// Pressures under this part of the last one are verified against it, not against themselves.
 constexpr double light_load = 0.01;
 
 /// What relative errors of a curve are relative to: at each row its pressure, and the difference to the row

@@ -7,7 +7,7 @@
 
 namespace rough {
 
-/// The pressures that a finer grid would give, judged from several coarser ones.
+/// The pressures that a finer grid would give, verified from several coarser ones.
 struct Extrapolation {
     Eigen::VectorXd pressure; ///< MPa, one a row
     Doubt doubt;              ///< estimated

@@ -43,7 +43,7 @@ std::optional<ByLine> pressed_line(const LineOfMap& of, const Profile& map, cons
 } // namespace
 
 LineOfMap line_of_map(const Profile& map) {
-    if (!map.is_area())
+    if (!map.is_2d())
         refuse("line of a map: a profile given, expected a map");
     const auto [columns, rows] = map.shape();
     const Eigen::Map<const Eigen::MatrixXd> z(map.heights.data(), columns, rows);

@@ -218,7 +218,7 @@ class Question {
     /// The load steps of a map at the pressures that are given, if every row is to be solved.
     LoadRows pressed() const {
         const std::vector<double>& pressures = model_.loading.pressures;
-        if (!whole_.is_area() || pressures.empty() || accuracy_ > 0)
+        if (!whole_.is_2d() || pressures.empty() || accuracy_ > 0)
             return {};
         ContactCurve curve = solve_contact_at_pressures(whole_, model_.body, pressures, model_.contact);
         return {std::move(curve.steps), 0, 0, static_cast<int>(pressures.size()), curve.solver};
@@ -378,7 +378,7 @@ AccountedResponse respond_within(const Genome& genome, const Model& resolved, do
 
 AccountedResponse respond_within(const Profile& scan, const Model& resolved, double accuracy) {
     expect_accuracy(accuracy);
-    if (scan.is_area())
+    if (scan.is_2d())
         return timed([&] { return respond_map_within(scan, resolved, accuracy); });
     return by_own_nodes(scan, resolved, accuracy);
 }

@@ -23,7 +23,7 @@ double datum_sensitivity(double stiffness, double length, double effective_modul
 }
 
 ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& body, double datum) {
-    if (body.kernel != Kernel::free || profile.is_area())
+    if (body.kernel != Kernel::free || profile.is_2d())
         throw InputError("a datum distance was given, none is expected: only the free half-plane has one");
     const double length = profile_length(profile, body.kernel);
     Body changed = body;

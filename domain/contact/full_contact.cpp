@@ -82,7 +82,7 @@ double full_contact_stiffness(const Profile& surface, const Body& given) {
     const double other = strip ? problem.strip_width : problem.row_spacing;
     const double stiffness =
         problem.stiffness_unit * known_sum({body.kernel, flat.nodes(), flat.rows, other}, problem);
-    if (strip || flat.is_area())
+    if (strip || flat.is_2d())
         return stiffness;
     // 1/K(d) = 1/K(L) + (2 L/(pi E*)) ln(d/L)
     return 1 / (1 / stiffness -

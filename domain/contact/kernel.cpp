@@ -42,7 +42,7 @@ double profile_length(const Profile& profile, Kernel kernel) {
 }
 
 double elements(const Profile& profile, Kernel kernel) {
-    if (profile.is_area())
+    if (profile.is_2d())
         return static_cast<double>(profile.nodes());
     return profile_length(profile, kernel) / profile.spacing;
 }

@@ -23,7 +23,7 @@ Interface interface_at(const Profile& surface, const Body& body, const LoadStep&
     found.spots = static_cast<Index>(spots.size());
     if (!spots.empty())
         found.widest = static_cast<double>(spots.front()) * surface.spacing *
-                       (surface.is_area() ? surface.row_spacing : 1);
+                       (surface.is_2d() ? surface.row_spacing : 1);
     return found;
 }
 

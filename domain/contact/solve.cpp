@@ -75,7 +75,7 @@ bool takes_loads(Solver solver, const ContactProblem& problem) {
     if (problem.load.empty())
         return true;
     return !std::isfinite(problem.cap) && (solver == Solver::nested || solver == Solver::polonsky_keer ||
-                                           (solver == Solver::active_set && problem.is_area()));
+                                           (solver == Solver::active_set && problem.is_2d()));
 }
 
 /// The chosen solver goes first. If it fails, the other one continues with the step that it failed at, and

@@ -18,7 +18,7 @@ void expect(bool good, const Parts&... parts) {
 
 } // namespace
 
-void validate(const GenomeLaw& law) {
+void validate(const GenomeDistribution& law) {
     expect(law.series >= 1 && law.series <= 16, "series ", law.series, ", expected 1 to 16");
     expect(law.ridges >= 1 && law.ridges <= 1000, "ridges ", law.ridges, ", expected 1 to 1000");
     expect(law.H_from > 0 && law.H_from <= law.H_to && std::isfinite(law.H_to), "H from ", law.H_from, " to ",
@@ -31,12 +31,12 @@ void validate(const GenomeLaw& law) {
            " phases a genome, expected 1e6 at most (fewer series or ridges, or longer waves)");
 }
 
-double most_phases(const GenomeLaw& law) {
+double most_phases(const GenomeDistribution& law) {
     const double chromosomes = 1 + std::floor(std::log(law.lambda / law.shortest) / std::log(law.gamma_from));
     return law.series * static_cast<double>(law.ridges) * chromosomes;
 }
 
-Genome drawn(const GenomeLaw& law, std::uint64_t index) {
+Genome drawn(const GenomeDistribution& law, std::uint64_t index) {
     ga::Stream random(ga::fold(ga::fold(law.seed, "genome database"), index));
     Genome genome;
     for (int s = 0; s < law.series; ++s) {

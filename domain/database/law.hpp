@@ -9,7 +9,7 @@ namespace rough {
 /// How the genomes of a database are drawn: the sum of `series` series, each with H and gamma uniform in
 /// their ranges, chromosomes n = 1 .. n_f (Eq. 4, waves down to `shortest`) and phases uniform in [0, 2 pi).
 /// The first series has A = 1; the others' A is uniform in (0, 1].
-struct GenomeLaw {
+struct GenomeDistribution {
     int series = 1;           ///< >= 1
     int ridges = 1;           ///< M >= 1
     double H_from = 0.5;      ///< least Hurst exponent
@@ -23,12 +23,12 @@ struct GenomeLaw {
 
 /// Throws InputError on ranges in the wrong order, gamma <= 1, no wave between shortest and lambda, or
 /// genomes of more than a million phases.
-void validate(const GenomeLaw& law);
+void validate(const GenomeDistribution& law);
 
 /// The most phases that a genome of the law can have.
-double most_phases(const GenomeLaw& law);
+double most_phases(const GenomeDistribution& law);
 
 /// Genome number `index` of a law: it depends on nothing else.
-Genome drawn(const GenomeLaw& law, std::uint64_t index);
+Genome drawn(const GenomeDistribution& law, std::uint64_t index);
 
 } // namespace rough

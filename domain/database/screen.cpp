@@ -178,7 +178,7 @@ void check(const StoredCurves& curves, const std::vector<Target>& targets, const
 
 bool need_fractions(const std::vector<Target>& targets) {
     return std::any_of(targets.begin(), targets.end(),
-                       [](const Target& target) { return is_area(target.quantity); });
+                       [](const Target& target) { return is_contact_fraction(target.quantity); });
 }
 
 std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets,

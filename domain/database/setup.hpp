@@ -7,8 +7,8 @@ namespace rough {
 
 /// What all genomes and responses of a database have in common.
 struct DatabaseSetup {
-    Model model;   ///< grid, body, load steps and contact options of every response
-    GenomeLaw law; ///< how the genomes are drawn
+    Model model;            ///< grid, body, load steps and contact options of every response
+    GenomeDistribution law; ///< how the genomes are drawn
 };
 
 /// A set-up, its model's part first, as names with units and values, and back. setup_from throws InputError

@@ -34,7 +34,7 @@ DatabaseScale scale_to(const GenomeStore& store, const Model& given) {
 Target unscaled(Target target, const DatabaseScale& scale) {
     if (target.against_pressure())
         target.x /= scale.pressure;
-    if (!is_area(target.quantity))
+    if (!is_contact_fraction(target.quantity))
         for (Eigen::VectorXd* values : {&target.y, &target.lower, &target.upper})
             *values /= scale.pressure;
     return target;

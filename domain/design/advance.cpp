@@ -54,7 +54,7 @@ Rising stiffness_of(const Target& target) {
 } // namespace
 
 Advance advance_for(const Target& target, Index nodes) {
-    const bool by_area = is_area(target.quantity);
+    const bool by_area = is_contact_fraction(target.quantity);
     const Rising curve =
         target.quantity == Quantity::load_at_displacement ? stiffness_of(target) : Rising(target.x, target.y);
     return [=, quantity = target.quantity](const Eigen::VectorXd& stiffness) {

@@ -19,7 +19,7 @@ std::vector<ErrorSource> error_budget(const DesignSetup& given, const Answer& an
         budget.push_back({kind, source, (values(model).array() / base.array() - 1).abs().maxCoeff()});
     };
     Model other = own;
-    if (own.body.kernel == Kernel::free && !own.grid.is_area()) {
+    if (own.body.kernel == Kernel::free && !own.grid.is_2d()) {
         other.body.datum *= 4;
         add("model", "the half-plane's datum at 4 times the distance", other);
         other = own;

@@ -18,7 +18,7 @@ Eigen::MatrixXd influence_in_order(const Profile& surface, const Body& given, co
     const Index nodes = surface.nodes(), columns = surface.shape().columns;
     const double spacing = surface.spacing;
     const Eigen::VectorXd column =
-        (surface.is_area()
+        (surface.is_2d()
              ? area_influence_column(body.kernel, surface.shape(), surface.row_spacing / spacing)
              : influence_column(body.kernel, nodes, body.datum / spacing, body.strip_width / spacing)) *
         (spacing / body.effective_modulus);
@@ -55,9 +55,9 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
     const Eigen::MatrixXd L = factor.matrixL();
     const Eigen::VectorXd z = L.triangularView<Eigen::Lower>().solve(Eigen::VectorXd::Ones(most));
     // P is the sum of pressures over L/delta, on a map over N.
-    const double cell = surface.is_area() ? 1 : surface.spacing;
+    const double cell = surface.is_2d() ? 1 : surface.spacing;
     const double whole =
-        surface.is_area() ? elements(surface, body.kernel) : profile_length(surface, body.kernel);
+        surface.is_2d() ? elements(surface, body.kernel) : profile_length(surface, body.kernel);
     Eigen::VectorXd stiffness(most);
     for (Index k = 0; k < most; ++k) // sum of H_AA^-1 1 is z.z
         stiffness[k] = z.head(k + 1).squaredNorm() * cell / whole;

@@ -15,7 +15,7 @@ constexpr double first_nodes = 16;
 
 bool asks_for_area(const DesignSetup& setup) {
     return std::any_of(setup.targets.begin(), setup.targets.end(),
-                       [](const Target& target) { return is_area(target.quantity); });
+                       [](const Target& target) { return is_contact_fraction(target.quantity); });
 }
 
 Index enough_nodes(const DesignSetup& setup) {
@@ -23,7 +23,7 @@ Index enough_nodes(const DesignSetup& setup) {
         return Grid().nodes;
     double nodes = static_cast<double>(setup.like->nodes());
     for (const Target& target : setup.targets)
-        if (is_area(target.quantity))
+        if (is_contact_fraction(target.quantity))
             nodes = std::max(nodes, first_nodes / target.y[0]);
     return static_cast<Index>(std::clamp(nodes, 512., 2048.));
 }
@@ -37,7 +37,7 @@ DesignSetup like(DesignSetup setup, Profile profile, const Model& own, const std
     for (const Quantity quantity : quantities)
         setup.targets.push_back(
             target_like(*setup.like, own, name, quantity, points, setup.max_pressure.value_or(0)));
-    if (!setup.like->is_area())
+    if (!setup.like->is_2d())
         setup.model.grid.nodes = nodes > 0 ? nodes : enough_nodes(setup);
     return setup;
 }

@@ -265,7 +265,7 @@ SearchResult as_found(const DesignSetup& setup, const Morphed& morphed) {
     SearchResult found;
     found.setup = completed(setup);
     const DesignSetup reported = as_reported(found.setup);
-    found.best = judged_answer(reported, morphed.genome);
+    found.best = verified_answer(reported, morphed.genome);
     found.alternatives = {found.best};
     found.counters.gradients = morphed.gradients;
     found.counters.asked = morphed.gradients;

@@ -52,7 +52,7 @@ struct Morphed {
 Morphed morph(const DesignSetup& setup, const Genome& genome, const std::vector<ChromosomeName>& control,
               double largest_change, double reach = default_required_similarity);
 
-/// A morphed genome as a search's answer, judged on finer grids and in finer load steps.
+/// A morphed genome as a search's answer, verified on finer grids and in finer load steps.
 SearchResult as_found(const DesignSetup& setup, const Morphed& morphed);
 
 } // namespace rough

@@ -1,6 +1,6 @@
 #include "domain/design/pipelines.hpp"
 
-#include "domain/design/own_waves.hpp"
+#include "domain/design/scan_waves.hpp"
 #include "domain/design/target_dominance.hpp"
 #include "domain/mwm/length_scales.hpp"
 #include "domain/paper/variants.hpp"
@@ -26,7 +26,7 @@ ga::Population<Genome> Own::operator()(ga::Population<Genome>, ga::Context<Desig
     ga::Population<Genome> fresh(n);
     ga::parallel_for(n, context.threads(), [&](std::size_t i) {
         const DesignSetup& setup = context.problem().setup();
-        fresh[i].genome = own_waves(setup, most_own_waves(setup) >> i);
+        fresh[i].genome = scan_waves(setup, max_scan_waves(setup) >> i);
     });
     for (auto& individual : fresh)
         individual.identity = context.new_identity();
@@ -63,7 +63,7 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
         "coarser", "runs the pipeline on a grid of half the nodes a side, n times",
         {ga::whole("n", std::nullopt, 1, "how many times half")},
         [](const ga::Arguments& a, const Pipeline& body) { return coarser(a.count("n"), body); },
-        setup.model.grid.is_area() ? "" : "an area, whose curves cost much");
+        setup.model.grid.is_2d() ? "" : "an area, whose curves cost much");
     block("corrected",
           "runs the pipeline on the first, at the targets less what its curve changes on finer grids and in "
           "more "
@@ -121,8 +121,8 @@ std::vector<double> excesses(Designs& designs, ga::Context<DesignProblem>& conte
     context.evaluate(designs, [&](auto& design, const ga::Evaluation<DesignOutcome>& evaluation) {
         const auto* outcome = std::get_if<DesignOutcome>(&evaluation);
         all.push_back(outcome ? outcome->excess : HUGE_VAL);
-        design.fitness = ga::judged(context.problem(), evaluation, context.problem().objectives().front(),
-                                    context.objective_name(0));
+        design.fitness = ga::fitness_of(context.problem(), evaluation, context.problem().objectives().front(),
+                                        context.objective_name(0));
     });
     return all;
 }
@@ -171,7 +171,7 @@ Pipeline coarser(std::size_t halvings, const Pipeline& body) {
 Pipeline corrected(const Pipeline& body) {
     return ga::derived_step<DesignProblem>(
         "corrected", body, [](Designs designs, const Pipeline& stages, ga::Context<DesignProblem>& context) {
-            const Judgement verified = context.problem().judge().remembered(designs.front().genome);
+            const Verification verified = context.problem().verifier().remembered(designs.front().genome);
             if (std::isnan(verified.worst()))
                 throw ga::Stopped{"stop requested"};
             const DesignProblem aimed(corrected_targets(context.problem().setup(), verified));
@@ -215,7 +215,7 @@ double middle(std::initializer_list<const std::vector<Eigen::VectorXd>*> curves,
 
 } // namespace
 
-DesignSetup corrected_targets(DesignSetup setup, const Judgement& verified) {
+DesignSetup corrected_targets(DesignSetup setup, const Verification& verified) {
     const auto& [own, refined, stepped, both] = verified.misfits;
     for (std::size_t t = 0; t < setup.targets.size(); ++t) {
         Target& target = setup.targets[t];
@@ -231,10 +231,11 @@ DesignSetup corrected_targets(DesignSetup setup, const Judgement& verified) {
 }
 
 std::string usual_variant(const DesignSetup& setup, bool stored) {
-    const bool asks_for_area = std::any_of(setup.targets.begin(), setup.targets.end(),
-                                           [](const Target& target) { return is_area(target.quantity); });
+    const bool asks_for_area =
+        std::any_of(setup.targets.begin(), setup.targets.end(),
+                    [](const Target& target) { return is_contact_fraction(target.quantity); });
     return stored                        ? "in-line"
-           : setup.model.grid.is_area()  ? "maps"
+           : setup.model.grid.is_2d()    ? "maps"
            : setup.like && asks_for_area ? "like"
                                          : "default";
 }

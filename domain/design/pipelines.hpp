@@ -27,7 +27,7 @@ struct Shape : ga::Operator {
     ///@}
 };
 
-/// Puts n sums of the measured profile's own waves (own_waves) in the place of the population: of all waves
+/// Puts n sums of the measured profile's own waves (scan_waves) in the place of the population: of all waves
 /// that can be made, of half as many, and on.
 struct Own : ga::Operator {
     std::size_t n = 1; ///< how many
@@ -66,7 +66,7 @@ Pipeline within_limits(const Pipeline& body);
 /// The set-up whose targets are moved by what a verified answer's curve changes on finer grids and in finer
 /// steps: to meet them on the set-up's own grid is to miss the given ones by as much on the one side as on
 /// the other.
-DesignSetup corrected_targets(DesignSetup setup, const Judgement& verified);
+DesignSetup corrected_targets(DesignSetup setup, const Verification& verified);
 
 /// The ways to search that have a name, as text. Those that do not begin with `shape`, `own` or `sample` work
 /// on the Sobol database. `default` begins anew while no answer has the required similarity.

@@ -26,7 +26,7 @@ constexpr std::size_t verified_on_area = 2;
 /// The set-up whose contact solutions end after so many seconds from now, or when `stop` asks for it
 /// (ContactOptions::stop), on an area, where a curve may take long. A line's as it is given.
 DesignSetup ending(DesignSetup setup, double seconds, const std::atomic<bool>* stop) {
-    if (setup.model.grid.is_area())
+    if (setup.model.grid.is_2d())
         setup.model.contact.stop = [watch = ga::Watch({std::numeric_limits<long>::max(), seconds, stop})] {
             return watch.expired();
         };
@@ -44,7 +44,7 @@ struct Verifying {
 /// own grid, with some to spare, and two threads at most share it.
 Verifying verifying_within(const DesignSetup& setup, const SearchOptions& options) {
     constexpr double curves = 80, most = 0.75, share_to_look = 0.1;
-    const bool area = setup.model.grid.is_area();
+    const bool area = setup.model.grid.is_2d();
     Verifying plan{area ? std::min(verified_on_area, options.verifying) : options.verifying,
                    options.alternatives};
     if (std::isinf(options.seconds))
@@ -74,30 +74,30 @@ Verifying verifying_within(const DesignSetup& setup, const SearchOptions& option
 }
 
 /// Verifies answers; what the search has verified is not done again.
-class Verifier {
+class AnswerVerifier {
   public:
-    Verifier(const DesignProblem& problem, const DesignSetup& reported, int threads)
-        : problem_(problem), judge_(reported, ga::thread_count(threads)),
+    AnswerVerifier(const DesignProblem& problem, const DesignSetup& reported, int threads)
+        : problem_(problem), verifier_(reported, ga::thread_count(threads)),
           threads_(ga::thread_count(threads)) {}
     std::vector<Answer> operator()(const std::vector<Genome>& genomes) const {
         std::vector<Answer> answers(genomes.size());
         ga::parallel_for(answers.size(), threads_, [&](std::size_t i) {
-            auto judgement = problem_.judge().known(genomes[i]);
-            answers[i] = judged_answer(judge_.setup(), genomes[i],
-                                       judgement ? std::move(*judgement) : judge_.of(genomes[i]));
+            auto verification = problem_.verifier().known(genomes[i]);
+            answers[i] = verified_answer(verifier_.setup(), genomes[i],
+                                         verification ? std::move(*verification) : verifier_.of(genomes[i]));
         });
         return answers;
     }
 
   private:
     const DesignProblem& problem_;
-    Judge judge_;
+    Verifier verifier_;
     int threads_;
 };
 
 /// The best answer, then the best of the way and of the pipeline's answers that differ from it and from each
 /// other.
-std::vector<Answer> alternatives(const Grid& grid, const Verifier& verified, const Answer& best,
+std::vector<Answer> alternatives(const Grid& grid, const AnswerVerifier& verified, const Answer& best,
                                  const ga::Population<Genome>& seen, std::size_t most) {
     std::vector<Profile> profiles{sample(best.genome, grid)};
     std::vector<Genome> others;
@@ -134,7 +134,7 @@ std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Popula
     };
     for (std::size_t i = 0; i < std::min(population.size(), most); ++i)
         consider(population[i].genome);
-    const bool area = problem.setup().model.grid.is_area();
+    const bool area = problem.setup().model.grid.is_2d();
     for (std::size_t i = 0; i < seen.size() && (area ? candidates.empty() : i < most); ++i)
         consider(seen[i].genome);
     if (!options.starts.empty() && !area) // the nearest of those given: what is found is no worse
@@ -144,7 +144,7 @@ std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Popula
 
 /// A line that wraps takes waves that repeat; an area moves those of any genome to its lattice.
 bool takes_harmonics(const DesignSetup& setup) {
-    return setup.model.grid.wraps && !setup.model.grid.is_area() && !setup.phases;
+    return setup.model.grid.wraps && !setup.model.grid.is_2d() && !setup.phases;
 }
 
 std::vector<Genome> database_for(const DesignSetup& setup, int threads) {
@@ -166,9 +166,9 @@ std::vector<Genome> database_for(const DesignSetup& setup, int threads) {
 }
 
 bool better(const Answer& a, const Answer& b) {
-    const auto rank = [](const Answer& one) { // what is not judged is after what is
-        return std::tuple(one.within_limits, one.is_judged() ? one.judged() : -HUGE_VAL,
-                          one.is_judged() ? 0 : one.similarity);
+    const auto rank = [](const Answer& one) { // what is not verified is after what is
+        return std::tuple(one.within_limits, one.is_verified() ? one.lowest() : -HUGE_VAL,
+                          one.is_verified() ? 0 : one.similarity);
     };
     return rank(a) > rank(b);
 }
@@ -176,9 +176,9 @@ bool better(const Answer& a, const Answer& b) {
 /// Remarks on what an answer's similarities rest on.
 std::vector<std::string> remarks_on(const Answer& best, const SearchOptions& options) {
     std::vector<std::string> notes;
-    if (!best.is_judged() && !(options.stop && options.stop->load()))
+    if (!best.is_verified() && !(options.stop && options.stop->load()))
         notes.push_back("there was no time to verify the answer on this grid and the finer one");
-    if (const double off = best.judgement.reading_error; off > 0 && best.is_judged())
+    if (const double off = best.verification.reading_error; off > 0 && best.is_verified())
         notes.push_back(line_of("of the finer grid's load steps some are read between solved ones; "
                                 "similarity_worst is lower by what that is off by on the own grid, ",
                                 off));
@@ -281,7 +281,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
     if (seen.members.empty()) // stopped before the first curve on the own grid
         offer(nearest ? *nearest : any_start(), 0);
 
-    const Verifier verified(problem, reported, options.threads);
+    const AnswerVerifier verified(problem, reported, options.threads);
     const std::vector<Answer> answers =
         verified(candidates_of(problem, population, seen.members, options, plan.answers));
     result.best = *std::max_element(answers.begin(), answers.end(),

@@ -47,37 +47,37 @@ struct SearchOptions {
     std::shared_ptr<ResponseMemory> memory = nullptr;
 };
 
-/// A genome in final amplitude and how well it answers. Of an area that was not judged in time the
+/// A genome in final amplitude and how well it answers. Of an area that was not verified in time the
 /// similarities but the first are NaN.
 struct Answer {
-    Genome genome;                 ///< amplitude final
-    double similarity = 0;         ///< on the set-up's grid
-    double similarity_refined = 0; ///< on a grid four times finer, Eq. 11 anew where it applies
-    double similarity_stepped = 0; ///< in four times the load steps, a measured target's too
-    double similarity_worst = 0;   ///< the least of these and of both together
-    bool within_limits = true;     ///< it holds every limit of the set-up
-    double difference = 1;         ///< from the answers before it, the least
-    Judgement judgement = {};      ///< what these similarities are of
+    Genome genome;                  ///< amplitude final
+    double similarity = 0;          ///< on the set-up's grid
+    double similarity_refined = 0;  ///< on a grid four times finer, Eq. 11 anew where it applies
+    double similarity_stepped = 0;  ///< in four times the load steps, a measured target's too
+    double similarity_worst = 0;    ///< the least of these and of both together
+    bool within_limits = true;      ///< it holds every limit of the set-up
+    double difference = 1;          ///< from the answers before it, the least
+    Verification verification = {}; ///< what these similarities are of
 
-    /// What an answer is judged by: it must survive finer grids and load steps.
-    double judged() const { return similarity_worst; }
+    /// What an answer is verified by: it must survive finer grids and load steps.
+    double lowest() const { return similarity_worst; }
     /// Whether all of that is known.
-    bool is_judged() const { return !std::isnan(similarity_worst); }
+    bool is_verified() const { return !std::isnan(similarity_worst); }
 };
 
-/// A genome as an answer, in final amplitude, judged under a set-up as answers are reported (as_reported).
+/// A genome as an answer, in final amplitude, verified under a set-up as answers are reported (as_reported).
 /// Where the set-up's ContactOptions::stop ends that, the similarity on its own grid is found all the same.
 /// Throws what respond() throws.
-Answer judged_answer(const DesignSetup& reported, const Genome& genome);
-/// The same of a judgement that was made.
-Answer judged_answer(const DesignSetup& reported, const Genome& genome, Judgement judgement);
+Answer verified_answer(const DesignSetup& reported, const Genome& genome);
+/// The same of a verification that was made.
+Answer verified_answer(const DesignSetup& reported, const Genome& genome, Verification verification);
 /// The answer's own response, as the set-up that was searched asks, solved throughout: of one that was not
-/// judged that which it has.
+/// verified that which it has.
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer);
 
 /// What a search found, and what it took.
 struct SearchResult {
-    Answer best;                      ///< by its judged similarity
+    Answer best;                      ///< by its verified similarity
     std::vector<Answer> alternatives; ///< the best first, then the next best that differ from those before
     std::vector<Compromise> front;    ///< what `pareto` found, where the pipeline has it
     ga::Counters counters;            ///< what was spent
@@ -96,7 +96,7 @@ void expect_searchable(const DesignSetup& setup, const std::string& way);
 bool holds_limits(const DesignSetup& setup, const Genome& genome);
 
 /// Runs a pipeline on a design and picks what to believe: of its answers and the best individuals of all its
-/// stages those that are best at their worst (Judgement). There is always an answer: the best so far, or a
+/// stages those that are best at their worst (Verification). There is always an answer: the best so far, or a
 /// first start. Throws ga::UsageError on a pipeline that cannot work or a kept run of another search,
 /// InputError on starts for a pipeline that makes its own, NotConverged when no curve of the whole run could
 /// be computed.

@@ -87,7 +87,7 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     const DesignSetup setup = completed(given);
     const Target& target = setup.targets.front();
     Grid grid = setup.model.grid;
-    grid.nodes = std::min(grid.nodes, grid.is_area() ? shaping_side : shaping_nodes);
+    grid.nodes = std::min(grid.nodes, grid.is_2d() ? shaping_side : shaping_nodes);
     grid.rows = std::min(grid.rows, shaping_side);
     const Profile surface{Eigen::VectorXd(grid.shape().nodes()), grid.spacing(), grid.rows,
                           grid.row_spacing()};
@@ -100,17 +100,16 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
                                  : target.against_pressure() ? target.last()
                                                              : infinity;
     InverseProfile inverse = inverse_profile(surface, body,
-                                             grid.is_area() ? drawn_area_order(surface, grid, random)
-                                                            : drawn_order(grid.nodes, grid.wraps, random),
+                                             grid.is_2d() ? drawn_area_order(surface, grid, random)
+                                                          : drawn_order(grid.nodes, grid.wraps, random),
                                              advance_for(target, surface.nodes()), last_pressure,
                                              target.against_pressure() ? infinity : target.last());
-    if (grid.wraps && !grid.is_area() && setup.max_pressure)
+    if (grid.wraps && !grid.is_2d() && setup.max_pressure)
         inverse =
             with_mean_at_full_approach(std::move(inverse), completed(setup.model.loading, body.kernel).reach);
     else if (setup.max_pressure)
         inverse = with_range_at_last(std::move(inverse));
-    else if (grid.wraps &&
-             !grid.is_area()) // as its stiffness has no end, neither have valleys beyond the load
+    else if (grid.wraps && !grid.is_2d()) // as its stiffness has no end, neither have valleys beyond the load
         inverse.profile.heights = inverse.profile.heights.cwiseMax(
             (inverse.lowest_free.array() - deepest_free * inverse.last_displacement).matrix());
     const Eigen::VectorXd& heights = inverse.profile.heights;
@@ -118,7 +117,7 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
         return drawn_start(setup, random); // all of the target is above full contact: flat answers best
     const double gamma = random.uniform(1.3, 1.6);
     const double H = random.uniform(0.8, 1.6);
-    if (grid.is_area())
+    if (grid.is_2d())
         return shaped_as(inverse.profile, drawn_series(setup, H, gamma, L * random.uniform(0.9, 1.5)),
                          setup.ridges, grid, setup.limits.shortest_wave);
     if (grid.wraps)

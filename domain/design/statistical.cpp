@@ -37,7 +37,7 @@ struct StatisticalProblem {
     Eigen::VectorXd foretold(const Genome& genes) const {
         const TheoryCurve curve = foretold_curve(task->theory, random_surface(parameters(genes)),
                                                  task->effective_modulus, task->target.x);
-        return is_area(task->target.quantity) ? curve.contact_fraction : curve.stiffness;
+        return is_contact_fraction(task->target.quantity) ? curve.contact_fraction : curve.stiffness;
     }
     double evaluate(const Genome& genes) const { return likeness(foretold(genes)); }
 
@@ -109,7 +109,7 @@ RealisedAnswer realised_answer(const StatisticalTask& task, const SelfAffine& pa
         } catch (const InputError&) {
         }
     for (std::size_t k = 0; k < curve.steps.size(); ++k)
-        answer.exact[static_cast<Index>(k)] = is_area(task.target.quantity)
+        answer.exact[static_cast<Index>(k)] = is_contact_fraction(task.target.quantity)
                                                   ? curve.steps[k].contact_fraction
                                                   : curve.steps[k].tangent_stiffness;
     answer.similarity = StatisticalProblem{&task}.likeness(answer.exact);

@@ -61,13 +61,13 @@ double gradient_of(const Genome& genome, const Grid& grid) {
                         })->of(genome));
 }
 
-void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
-                   const DesignResponse& response, Trust& trust) {
+void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
+                    const DesignResponse& response, Trust& trust) {
     const Profile profile = sample(genome, setup.model.grid);
     const Index n = profile.nodes();
-    trust.rms_slope = profile.is_area() ? gradient_of(genome, setup.model.grid)
-                                        : (profile.heights.tail(n - 1) - profile.heights.head(n - 1)).norm() /
-                                              (profile.spacing * std::sqrt(static_cast<double>(n - 1)));
+    trust.rms_slope = profile.is_2d() ? gradient_of(genome, setup.model.grid)
+                                      : (profile.heights.tail(n - 1) - profile.heights.head(n - 1)).norm() /
+                                            (profile.spacing * std::sqrt(static_cast<double>(n - 1)));
     double displacement = 0;
     for (const Response& one : response.responses)
         displacement = std::max(displacement, one.displacement.tail(1)[0]);
@@ -87,7 +87,7 @@ void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOp
 
     if (trust.rms_slope > 0.1)
         flag(trust, "rms slope ", trust.rms_slope,
-             " is above 0.1: ", profile.is_area() ? "half-space" : "half-plane",
+             " is above 0.1: ", profile.is_2d() ? "half-space" : "half-plane",
              " theory supposes small slopes");
     if (options.hardness > 0 && trust.peak_pressure > options.hardness)
         flag(trust, "peak pressure ", trust.peak_pressure, " MPa is above the hardness, ", options.hardness,
@@ -96,7 +96,7 @@ void judge_strains(const DesignSetup& setup, const Genome& genome, const TrustOp
         flag(trust, "the shortest wave has ", trust.shortest_wave_nodes,
              " nodes, under 8: the grid is part of the answer");
     if (trust.contact_at_ends)
-        flag(trust, "contact reaches the ", profile.is_area() ? "area's edges" : "profile's ends",
+        flag(trust, "contact reaches the ", profile.is_2d() ? "area's edges" : "profile's ends",
              ", where a real surface would go on");
 }
 
@@ -120,13 +120,13 @@ Job under(const DesignSetup& setup, const Genome& genome, const std::string& nam
 }
 
 std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
-                           Trust& trust, const Answer* judged) {
+                           Trust& trust, const Answer* verified) {
     std::vector<Job> jobs;
     const auto ask = [&](const std::string& name, const Model& model, double Answer::*known) {
-        if (judged && known && setup.model.grid.is_area() && std::isnan(judged->*known))
+        if (verified && known && setup.model.grid.is_2d() && std::isnan(verified->*known))
             trust.left_out.push_back(name);
-        else if (judged && known && setup.model.grid.is_area())
-            jobs.push_back({name, [=] { return judged->*known; }});
+        else if (verified && known && setup.model.grid.is_2d())
+            jobs.push_back({name, [=] { return verified->*known; }});
         else
             jobs.push_back(under(setup, genome, name, model));
     };
@@ -141,7 +141,7 @@ std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const
                             const DesignSetup finer = in_finer_steps(setup);
                             return similarity(finer, respond(finer, genome, finer.model));
                         }});
-    if (setup.model.body.kernel == Kernel::free && !setup.model.grid.is_area()) {
+    if (setup.model.body.kernel == Kernel::free && !setup.model.grid.is_2d()) {
         DesignSetup far = in_final_amplitude(setup);
         far.targets = with_datum(setup.targets, setup.model, 4);
         far.model.body.datum *= 4;
@@ -181,7 +181,7 @@ std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const
 std::vector<Job> kernels_of(const DesignSetup& setup, const Genome& genome) {
     std::vector<Job> jobs;
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
-        if (kernel != setup.model.body.kernel && !(setup.model.grid.is_area() && kernel == Kernel::strip))
+        if (kernel != setup.model.body.kernel && !(setup.model.grid.is_2d() && kernel == Kernel::strip))
             jobs.push_back(under(setup, genome, name_of(kernel), with_kernel(setup.model, kernel)));
     return jobs;
 }
@@ -228,15 +228,15 @@ std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& 
 }
 
 Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOptions& options,
-               const Answer* judged, const DesignResponse* own) {
+               const Answer* verified, const DesignResponse* own) {
     Trust trust;
     DesignSetup setup = completed(given);
-    judge_strains(setup, genome, options, own ? *own : respond(setup, genome, setup.model), trust);
+    assess_strains(setup, genome, options, own ? *own : respond(setup, genome, setup.model), trust);
     const auto late = [watch = ga::Watch({std::numeric_limits<long>::max(), options.seconds, options.stop})] {
         return watch.expired();
     };
     setup.model.contact.stop = late;
-    std::vector<Job> jobs = checks_of(setup, genome, options, trust, judged);
+    std::vector<Job> jobs = checks_of(setup, genome, options, trust, verified);
     const std::size_t checks = jobs.size();
     for (Job& job : kernels_of(setup, genome))
         jobs.push_back(std::move(job));

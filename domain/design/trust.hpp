@@ -54,13 +54,13 @@ struct Trust {
 };
 
 /// Re-verifies a genome in final amplitude, whose response as designed may be given (response_of). On an area
-/// what the search has judged already is taken from its answer, where that is given: a fine area's curve
+/// what the search has verified already is taken from its answer, where that is given: a fine area's curve
 /// costs a minute; what it had no time for is left out. The datum's change is exact on the target
 /// side: 1/K(4 d) = 1/K(d)
 /// + (2 L/(pi E*)) ln 4 at the same load, displacements grow by (2 P L/(pi E*)) ln 4, areas and interface
 /// stiffness stay.
 Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
-               const Answer* judged = nullptr, const DesignResponse* own = nullptr);
+               const Answer* verified = nullptr, const DesignResponse* own = nullptr);
 
 /// The targets as they read with the datum `factor` times farther; free kernel only. A target against
 /// displacement has no reading of its own where the load at its points is not known, and is left out.

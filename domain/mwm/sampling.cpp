@@ -248,7 +248,7 @@ Eigen::VectorXd sampled(const std::vector<PlaneWave>& waves, const Grid& grid) {
 }
 
 Profile sample(const Genome& genome, const Grid& grid) {
-    if (grid.is_area())
+    if (grid.is_2d())
         return sample_area(genome, grid);
     Profile profile{Eigen::VectorXd::Zero(grid.nodes), grid.spacing()};
     for (const Wave& wave : waves(genome)) { // Eq. 9
@@ -277,7 +277,7 @@ Eigen::MatrixXd wave_basis(const Genome& genome, const Grid& grid) {
 }
 
 Eigen::MatrixXd pulled_back(const Eigen::MatrixXd& height_gradient, const Genome& genome, const Grid& grid) {
-    if (grid.is_area())
+    if (grid.is_2d())
         return pulled_back_area(height_gradient, genome, grid);
     // With S = sum_i g_i exp(i k x_i) and T = sum_i g_i x_i exp(i k x_i), for the functional g:
     //   cosine part  sum_i g_i cos(k x_i + theta) = Re(S e^{i theta}),  d/d phi_m = Im(S e^{i phi_m}) G,

@@ -26,7 +26,7 @@ struct Grid {
     Index rows = 1;          ///< N_y
     double width = 0;        ///< L_y, mm; 0: a line
 
-    bool is_area() const { return width > 0; }     ///< two dimensions
+    bool is_2d() const { return width > 0; }       ///< two dimensions
     Extent shape() const { return {nodes, rows}; } ///< N_x, N_y
     double spacing() const { return length / static_cast<double>(wraps ? nodes : nodes - 1); } ///< delta, mm
     /// delta_y, mm, 0 for a line; a single row is as wide as the area
@@ -38,7 +38,7 @@ struct Grid {
 /// The grid of `refine` elements for each of this one, along x and y.
 inline Grid refined(Grid grid, Index refine) {
     grid.nodes = grid.wraps ? grid.nodes * refine : (grid.nodes - 1) * refine + 1;
-    if (grid.is_area())
+    if (grid.is_2d())
         grid.rows = grid.wraps || grid.rows == 1 ? grid.rows * refine : (grid.rows - 1) * refine + 1;
     return grid;
 }

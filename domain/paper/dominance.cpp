@@ -47,7 +47,7 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
 }
 
 LoneResponses::LoneResponses(Model model) : model_(std::move(model)) {
-    for (Grid& grid = model_.grid; grid.is_area() && std::max(grid.nodes, grid.rows) > 64;) {
+    for (Grid& grid = model_.grid; grid.is_2d() && std::max(grid.nodes, grid.rows) > 64;) {
         grid.nodes = (grid.nodes + 1) / 2;
         grid.rows = (grid.rows + 1) / 2;
     }

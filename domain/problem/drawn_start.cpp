@@ -40,7 +40,7 @@ Genome drawn_start(const DesignSetup& given, ga::Stream random) {
         }
         genome.series.push_back(std::move(series));
     };
-    if (setup.model.grid.wraps && !setup.model.grid.is_area()) {
+    if (setup.model.grid.wraps && !setup.model.grid.is_2d()) {
         for (Series& series :
              harmonic_series(setup.model.grid.length, shortest,
                              within(random.uniform(0.5, 1.5), setup.bounds.H_from, setup.bounds.H_to)))
@@ -62,7 +62,7 @@ Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome) {
     const Target& target = setup.targets.front();
     Model model = setup.model;
     // A start need not be read so finely where a curve costs much.
-    const int steps = model.grid.is_area() ? model.loading.steps : std::max(40, model.loading.steps);
+    const int steps = model.grid.is_2d() ? model.loading.steps : std::max(40, model.loading.steps);
     model.loading = {steps, model.loading.reach};
     const Response response = respond(folded(genome), model);
     const double own =

@@ -15,7 +15,7 @@ struct Place {
 
 /// A line's cosines run along x.
 std::vector<PlaneWave> waves_on(const Grid& grid, const Genome& genome) {
-    if (grid.is_area())
+    if (grid.is_2d())
         return plane_waves(genome, grid);
     std::vector<PlaneWave> all;
     for (const Wave& w : waves(genome))
@@ -49,7 +49,7 @@ double between_nodes(const std::vector<PlaneWave>& waves, int order, double h) {
 }
 
 /// The grid that extremes are looked for on; of an area, whose nodes grow by the square, a coarser one.
-Grid looked_at(const Grid& grid) { return refined(grid, grid.is_area() ? 4 : 8); }
+Grid looked_at(const Grid& grid) { return refined(grid, grid.is_2d() ? 4 : 8); }
 
 struct Extremes {
     double least, greatest;      ///< at the nodes
@@ -96,7 +96,7 @@ Extremes extremes_on_area(const std::vector<PlaneWave>& waves, const Grid& fine,
 
 Extremes extremes(const std::vector<PlaneWave>& waves, const Grid& grid, int order) {
     const Grid fine = looked_at(grid);
-    if (grid.is_area())
+    if (grid.is_2d())
         return extremes_on_area(waves, fine, order);
     const double h = fine.spacing();
     Eigen::ArrayXd values = Eigen::ArrayXd::Zero(fine.nodes);
@@ -141,17 +141,16 @@ std::vector<ShapeLimit> shape_limits(const Genome& genome, const Grid& grid, con
         result.push_back(
             {e.largest() / limit, order, {{(up ? 1 : -1) / limit, up ? e.at_greatest : e.at_least}}});
     };
-    if (limits.largest_slope > 0)
-        largest(1, limits.largest_slope);
-    if (limits.largest_height > 0) {
+    if (limits.max_slope > 0)
+        largest(1, limits.max_slope);
+    if (limits.max_height > 0) {
         const Extremes e = extremes(all, grid, 0);
-        result.push_back(
-            {e.range() / limits.largest_height,
-             0,
-             {{1 / limits.largest_height, e.at_greatest}, {-1 / limits.largest_height, e.at_least}}});
+        result.push_back({e.range() / limits.max_height,
+                          0,
+                          {{1 / limits.max_height, e.at_greatest}, {-1 / limits.max_height, e.at_least}}});
     }
-    if (limits.smallest_radius > 0)
-        largest(2, 1 / limits.smallest_radius);
+    if (limits.min_radius > 0)
+        largest(2, 1 / limits.min_radius);
     return result;
 }
 
@@ -169,9 +168,9 @@ double value_at(const Genome& genome, const ShapeLimit& limit, const Grid& fine)
 std::vector<Margin> margins(const Genome& genome, const Grid& grid, const MakingLimits& limits) {
     const auto all = waves_on(grid, genome);
     return {{"shortest_wave_mm", limits.shortest_wave, shortest_wave(genome) * (1 + 1e-12), true},
-            {"slope", limits.largest_slope, extremes(all, grid, 1).largest(), false},
-            {"height_mm", limits.largest_height, extremes(all, grid, 0).range(), false},
-            {"radius_mm", limits.smallest_radius, 1 / extremes(all, grid, 2).largest(), true}};
+            {"slope", limits.max_slope, extremes(all, grid, 1).largest(), false},
+            {"height_mm", limits.max_height, extremes(all, grid, 0).range(), false},
+            {"radius_mm", limits.min_radius, 1 / extremes(all, grid, 2).largest(), true}};
 }
 
 double excess(const Genome& genome, const Grid& grid, const MakingLimits& limits, double guard) {

@@ -19,14 +19,14 @@ struct GeneBounds {
 
 /// What can be made. 0: no limit.
 struct MakingLimits {
-    double shortest_wave = 0;  ///< mm
-    double largest_slope = 0;  ///< of the profile's own |dZ/dx|, an area's gradient
-    double largest_height = 0; ///< max Z - min Z, mm
+    double shortest_wave = 0; ///< mm
+    double max_slope = 0;     ///< of the profile's own |dZ/dx|, an area's gradient
+    double max_height = 0;    ///< max Z - min Z, mm
     /// of curvature, 1/|d2Z/dx2|, in whatever direction of an area, mm: no larger than the circle's own
-    double smallest_radius = 0;
+    double min_radius = 0;
 
     /// Whether the sampled shape is limited, not the waves alone.
-    bool any_shape() const { return largest_slope > 0 || largest_height > 0 || smallest_radius > 0; }
+    bool any_shape() const { return max_slope > 0 || max_height > 0 || min_radius > 0; }
 };
 
 /// One limit beside what a genome has.

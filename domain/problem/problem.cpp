@@ -28,7 +28,7 @@ constexpr double limit_weight = 30;
 constexpr Index full_contact_nodes = 128;
 
 double stiffest_of(Model model) {
-    if (!model.grid.is_area())
+    if (!model.grid.is_2d())
         model.grid.nodes = std::min(model.grid.nodes, full_contact_nodes);
     return stiffness_limits(model).most;
 }
@@ -60,7 +60,7 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> 
     : setup_(std::make_shared<DesignSetup>(completed(std::move(setup)))), memory_(std::move(memory)),
       stiffest_(stiffest_of(setup_->model)), descriptors_(surface_descriptors(setup_->model.grid)) {
     validate(*setup_);
-    judge_ = std::make_shared<Judge>(as_reported(*setup_), threads);
+    verifier_ = std::make_shared<Verifier>(as_reported(*setup_), threads);
     // Below every genome within the limits, by how far it is over them.
     const auto limited = [](double similarity, const Outcome& outcome) {
         return outcome.excess > 0 ? std::min(similarity, 0.0) - 1 - outcome.excess : similarity;
@@ -74,17 +74,17 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> 
     objectives_ = {
         {"similarity", [=](const Outcome& outcome) { return limited(outcome.similarity(), outcome); }},
         {"verified",
-         [=, judge = judge_](const Outcome& outcome) {
-             const double worst = judge->remembered(outcome.genome).worst();
+         [=, verifier = verifier_](const Outcome& outcome) {
+             const double worst = verifier->remembered(outcome.genome).worst();
              if (std::isnan(worst))
                  throw ga::Stopped{"stop requested"};
              return limited(std::min(outcome.similarity(), worst), outcome);
          }},
         {"more_steps",
-         [=, judge = judge_](const Outcome& outcome) {
-             const Genome shape = at_scale_one(outcome.genome, judge->setup());
-             const double finer = unless_stopped(judge->setup().model.contact,
-                                                 [&] { return rough::similarity(judge->finer(), shape); });
+         [=, verifier = verifier_](const Outcome& outcome) {
+             const Genome shape = at_scale_one(outcome.genome, verifier->setup());
+             const double finer = unless_stopped(verifier->setup().model.contact,
+                                                 [&] { return rough::similarity(verifier->finer(), shape); });
              return limited(std::min(outcome.similarity(), finer), outcome);
          }},
         {"low", part(false)},
@@ -213,10 +213,10 @@ std::vector<Index> DesignProblem::points_of(const std::string& objective, std::s
 
 ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::string& objective) const {
     Genome shape = at_scale_one(genome, *setup_);
-    // As Judgement has them: in four times the steps, too, then on the finer grid.
+    // As Verification has them: in four times the steps, too, then on the finer grid.
     std::vector<Rows> all;
     const auto solve_stepped = [&](Index refine) {
-        auto [fine, own] = stepped_rows(*setup_, judge_->finer(), shape, refine);
+        auto [fine, own] = stepped_rows(*setup_, verifier_->finer(), shape, refine);
         all.insert(all.end(), {std::move(own), std::move(fine)});
     };
     if (objective == "verified" || objective == "more_steps")
@@ -224,7 +224,7 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
     else
         all.push_back(misfit_rows(*setup_, shape, setup_->model));
     if (objective == "verified")
-        solve_stepped(judged_refinement);
+        solve_stepped(verified_refinement);
     std::vector<Index> chosen;
     Index first = 0;
     for (std::size_t t = 0; t < setup_->targets.size(); first += setup_->targets[t++].points())

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "domain/problem/judgement.hpp"
 #include "domain/problem/response_memory.hpp"
+#include "domain/problem/verification.hpp"
 #include "ga/base/random.hpp"
 #include "ga/niches/descriptors.hpp"
 #include "ga/refinement/sensitivity.hpp"
@@ -21,7 +21,7 @@ struct DesignOutcome {
 };
 
 /// Find the genome that answers as asked, within limits. Objectives: `similarity`; `verified`, the least of
-/// it and the same on a finer grid and in finer load steps (Judgement::worst); `more_steps`, of it and the
+/// it and the same on a finer grid and in finer load steps (Verification::worst); `more_steps`, of it and the
 /// same in finer load steps; `low` and `high`, on the first target's points up to and from the threshold;
 /// `goal1`, `goal2` and on, on each target alone. A genome over the limits is ranked below every one within
 /// them.
@@ -76,7 +76,7 @@ class DesignProblem {
     double distance(const Genome& a, const Genome& b) const;
 
     const DesignSetup& setup() const { return *setup_; }      ///< what is asked for
-    const Judge& judge() const { return *judge_; }            ///< of the set-up as answers are reported
+    const Verifier& verifier() const { return *verifier_; }   ///< of the set-up as answers are reported
     bool shares_memory() const { return memory_ != nullptr; } ///< with other problems
     double stiffest() const { return stiffest_; }             ///< no tangent is above it, MPa/mm
     /// Which points of a target an objective is over.
@@ -84,7 +84,7 @@ class DesignProblem {
 
   private:
     std::shared_ptr<const DesignSetup> setup_;
-    std::shared_ptr<const Judge> judge_;
+    std::shared_ptr<const Verifier> verifier_;
     std::shared_ptr<ResponseMemory> memory_;
     double stiffest_;
     std::vector<ga::Objective<Outcome>> objectives_;

@@ -16,7 +16,7 @@ Model pressed_by(Model model, const Loading& loading) {
 }
 
 /// An area's load is found to its solver's tolerance, and solved once more there: none ends below the target.
-double load_slack(const Model& model) { return model.grid.is_area() ? 1 + 3 * model.contact.tolerance : 1; }
+double load_slack(const Model& model) { return model.grid.is_2d() ? 1 + 3 * model.contact.tolerance : 1; }
 
 } // namespace
 

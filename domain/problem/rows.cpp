@@ -16,7 +16,7 @@ CurveJacobian curve_jacobian(Quantity quantity, const Response& response, const 
                                   response.full_stiffness);
     const Index steps = response.steps(), genes = jacobian.pressure.cols();
     CurveJacobian result{Eigen::MatrixXd::Zero(steps + 1, genes), Eigen::MatrixXd::Zero(steps + 1, genes)};
-    if (is_area(quantity))
+    if (is_contact_fraction(quantity))
         result.y.bottomRows(steps) = jacobian.contact_fraction;
     if (quantity == Quantity::area_at_pressure) {
         result.x.bottomRows(steps) = jacobian.pressure;
@@ -43,7 +43,7 @@ Pressed pressed_with_jacobian(const DesignSetup& setup, const Genome& genome, co
     for (std::size_t way = 0; way < loadings.each.size(); ++way) {
         bool with_area = false;
         for (std::size_t t = 0; t < setup.targets.size(); ++t)
-            with_area |= loadings.of_target[t] == way && is_area(setup.targets[t].quantity);
+            with_area |= loadings.of_target[t] == way && is_contact_fraction(setup.targets[t].quantity);
         auto [response, gradient, area] =
             respond_with_gradient(profile, model.body, loadings.each[way], model.contact, with_area);
         result.jacobians.push_back(in_genes(
@@ -117,7 +117,7 @@ std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& fi
                                  Index refine) {
     Pressed fine = pressed_with_jacobian(finer, genome, refined(finer.model, refine));
     Rows all = rows_of(finer, fine);
-    return {std::move(all), rows_of(setup, every(judged_refinement, std::move(fine)))};
+    return {std::move(all), rows_of(setup, every(verified_refinement, std::move(fine)))};
 }
 
 } // namespace rough

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/problem/judgement.hpp"
+#include "domain/problem/verification.hpp"
 #include "ga/refinement/sensitivity.hpp"
 
 namespace rough {

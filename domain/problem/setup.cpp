@@ -30,18 +30,18 @@ GeneBounds completed(GeneBounds bounds, double length) {
 DesignSetup completed(DesignSetup setup) {
     setup.model = completed(setup.model);
     const Grid& grid = setup.model.grid;
-    const Index fewest = grid.is_area() ? std::min(grid.nodes, grid.rows) : grid.nodes;
+    const Index fewest = grid.is_2d() ? std::min(grid.nodes, grid.rows) : grid.nodes;
     if (!setup.phases && fewest < 16)
         refuse_value("nodes", fewest, " given, expected 16 at least for a design");
-    if (grid.is_area() && setup.model.accuracy > 0)
+    if (grid.is_2d() && setup.model.accuracy > 0)
         refuse_value("accuracy", setup.model.accuracy,
                      " given with an area, expected none: its bounds are of "
                      "profiles");
-    if (grid.is_area() && setup.model.body.kernel == Kernel::strip)
+    if (grid.is_2d() && setup.model.body.kernel == Kernel::strip)
         refuse_value("kernel", "strip given with an area, expected free or periodic");
     validate(setup.model);
     if (setup.ridges == 0)
-        setup.ridges = grid.is_area() ? area_ridges : 1;
+        setup.ridges = grid.is_2d() ? area_ridges : 1;
     if (setup.phases)
         return setup;
     setup.bounds = completed(setup.bounds, grid.length);
@@ -97,7 +97,7 @@ DesignSetup exactly(DesignSetup setup) {
 
 DesignSetup as_reported(DesignSetup searched) {
     DesignSetup setup = exactly(std::move(searched));
-    if (!setup.model.grid.is_area() && refined(setup.model, 4).grid.nodes <= exactly_reported)
+    if (!setup.model.grid.is_2d() && refined(setup.model, 4).grid.nodes <= exactly_reported)
         setup.model.contact.tolerance = std::min(setup.model.contact.tolerance, reported_tolerance);
     return setup;
 }

@@ -64,7 +64,7 @@ inline void to_json(nlohmann::json& j, const DesignSetup& setup) {
     const auto& [model, targets, max_pressure, threshold, bounds, phases, limits, like, required, ridges] =
         setup;
     const auto& [H_from, H_to, gamma_from, gamma_to, lambda_from, lambda_to] = bounds;
-    const auto& [shortest_wave, largest_slope, largest_height, smallest_radius] = limits;
+    const auto& [shortest_wave, max_slope, max_height, min_radius] = limits;
     const auto known = [](const auto& value) { return value ? nlohmann::json(*value) : nlohmann::json(); };
     j = {model,
          targets,
@@ -72,7 +72,7 @@ inline void to_json(nlohmann::json& j, const DesignSetup& setup) {
          known(threshold),
          {H_from, H_to, gamma_from, gamma_to, lambda_from, lambda_to},
          phases ? nlohmann::json{phases->relative, phases->absolute} : nlohmann::json(),
-         {shortest_wave, largest_slope, largest_height, smallest_radius},
+         {shortest_wave, max_slope, max_height, min_radius},
          like ? nlohmann::json{numbers_of(like->heights), like->spacing, like->rows, like->row_spacing}
               : nlohmann::json(),
          required,

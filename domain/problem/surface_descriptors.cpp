@@ -39,7 +39,7 @@ Feature gradient(const Profile& map) {
 }
 
 Feature slope(const Profile& profile, double) {
-    if (profile.is_area())
+    if (profile.is_2d())
         return gradient(profile);
     const Index last = profile.nodes() - 1;
     const Eigen::RowVectorXd steps = (profile.heights.tail(last) - profile.heights.head(last)).transpose();

@@ -10,7 +10,7 @@ namespace rough {
 ArealParameters areal_parameters(const Profile& map, bool wraps) {
     constexpr Index fewest = 10;
     const auto [columns, rows] = map.shape();
-    if (!map.is_area() || columns < fewest || rows < fewest)
+    if (!map.is_2d() || columns < fewest || rows < fewest)
         refuse("areal parameters: a map of ", columns, " x ", rows, " nodes, expected at least 10 x 10");
     Profile about = map;
     about.heights.array() -= map.heights.mean();

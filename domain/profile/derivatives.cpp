@@ -15,7 +15,7 @@ constexpr std::array<double, 7> second{2, -27, 270, -490, 270, -27, 2}; // over 
 Eigen::ArrayXXd continued(const Profile& surface, bool wraps) {
     const auto [columns, rows] = surface.shape();
     const Eigen::Map<const Eigen::ArrayXXd> z(surface.heights.data(), columns, rows);
-    const Index across = surface.is_area() ? reach : 0;
+    const Index across = surface.is_2d() ? reach : 0;
     if (!wraps)
         return z;
     Eigen::ArrayXXd all(columns + 2 * reach, rows + 2 * across);
@@ -29,7 +29,7 @@ Eigen::ArrayXXd continued(const Profile& surface, bool wraps) {
 
 Derivatives derivatives(const Profile& surface, bool wraps) {
     const auto [columns, rows] = surface.shape();
-    const bool is_area = surface.is_area();
+    const bool is_area = surface.is_2d();
     if (columns < 2 * reach + 1 || (is_area && rows < 2 * reach + 1))
         refuse("derivatives: ", columns, " x ", rows, " nodes, expected at least 7 along each side");
     const Eigen::ArrayXXd z = continued(surface, wraps);

@@ -82,7 +82,7 @@ Detrend detrend_named(std::string_view name, const std::string& where) {
 Eigen::VectorXd detrended(const Profile& profile, Detrend form) {
     if (form == Detrend::none)
         return profile.heights;
-    if (form == Detrend::arc && profile.is_area())
+    if (form == Detrend::arc && profile.is_2d())
         refuse("detrend: arc given with an area, expected none, mean, line, parabola, cubic or quartic");
     if (form == Detrend::arc)
         return without_arc(profile);
@@ -90,7 +90,7 @@ Eigen::VectorXd detrended(const Profile& profile, Detrend form) {
     const auto [columns, rows] = profile.shape();
     const Index degree = static_cast<Index>(form) - 1;
     const auto along_x = orthogonal_polynomials(columns, degree),
-               along_y = orthogonal_polynomials(rows, profile.is_area() ? degree : 0);
+               along_y = orthogonal_polynomials(rows, profile.is_2d() ? degree : 0);
     Eigen::MatrixXd rest = Eigen::Map<const Eigen::MatrixXd>(profile.heights.data(), columns, rows).array() -
                            profile.heights.mean();
     for (std::size_t a = 0; a < along_x.size(); ++a)

@@ -95,7 +95,7 @@ Eigen::VectorXd low_passed(const Profile& profile, double cut_off) {
     const LineFilter along_x(columns, profile.spacing, cut_off);
     for (Index j = 0; j < rows; ++j)
         z.col(j) = along_x(z.col(j));
-    if (profile.is_area()) {
+    if (profile.is_2d()) {
         const LineFilter along_y(rows, profile.row_spacing, cut_off);
         for (Index i = 0; i < columns; ++i)
             z.row(i) = along_y(z.row(i).transpose()).transpose();

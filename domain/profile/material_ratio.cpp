@@ -10,7 +10,7 @@ namespace rough {
 
 double material_ratio(const Profile& profile, double level) {
     const Eigen::VectorXd& z = profile.heights;
-    if (profile.is_area())
+    if (profile.is_2d())
         return (z.array() > level).cast<double>().mean();
     double sum = 0;
     for (Index i = 1; i < z.size(); ++i) {

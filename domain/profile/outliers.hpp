@@ -10,7 +10,7 @@ namespace rough {
 /// median step between neighbours, of the whole profile and of the 24 steps around, and by three of the
 /// steps in which heights are resolved. A wedge, a saw tooth, a step and a smooth peak are foretold from one
 /// side at least, and are none. The first and the last three nodes, and those of fewer
-/// than 16, are not judged. Spikes of one and two nodes are found; wider ones are taken for the surface.
+/// than 16, are not verified. Spikes of one and two nodes are found; wider ones are taken for the surface.
 std::vector<Index> outliers(const Eigen::VectorXd& heights);
 
 /// The heights with those of these nodes (increasing) put on the straight line between their neighbours.

@@ -15,7 +15,7 @@ struct Profile {
     double row_spacing = 0;  ///< delta_y, mm; 0: a line
 
     Index nodes() const { return heights.size(); }                 ///< N
-    bool is_area() const { return row_spacing > 0; }               ///< two dimensions
+    bool is_2d() const { return row_spacing > 0; }                 ///< two dimensions
     Extent shape() const { return {heights.size() / rows, rows}; } ///< N_x, N_y
 };
 

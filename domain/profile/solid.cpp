@@ -33,7 +33,7 @@ constexpr double fewest_levels = 256, levels = 16777216;
 
 Mesh solid(const Profile& surface, const Extrusion& extrusion) {
     const auto [columns, map_rows] = surface.shape();
-    const bool is_area = surface.is_area();
+    const bool is_area = surface.is_2d();
     const Index rows = is_area ? map_rows : 2; // a profile's ridges have two ends
     if (is_area && (extrusion.width != 0 || columns < 2 || rows < 2))
         refuse("solid: a map of ", columns, " x ", rows, " heights",

@@ -23,7 +23,7 @@ Eigen::ArrayXd window(Index nodes, bool wraps) {
 
 Eigen::ArrayXXd wave_powers(const Profile& surface, bool wraps) {
     const auto [columns, rows] = surface.shape();
-    if (columns < 4 || (rows < 4 && surface.is_area()))
+    if (columns < 4 || (rows < 4 && surface.is_2d()))
         refuse("spectrum: a surface of ", columns, " x ", rows, " nodes, expected at least 4");
     const Index half = columns / 2 + 1;
     AlignedBuffer<double> windowed(surface.nodes());
@@ -51,7 +51,7 @@ Spectrum continuous_spectrum(const Profile& surface, bool wraps) {
     const Eigen::ArrayXXd powers = wave_powers(surface, wraps);
     const auto [columns, rows] = surface.shape();
     const double dx = turn / (surface.spacing * static_cast<double>(columns));
-    if (!surface.is_area()) {
+    if (!surface.is_2d()) {
         const Index half = columns / 2;
         const Eigen::VectorXd power = powers.col(0).tail(half);
         return {dx * Eigen::VectorXd::LinSpaced(half, 1, static_cast<double>(half)), power / dx, power};

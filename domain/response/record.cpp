@@ -21,11 +21,11 @@ Fields fields(const Model& given) {
                {"effective_modulus_MPa", field_text(body.effective_modulus)},
                {"steps", std::to_string(model.loading.steps)},
                {"reach", field_text(model.loading.reach)}};
-    if (model.grid.is_area()) {
+    if (model.grid.is_2d()) {
         all.emplace_back("rows", std::to_string(model.grid.rows));
         all.emplace_back("width_mm", field_text(model.grid.width));
     }
-    if (body.kernel == Kernel::free && !model.grid.is_area())
+    if (body.kernel == Kernel::free && !model.grid.is_2d())
         all.emplace_back("datum_mm", field_text(body.datum));
     if (body.kernel == Kernel::strip)
         all.emplace_back("strip_width_mm", field_text(body.strip_width));

@@ -107,7 +107,7 @@ std::vector<double> step_displacements(const Profile& profile, const Body& body,
                                        const ContactOptions& options) {
     if (!loading.pressures.empty()) {
         std::vector<double> displacements;
-        if (profile.is_area()) {
+        if (profile.is_2d()) {
             for (const LoadStep& step :
                  solve_contact_at_pressures(profile, body, loading.pressures, options).steps)
                 displacements.push_back(step.displacement);
@@ -136,7 +136,7 @@ double displacement_at_pressure(const Profile& profile, const Body& given, doubl
     const Body body = completed_for(profile, given);
     const double range = displacement_range(profile, body.kernel);
     // With a hardness P is not convex; on an area a solution costs too much to begin again at each guess.
-    if (body.yields() || profile.is_area())
+    if (body.yields() || profile.is_2d())
         return solve_contact_at_pressures(profile, body, {pressure}, options).steps.front().displacement;
     const bool periodic = body.kernel == Kernel::periodic;
     const double farthest = periodic ? range * (1 - 1e-9) : std::numeric_limits<double>::infinity();

@@ -182,10 +182,9 @@ std::string x3p(const Profile& surface) {
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">\n"
         "  <Record1>\n    <Revision>ISO5436 - 2000</Revision>\n    <FeatureType>" +
-        std::string(surface.is_area() ? "SUR" : "PRF") + "</FeatureType>\n    <Axes>\n" +
+        std::string(surface.is_2d() ? "SUR" : "PRF") + "</FeatureType>\n    <Axes>\n" +
         axis("CX", "I", written(1e-3 * surface.spacing)) +
-        axis("CY", "I", surface.is_area() ? written(1e-3 * surface.row_spacing) : "1") +
-        axis("CZ", "A", "1") +
+        axis("CY", "I", surface.is_2d() ? written(1e-3 * surface.row_spacing) : "1") + axis("CZ", "A", "1") +
         "    </Axes>\n  </Record1>\n"
         "  <Record2>\n    <Date>1980-01-01T00:00:00Z</Date>\n    <Creator>rugosa</Creator>\n"
         "    <Instrument><Manufacturer>none</Manufacturer><Model>rugosa</Model><Serial>none</Serial>"

@@ -48,7 +48,7 @@ void find_fall(const Target& target, std::vector<OutOfReach>& found) {
                 worst = allowed.least_misfit(i, j), first = i, second = j;
     if (worst <= negligible)
         return;
-    const char* what = is_area(target.quantity) ? "contact fraction" : name_of(target);
+    const char* what = is_contact_fraction(target.quantity) ? "contact fraction" : name_of(target);
     found.push_back({line_of(what, " falls from ", allowed.lower(first), " at ", target.x[first],
                              unit_of(target), " to ", allowed.upper(second), " at ", target.x[second],
                              unit_of(target), ": contact only grows under load, so it never falls"),

@@ -31,7 +31,7 @@ inline double similarity(const Eigen::VectorXd& misfits) { return 1 - misfits.cw
 double similarity(const Target& target, const Curve& curve);
 
 /// How far one response meets another (the first taken as target at its own abscissas, both stretched to the
-/// same highest pressure): used to judge a reduced profile against the whole.
+/// same highest pressure): used to verify a reduced profile against the whole.
 double similarity(const Curve& reference, const Curve& curve);
 
 } // namespace rough

@@ -37,7 +37,7 @@ StiffnessLimits area_limits(const Model& model) {
 
 StiffnessLimits stiffness_limits(const Model& given) {
     const Model model = completed(given);
-    if (model.grid.is_area())
+    if (model.grid.is_2d())
         return area_limits(model);
     // Full contact grows stiffer as the grid grows coarser, so a coarse grid's is an upper bound.
     Grid grid = model.grid;

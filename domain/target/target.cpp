@@ -42,7 +42,7 @@ void validate(const Target& target) {
     const auto fail = [&](Index k, const std::string& column, double value, const std::string& expected) {
         refuse(target.name, ": point ", k + 1, ": ", column, " is ", value, ", expected ", expected);
     };
-    const bool of_area = is_area(target.quantity);
+    const bool of_area = is_contact_fraction(target.quantity);
     if (target.points() == 0)
         throw InputError(target.name + ": no points given, expected at least one");
     double last = 0;

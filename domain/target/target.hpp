@@ -18,7 +18,7 @@ enum class Quantity {
 };
 
 /// Whether it is of contact fractions.
-inline bool is_area(Quantity quantity) {
+inline bool is_contact_fraction(Quantity quantity) {
     return quantity == Quantity::area_at_pressure || quantity == Quantity::area_at_displacement;
 }
 /// Whether it is against a mean pressure (MPa), not a displacement (mm).

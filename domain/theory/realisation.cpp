@@ -11,14 +11,14 @@ namespace rough {
 
 Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t seed) {
     random_surface(parameters); // refuses what is out of range
-    if (!grid.wraps || grid.is_area() != parameters.is_area)
+    if (!grid.wraps || grid.is_2d() != parameters.is_area)
         refuse(
             "self-affine surface: expected a grid that wraps, a line's for a profile, an area's for an area");
     const Extent shape = grid.shape();
-    const double dx = 1 / grid.length, dy = grid.is_area() ? 1 / grid.width : 0;
+    const double dx = 1 / grid.length, dy = grid.is_2d() ? 1 / grid.width : 0;
     const double least = (1 - 1e-12) / parameters.longest, most = (1 + 1e-12) / parameters.shortest;
     const auto last = static_cast<Index>(most / dx),
-               last_row = grid.is_area() ? static_cast<Index>(most / dy) : 0;
+               last_row = grid.is_2d() ? static_cast<Index>(most / dy) : 0;
     AlignedBuffer<fftw_complex> waves(shape.nodes());
     for (Index k = 0; k < shape.nodes(); ++k)
         waves[k][0] = waves[k][1] = 0;

@@ -23,7 +23,7 @@ double power_integral(double exponent, double from, double to) {
 } // namespace
 
 RandomSurface random_surface(const Profile& surface, bool wraps) {
-    RandomSurface random{continuous_spectrum(surface, wraps), surface.is_area()};
+    RandomSurface random{continuous_spectrum(surface, wraps), surface.is_2d()};
     if (!(random.spectrum.power.sum() > 0))
         refuse("theory: a flat surface, expected a rough one");
     return random;

@@ -50,7 +50,7 @@ struct Pareto : Operator {
             Point point;
             double violation = 0;
             for (const auto* objective : read) {
-                const Fitness one = judged(context.problem(), evaluation, *objective, name);
+                const Fitness one = fitness_of(context.problem(), evaluation, *objective, name);
                 if (one.has_failed()) {
                     individual.fitness = one;
                     return;
@@ -60,7 +60,7 @@ struct Pareto : Operator {
             }
             if (with_first) {
                 individual.fitness =
-                    judged(context.problem(), evaluation, context.problem().objectives()[0], first);
+                    fitness_of(context.problem(), evaluation, context.problem().objectives()[0], first);
                 context.offer(individual);
             }
             individual.fitness = Fitness(name, std::move(point), violation);

@@ -17,8 +17,8 @@ class Search {
 
     /// `moving` are the genes that move, `limit` the questions that may be asked. All must outlive the
     /// search.
-    Search(const P& problem, EvaluationQueue<P>& door, const Watch& watch, const Individual<Genome>& individual,
-           std::vector<Variable> moving, long limit)
+    Search(const P& problem, EvaluationQueue<P>& door, const Watch& watch,
+           const Individual<Genome>& individual, std::vector<Variable> moving, long limit)
         : problem_(problem), door_(door), watch_(watch), individual_(individual), moving_(std::move(moving)),
           limit_(limit), genes_(genes_of(problem, individual.genome)) {
         for (const Variable& variable : moving_)
@@ -87,7 +87,7 @@ class Search {
             if (!answer || std::holds_alternative<Pending>(*answer))
                 return;
             const Fitness found =
-                judged(problem_, *answer, objective(), individual_.fitness.objective_name());
+                fitness_of(problem_, *answer, objective(), individual_.fitness.objective_name());
             if (found.feasible())
                 merit = found.merit();
         };

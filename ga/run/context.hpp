@@ -12,18 +12,18 @@ namespace ga {
 template <Problem P>
 class Context {
   public:
-    using Genome = typename P::Genome;                     ///< of the problem
-    using Outcome = typename P::Outcome;                   ///< of the problem's evaluations
+    using Genome = typename P::Genome;                             ///< of the problem
+    using Outcome = typename P::Outcome;                           ///< of the problem's evaluations
     using Scope = typename StagePosition<Genome>::Scope;           ///< see StagePosition
     using Round = typename StagePosition<Genome>::Round;           ///< see StagePosition
     using Generation = typename StagePosition<Genome>::Generation; ///< see StagePosition
-    using OpenFrame = typename RunState<Genome>::OpenFrame;    ///< see RunState
+    using OpenFrame = typename RunState<Genome>::OpenFrame;        ///< see RunState
 
     /// How much room populations have, whom observers are, and whether `score` may leave out whom the next
     /// stage would not keep.
     struct Terms {
         std::vector<Observer<Genome>> observers = {};        ///< see Observer
-        Checkpointer<P>* keeper = nullptr;                         ///< none: the run is kept nowhere
+        Checkpointer<P>* keeper = nullptr;                   ///< none: the run is kept nowhere
         std::size_t population_bytes = std::size_t{1} << 30; ///< at most, for one population
     };
 
@@ -38,7 +38,7 @@ class Context {
     /// it did when its round is over.
     [[gnu::cold]] Context(Context& parent, EvaluationQueue<P>& door, std::size_t lane, std::size_t lanes)
         : position(parent.position), state(parent.state.next_identity + lane * parent.state.identity_step,
-                                    parent.state.identity_step * lanes),
+                                           parent.state.identity_step * lanes),
           ledger_(parent.ledger_), door_(door), root_(parent.root_), names_(parent.names_) {
         terms_.population_bytes = parent.terms_.population_bytes;
         state.earlier_seconds = parent.state.earlier_seconds;
@@ -50,8 +50,8 @@ class Context {
     }
     /// Under a problem derived from the parent's, with that one's ledger (run_derived).
     [[gnu::cold]] Context(Context& parent, Ledger<P>& ledger)
-        : position(parent.position), state(parent.state.next_identity, parent.state.identity_step), ledger_(ledger),
-          door_(ledger), root_(*this), names_(parent.names_) {
+        : position(parent.position), state(parent.state.next_identity, parent.state.identity_step),
+          ledger_(ledger), door_(ledger), root_(*this), names_(parent.names_) {
         terms_.population_bytes = parent.terms_.population_bytes;
         state.earlier_seconds = parent.seconds();
         if (parent.observed())
@@ -64,12 +64,12 @@ class Context {
     Context(const Context&) = delete;
 
     StagePosition<Genome> position; ///< path, random streams, generation
-    RunState<Genome> state;   ///< frames, identities, best, notes
+    RunState<Genome> state;         ///< frames, identities, best, notes
 
     const P& problem() const { return ledger_.problem(); } ///< what is solved
     Ledger<P>& ledger() { return ledger_; }                ///< the engine's books
     const Ledger<P>& ledger() const { return ledger_; }    ///< the same, to read
-    EvaluationQueue<P>& door() { return door_; }                      ///< where everything paid is asked
+    EvaluationQueue<P>& door() { return door_; }           ///< where everything paid is asked
     const Watch& watch() const { return ledger_.watch(); } ///< since the run began in this process
     Counters& counters() { return ledger_.counters; }      ///< paid for so far
     /// To work with beside evaluations; decides no result. One on an island.
@@ -118,16 +118,16 @@ class Context {
         visit(
             population, [&](const auto& individual) { return !individual.fitness.known(name); },
             [&](auto& individual, const Evaluation<Outcome>& evaluation) {
-                individual.fitness = judged(problem(), evaluation, objective, name);
+                individual.fitness = fitness_of(problem(), evaluation, objective, name);
             },
             patience);
     }
-    /// Calls judge(individual, evaluation), which sets the fitness, for every individual, evaluating where
+    /// Calls assign(individual, evaluation), which sets the fitness, for every individual, evaluating where
     /// needed.
-    template <class Judge>
-    void evaluate(Population<Genome>& population, Judge judge) {
+    template <class Assign>
+    void evaluate(Population<Genome>& population, Assign assign) {
         visit(
-            population, [](const auto&) { return true; }, judge, Patience::none);
+            population, [](const auto&) { return true; }, assign, Patience::none);
     }
 
     /// Remembers the individual if it is the best so far under the problem's first objective.
@@ -240,8 +240,8 @@ class Context {
         double seconds;
     };
 
-    template <class Wanted, class Judge>
-    void visit(Population<Genome>& population, Wanted wanted, Judge judge, Patience patience) {
+    template <class Wanted, class Assign>
+    void visit(Population<Genome>& population, Wanted wanted, Assign assign, Patience patience) {
         inquiry_.questions.clear();
         asked_.clear();
         for (auto& individual : population)
@@ -256,7 +256,7 @@ class Context {
                 if (!answer || std::holds_alternative<Pending>(*answer))
                     continue;
                 auto& individual = *asked_[i];
-                judge(individual, *answer);
+                assign(individual, *answer);
                 ledger_.note(individual.fitness);
                 if (individual.fitness.has_failed())
                     ++counters().failures;

@@ -72,9 +72,9 @@ class Ledger : public EvaluationQueue<P> {
         slopes_.clear();
         for (EvaluationRequest<P>* inquiry : inquiries)
             look_up(*inquiry);
-        const bool patient = std::any_of(inquiries.begin(), inquiries.end(), [](const EvaluationRequest<P>* each) {
-            return each->patience == Patience::finish;
-        });
+        const bool patient =
+            std::any_of(inquiries.begin(), inquiries.end(),
+                        [](const EvaluationRequest<P>* each) { return each->patience == Patience::finish; });
         evaluate(patient);
         const bool cut_short = book();
         bool interrupted = cut_short;
@@ -247,8 +247,8 @@ class Ledger : public EvaluationQueue<P> {
 
 /// The fitness an objective reads from an evaluation; failed when there is none or it is not finite.
 template <Problem P>
-Fitness judged(const P& problem, const Evaluation<typename P::Outcome>& evaluation,
-               const Objective<typename P::Outcome>& objective, Name name) {
+Fitness fitness_of(const P& problem, const Evaluation<typename P::Outcome>& evaluation,
+                   const Objective<typename P::Outcome>& objective, Name name) {
     if (const Reason* why = std::get_if<Reason>(&evaluation))
         return Fitness::failed(name, *why);
     const auto& outcome = std::get<typename P::Outcome>(evaluation);

@@ -1,4 +1,4 @@
-// Fits the cost model of domain/contact/choice.cpp, and judges the choices made by it. The first argument
+// Fits the cost model of domain/contact/choice.cpp, and verifies the choices made by it. The first argument
 // seeds the profiles.
 
 #include "domain/contact/solvers/problem.hpp"

@@ -1,4 +1,4 @@
-// Prints what the engine costs and reaches, and judges nothing:
+// Prints what the engine costs and reaches, and verifies nothing:
 //   overhead   ns an evaluation on 20 real genes, population 100, 1000 generations, trivial fitness, one
 //   thread rastrigin  best value after 100,000 evaluations of Rastrigin-20, over 20 seeds speed-up   of
 //   scoring a population with a 1 ms fitness on two threads

@@ -34,7 +34,7 @@ Target answer_of(const Profile& profile, const Model& model, const std::string& 
 /// curve.
 std::vector<Target> targets(const DatabaseSetup& setup) {
     std::vector<Target> targets;
-    GenomeLaw law = setup.law;
+    GenomeDistribution law = setup.law;
     law.series = 2;
     law.seed = 987654321;
     for (std::uint64_t i = 0; i < 12; ++i)

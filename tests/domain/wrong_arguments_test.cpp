@@ -1,7 +1,7 @@
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/contact/datum.hpp"
 #include "domain/contact/solve.hpp"
-#include "domain/design/own_waves.hpp"
+#include "domain/design/scan_waves.hpp"
 #include "domain/design/shape_to_waves.hpp"
 #include "domain/design/statistical.hpp"
 #include "domain/errors.hpp"
@@ -123,7 +123,7 @@ TEST_CASE("what a caller in code gives wrongly is refused with its value and wha
         {[&] {
              DesignSetup setup;
              setup.like = map;
-             own_waves(setup, 3);
+             scan_waves(setup, 3);
          },
          "own: a map given, expected a profile"},
     };

@@ -5,7 +5,7 @@
 #include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/progress.hpp"
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "domain/accuracy/respond.hpp"
 #include "domain/errors.hpp"
 #include "ga/base/stopwatch.hpp"
@@ -45,7 +45,7 @@ std::vector<Setting> build_settings() {
 rough::DatabaseSetup setup_from_flags(const Settings& settings) {
     rough::DatabaseSetup setup;
     setup.model = model_from(settings);
-    rough::GenomeLaw& law = setup.law;
+    rough::GenomeDistribution& law = setup.law;
     law.series = static_cast<int>(settings.whole("series", 1, 16));
     law.ridges = static_cast<int>(settings.whole("ridges", 1, 1000));
     law.H_from = settings.number("hurst-from", 0, 10);

@@ -2,7 +2,7 @@
 
 #include "apps/commands/database/parts.hpp"
 #include "apps/prompt/settings.hpp"
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "apps/report/output.hpp"
 
 #include <algorithm>

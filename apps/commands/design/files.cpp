@@ -1,7 +1,7 @@
 #include "apps/commands/design/files.hpp"
 
 #include "apps/commands/design/summary.hpp"
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
@@ -148,7 +148,7 @@ void write_design_tables(const DesignRun& run, const std::filesystem::path& fold
     rough::write_atomically(folder / "answer.csv", csv(run.own.responses.front()));
     rough::write_atomically(folder / "genome.json",
                             rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
-    if (run.setup.model.grid.is_area())
+    if (run.setup.model.grid.is_2d())
         write_tile(sample(run.found.best.genome, run.setup.model.grid), folder);
 }
 

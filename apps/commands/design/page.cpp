@@ -43,10 +43,10 @@ struct ResponseLine {
     Dash dash;
 };
 
-/// On the set-up's grid and, where it was judged there, on one four times finer.
+/// On the set-up's grid and, where it was verified there, on one four times finer.
 std::vector<ResponseLine> drawn_responses(const DesignRun& run) {
     std::vector<ResponseLine> all{{run.own, "answer", Colour::blue, Dash::solid}};
-    if (const auto& finer = run.found.best.judgement.on_finer; !finer.empty())
+    if (const auto& finer = run.found.best.verification.on_finer; !finer.empty())
         all.push_back({scored(run.setup, finer), "on a grid four times finer", Colour::orange, Dash::dashed});
     return all;
 }
@@ -140,10 +140,11 @@ void add_answer(Page& page, const DesignRun& run) {
         page.figure(
             {"goal-" + std::to_string(g + 1),
              "Figure " + std::to_string(g + 1) + ". Asked and found.",
-             run.found.best.is_judged()
-                 ? "Points are the target; the answer is judged by its worst similarity: on its own grid, on "
+             run.found.best.is_verified()
+                 ? "Points are the target; the answer is verified by its worst similarity: on its own grid, "
+                   "on "
                    "one four times finer, in four times the load steps, and both."
-                 : "Points are the target. There was no time to judge the answer by its worst similarity, "
+                 : "Points are the target. There was no time to verify the answer by its worst similarity, "
                    "over finer grids and load steps.",
              {goal_plot(run, answers, g), misfit_plot(run, answers, g)}});
     Table limits{
@@ -215,7 +216,7 @@ void add_alternatives(Page& page, const DesignRun& run) {
                     "Figure " + std::to_string(run.setup.targets.size() + 1) + ". The surfaces.",
                     "Heights under the highest point of each.",
                     {}};
-    if (run.setup.model.grid.is_area()) {
+    if (run.setup.model.grid.is_2d()) {
         surfaces.caption = "Heights, and where the first answer touches at the end of the load.";
         for (std::size_t i = 0; i < run.found.alternatives.size() && i < line_colours.size(); ++i)
             surfaces.panels.push_back(heights_plot(
@@ -231,7 +232,7 @@ void add_alternatives(Page& page, const DesignRun& run) {
     if (run.setup.like) {
         surfaces.caption = "The surface that was measured, and those that answer a load as it does.";
         surfaces.panels.insert(surfaces.panels.begin(),
-                               run.setup.like->is_area()
+                               run.setup.like->is_2d()
                                    ? heights_plot(run.setup.model.grid, run.setup.like->heights, "The map")
                                    : scan_plot(*run.setup.like));
     }
@@ -242,7 +243,7 @@ void add_alternatives(Page& page, const DesignRun& run) {
                 {false, true, true, true, true}};
     for (std::size_t i = 0; i < run.found.alternatives.size(); ++i) {
         const auto& answer = run.found.alternatives[i];
-        table.rows.push_back({std::to_string(i + 1), readable(answer.judged(), 5),
+        table.rows.push_back({std::to_string(i + 1), readable(answer.lowest(), 5),
                               readable(answer.similarity, 5), readable(answer.similarity_refined, 5),
                               i == 0 ? "–" : readable(answer.difference)});
     }
@@ -312,13 +313,13 @@ std::string design_page(const DesignRun& run, double seconds) {
     const rough::Model& model = run.setup.model;
     page.prose("Seed " + std::to_string(run.origin.seed) + "; " + name_of(model.body.kernel) +
                " body, E* = " + readable(model.body.effective_modulus) + " MPa" +
-               (model.body.kernel == rough::Kernel::free && !model.grid.is_area()
+               (model.body.kernel == rough::Kernel::free && !model.grid.is_2d()
                     ? ", datum " + readable(model.body.datum) + " mm"
                     : "") +
                "; " + std::to_string(model.grid.nodes) +
-               (model.grid.is_area() ? " x " + std::to_string(model.grid.rows) : "") + " nodes on " +
-               (model.grid.is_area() ? brief(model.grid.length, 6) + " x " + brief(model.grid.width, 6)
-                                     : readable(model.grid.length, 6)) +
+               (model.grid.is_2d() ? " x " + std::to_string(model.grid.rows) : "") + " nodes on " +
+               (model.grid.is_2d() ? brief(model.grid.length, 6) + " x " + brief(model.grid.width, 6)
+                                   : readable(model.grid.length, 6)) +
                " mm; " + std::to_string(model.loading.steps) + " load steps; rugosa " + run.origin.version +
                ". The search:");
     page.code(run.found.pipeline);

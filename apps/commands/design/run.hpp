@@ -30,8 +30,8 @@ struct Production {
 /// lines on the terminal are this.
 struct Summary {
     bool found = false;
-    /// The answer's worst similarity, under noise and hardness where these are given; NaN: not judged.
-    double judged = 0;
+    /// The answer's worst similarity, under noise and hardness where these are given; NaN: not verified.
+    double verified = 0;
     std::string verdict; ///< in one line
     std::vector<Fact> facts;
 };

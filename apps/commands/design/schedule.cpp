@@ -25,7 +25,7 @@ Schedule::Schedule(ga::Stopwatch clock, double limit, const rough::DesignSetup& 
     if (std::isinf(limit))
         return;
     double curve = 0;
-    if (setup.model.grid.is_area()) {
+    if (setup.model.grid.is_2d()) {
         trust_ = share_on_area * limit;
     } else {
         const ga::Stopwatch one;

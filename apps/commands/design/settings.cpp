@@ -66,10 +66,9 @@ void take_bounds(const Settings& settings, rough::DesignSetup& setup) {
     bounds = completed(bounds, setup.model.grid.length);
     take_range(settings, "lambda", bounds.lambda_from, bounds.lambda_to, 1e-12, 1e12);
     rough::MakingLimits& limits = setup.limits;
-    for (const auto& [name, limit] : {std::pair("shortest-wave", &limits.shortest_wave),
-                                      std::pair("largest-slope", &limits.largest_slope),
-                                      std::pair("largest-height", &limits.largest_height),
-                                      std::pair("smallest-radius", &limits.smallest_radius)})
+    for (const auto& [name, limit] :
+         {std::pair("shortest-wave", &limits.shortest_wave), std::pair("max-slope", &limits.max_slope),
+          std::pair("max-height", &limits.max_height), std::pair("min-radius", &limits.min_radius)})
         if (settings.has(name))
             *limit = settings.positive(name);
     setup = placing(settings, "", [&] { return completed(setup); });
@@ -104,7 +103,7 @@ std::vector<Setting> design_settings() {
          "for a scan's contact area like]"},
         {"pipeline", "", "how to search: a pipeline as text, in place of a variant"},
         {"seconds", "",
-         "wall time of the whole program; an area that there is no time to judge is said to be not judged "
+         "wall time of the whole program; an area that there is no time to verify is said to be not verified "
          "[until the pipeline ends]"},
         {"reach-similarity", "",
          "the similarity that an answer must have at its worst, which the variants default and like begin "
@@ -113,7 +112,7 @@ std::vector<Setting> design_settings() {
         {"evaluations", "", "end after so many curves and gradients [when the pipeline ends]"},
         {"alternatives", "",
          "different answers to return [" + std::to_string(rough::SearchOptions().alternatives) +
-             "; of an area, where each is judged at length: 1]"},
+             "; of an area, where each is verified at length: 1]"},
         {"out", "", "folder for the results [out/design, or out/design-2 and on]"},
         {"force", "", "write over an existing result", true},
         {"resume", "",
@@ -124,11 +123,11 @@ std::vector<Setting> design_settings() {
         {"threads", "0", "threads; 0 takes all"},
         {"ridges", "", "ridges of each chromosome of drawn genomes [1; an area, their directions: 8]"},
         {"shortest-wave", "", "shortest wave that can be made, mm [8 node distances]"},
-        {"largest-slope", "", "largest slope that can be made"},
-        {"largest-height", "", "largest height range, mm"},
-        {"smallest-radius", "", "smallest radius of curvature, mm"},
-        {"H-from", "", "least H [" + brief(usual.H_from, 15) + "]"},
-        {"H-to", "", "largest H [" + brief(usual.H_to, 15) + "]"},
+        {"max-slope", "", "largest slope that can be made"},
+        {"max-height", "", "largest height range, mm"},
+        {"min-radius", "", "smallest radius of curvature, mm"},
+        {"hurst-from", "", "least H [" + brief(usual.H_from, 15) + "]"},
+        {"hurst-to", "", "largest H [" + brief(usual.H_to, 15) + "]"},
         {"gamma-from", "", "least gamma [" + brief(usual.gamma_from, 15) + "]"},
         {"gamma-to", "", "largest gamma [" + brief(usual.gamma_to, 15) + "]"},
         {"lambda-from", "", "least longest wave of a series, mm [L/4]"},
@@ -150,7 +149,7 @@ std::optional<Production> production_from(const Settings& settings) {
     }
     std::vector<Setting> of_a_search;
     for (const char* flag : {"variant", "pipeline", "database", "resume", "alternatives", "evaluations",
-                             "H-from", "H-to", "gamma-from", "gamma-to", "lambda-from", "lambda-to"})
+                             "hurst-from", "hurst-to", "gamma-from", "gamma-to", "lambda-from", "lambda-to"})
         of_a_search.push_back({flag, "", ""});
     expect_none(settings, of_a_search, "given with --from, expected without: nothing is searched");
     Production from{settings.text("from"), rough::read_genome(settings.text("from")), {}, 0};

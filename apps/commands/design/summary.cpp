@@ -52,8 +52,8 @@ bool asks_under(const DesignRun& run) {
 }
 
 /// The worst similarity under all that was asked; -infinity where there was no answer under it.
-double judged_under(const DesignRun& run) {
-    const double own = run.found.best.judged();
+double verified_under(const DesignRun& run) {
+    const double own = run.found.best.lowest();
     if (!run.trust || std::none_of(run.trust->checks.begin(), run.trust->checks.end(),
                                    [](const rough::Check& check) { return check.decides; }))
         return own;
@@ -73,35 +73,35 @@ std::string conditions(const DesignRun& run) {
     return under;
 }
 
-std::string verdict_of(const DesignRun& run, double judged) {
+std::string verdict_of(const DesignRun& run, double verified) {
     std::string line;
     const double own = run.found.best.similarity;
     if (!run.out_of_reach.empty())
         line = run.out_of_reach.front().verdict() + "; no similarity is above " + readable(run.bound, 4) +
                ", the nearest found has " +
-               (std::isnan(judged) ? readable(own, 4) + " as designed" : readable(judged, 4));
-    else if (std::isnan(judged))
-        line = "not judged: similarity " + readable(own, 4) + " as designed, wanted is " +
+               (std::isnan(verified) ? readable(own, 4) + " as designed" : readable(verified, 4));
+    else if (std::isnan(verified))
+        line = "not verified: similarity " + readable(own, 4) + " as designed, wanted is " +
                brief(run.setup.required_similarity, 15) + " at worst; " +
                (run.interrupted ? "it was stopped before finer grids and load steps"
                                 : "there was no time for finer grids and load steps");
     else if (run.morphed)
-        line = (judged >= run.setup.required_similarity
-                    ? "brought back: similarity " + readable(judged, 5)
-                    : "not brought back: similarity " + below(judged, run.setup.required_similarity)) +
+        line = (verified >= run.setup.required_similarity
+                    ? "brought back: similarity " + readable(verified, 5)
+                    : "not brought back: similarity " + below(verified, run.setup.required_similarity)) +
                " after " + readable(run.morphed->before, 4) + " before, wanted is " +
-               brief(run.setup.required_similarity, 15) + "; " + readable(run.found.best.judged(), 4) +
+               brief(run.setup.required_similarity, 15) + "; " + readable(run.found.best.lowest(), 4) +
                " at worst, " + conditions(run);
-    else if (judged >= run.setup.required_similarity)
+    else if (verified >= run.setup.required_similarity)
         line = is_verified(run)
-                   ? "found: similarity " + readable(judged, 5) + " at worst, " + conditions(run)
-                   : "not verified: similarity " + readable(judged, 5) + " at worst, " + conditions(run) +
+                   ? "found: similarity " + readable(verified, 5) + " at worst, " + conditions(run)
+                   : "not verified: similarity " + readable(verified, 5) + " at worst, " + conditions(run) +
                          ", but there was no time for the noise or hardness "
                          "asked for";
     else
         line = "not found within the budget: the nearest curve has similarity " +
-               (std::isinf(judged) ? "none" : below(judged, run.setup.required_similarity)) + " at worst, " +
-               conditions(run) + ", wanted is " + brief(run.setup.required_similarity, 15);
+               (std::isinf(verified) ? "none" : below(verified, run.setup.required_similarity)) +
+               " at worst, " + conditions(run) + ", wanted is " + brief(run.setup.required_similarity, 15);
     if (!run.found.best.within_limits)
         line += "; no answer holds every limit";
     return line;
@@ -119,12 +119,12 @@ std::string matched(const DesignRun& run, const rough::DesignResponse& response)
 std::string worst_case(const DesignRun& run) {
     const rough::Answer& best = run.found.best;
     const auto known = [](double similarity) {
-        return std::isnan(similarity) ? "not judged" : readable(similarity, 4);
+        return std::isnan(similarity) ? "not verified" : readable(similarity, 4);
     };
     std::string all =
         known(best.similarity) + " as designed, " + known(best.similarity_refined) +
         " on a grid 4 times finer, " + known(best.similarity_stepped) + " in 4 times the load steps, " +
-        (best.is_judged()
+        (best.is_verified()
              ? known(best.similarity_worst) + " at worst (the least of these and of both together)"
              : "so the worst is not known");
     if (!run.trust)
@@ -145,13 +145,13 @@ std::string worst_case(const DesignRun& run) {
 
 std::string yielding(const DesignRun& run) {
     if (!run.trust)
-        return "not judged: there was no time";
+        return "not verified: there was no time";
     const Unit unit = pressure_unit(run.trust->peak_pressure);
     const double hardness = run.trust_options.hardness, peak = run.trust->peak_pressure;
     const std::string highest = "highest node pressure " + readable(unit.factor * peak) + " " + unit.name +
                                 ", " + percent(peak / run.setup.model.body.effective_modulus) + " of E*";
     if (hardness <= 0)
-        return "taken as elastic; " + highest + " (--hardness judges it)";
+        return "taken as elastic; " + highest + " (--hardness verifies it)";
     if (peak <= hardness)
         return "elastic: " + highest + ", within the hardness";
     std::string all = "yields: " + highest + ", above the hardness";
@@ -185,17 +185,17 @@ std::string carries(const DesignRun& run) {
     const rough::Model& model = run.setup.model;
     const std::string body = std::string(name_of(model.body.kernel)) + " body, length " +
                              brief(model.grid.length, 5) +
-                             (model.grid.is_area() ? " x " + brief(model.grid.width, 5) : "") + " mm";
-    const bool has_datum = model.body.kernel == rough::Kernel::free && !model.grid.is_area();
+                             (model.grid.is_2d() ? " x " + brief(model.grid.width, 5) : "") + " mm";
+    const bool has_datum = model.body.kernel == rough::Kernel::free && !model.grid.is_2d();
     std::string all;
     for (const rough::Target& target : run.setup.targets) {
         const Quantity quantity = target.quantity;
         const std::string name = in_words(quantity);
         std::string own;
         if (quantity == Quantity::interface_stiffness)
-            own = name + (model.grid.is_area() ? ": over lengths weakly, at light loads"
-                                               : ": over any datum, and over lengths weakly, at light loads");
-        else if (model.grid.is_area())
+            own = name + (model.grid.is_2d() ? ": over lengths weakly, at light loads"
+                                             : ": over any datum, and over lengths weakly, at light loads");
+        else if (model.grid.is_2d())
             own = name + ": for this length alone, with no datum to choose";
         else if (quantity == Quantity::area_at_pressure)
             own = name + ": over any datum, for this length alone";
@@ -243,7 +243,8 @@ std::string in_the_way(const DesignRun& run) {
         join(all, "no profile has a similarity above " + readable(run.bound, 4));
     const double nodes = static_cast<double>(run.setup.model.grid.shape().nodes());
     for (const rough::Target& target : run.setup.targets)
-        if (is_area(target.quantity) && 0.5 / (target.y[0] * nodes) > 1 - run.setup.required_similarity)
+        if (is_contact_fraction(target.quantity) &&
+            0.5 / (target.y[0] * nodes) > 1 - run.setup.required_similarity)
             join(all, "at its first point the area asked for is " + readable(target.y[0] * nodes) + " of " +
                           brief(nodes, 9) + " nodes, of which half a one is " +
                           percent(0.5 / (target.y[0] * nodes)) + ": more --nodes resolve it");
@@ -256,8 +257,8 @@ std::string in_the_way(const DesignRun& run) {
         join(all, left_off(run));
         return all;
     }
-    if (!run.found.best.is_judged() && !run.interrupted)
-        join(all, "there was no time to judge the answer: expected more --seconds, or fewer --nodes");
+    if (!run.found.best.is_verified() && !run.interrupted)
+        join(all, "there was no time to verify the answer: expected more --seconds, or fewer --nodes");
     join(all, run.found.stopped.empty() ? "the search ended by itself: another --seed, or --seconds for more"
                                         : "the search was ended early: " + run.found.stopped);
     return all;
@@ -291,10 +292,10 @@ std::vector<std::pair<std::string, double>> off_unasked(const DesignRun& run) {
 Summary summary_of(const DesignRun& run) {
     Summary summary;
     // A line in production compares like with like: the model, grid and load steps of its target.
-    summary.judged = run.morphed ? run.found.best.similarity : judged_under(run);
-    summary.found = summary.judged >= run.setup.required_similarity && is_verified(run) &&
+    summary.verified = run.morphed ? run.found.best.similarity : verified_under(run);
+    summary.found = summary.verified >= run.setup.required_similarity && is_verified(run) &&
                     run.out_of_reach.empty() && run.found.best.within_limits;
-    summary.verdict = verdict_of(run, summary.judged);
+    summary.verdict = verdict_of(run, summary.verified);
     const auto add = [&](const char* key, const char* name, const std::string& text) {
         if (!text.empty())
             summary.facts.push_back({key, name, text});
@@ -302,7 +303,7 @@ Summary summary_of(const DesignRun& run) {
     if (run.morphed)
         add("moved", "Moved", moved(*run.morphed));
     add("matched", "Matched", matched(run, run.own));
-    std::string off = run.not_asked ? "" : "not judged: there was no time";
+    std::string off = run.not_asked ? "" : "not verified: there was no time";
     for (const auto& [name, share] : run.not_asked.value_or(std::vector<std::pair<std::string, double>>()))
         join(off, name + " was not asked for and is off by up to " + percent(share));
     if (!run.setup.like)
@@ -321,7 +322,7 @@ Summary summary_of(const DesignRun& run) {
 nlohmann::json summary_json(const DesignRun& run) {
     const Summary& summary = run.summary;
     nlohmann::json result{{"found", summary.found}, {"not_asked", nlohmann::json::object()}};
-    result["judged"] = std::isfinite(summary.judged) ? nlohmann::json(summary.judged) : nlohmann::json();
+    result["lowest"] = std::isfinite(summary.verified) ? nlohmann::json(summary.verified) : nlohmann::json();
     for (const auto& [name, share] : run.not_asked.value_or(std::vector<std::pair<std::string, double>>()))
         result["not_asked"][name] = share;
     for (const Fact& fact : summary.facts)

@@ -1,6 +1,6 @@
 #include "apps/commands/optimise/child.hpp"
 
-#include "apps/outside/process.hpp"
+#include "apps/external/process.hpp"
 #include "domain/errors.hpp"
 
 #include <array>

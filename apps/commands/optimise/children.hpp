@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/commands/optimise/child.hpp"
-#include "apps/outside/solution.hpp"
+#include "apps/external/solution.hpp"
 #include "ga/base/budget.hpp"
 #include "ga/base/stopwatch.hpp"
 

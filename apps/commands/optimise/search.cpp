@@ -1,6 +1,6 @@
 #include "apps/commands/optimise/search.hpp"
 
-#include "apps/outside/problem.hpp"
+#include "apps/external/problem.hpp"
 #include "apps/report/output.hpp"
 #include "domain/errors.hpp"
 #include "ga/checkpoint/checkpoint.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/commands/optimise/children.hpp"
-#include "apps/outside/genes.hpp"
+#include "apps/external/genes.hpp"
 
 #include <atomic>
 #include <filesystem>

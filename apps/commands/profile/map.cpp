@@ -1,7 +1,7 @@
 #include "apps/commands/profile/map.hpp"
 
 #include "apps/prompt/area_settings.hpp"
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/map_page.hpp"
 #include "apps/report/map_plot.hpp"

@@ -129,10 +129,10 @@ class ModelCourse {
         ModelScene scene{name,
                          words,
                          "the same surface on " + std::to_string(finest) +
-                             (surface.is_area() ? " x " + std::to_string(finest) : "") + " nodes",
+                             (surface.is_2d() ? " x " + std::to_string(finest) : "") + " nodes",
                          rms_slope(random),
                          std::sqrt(spectral_moments(random).m0),
-                         surface.is_area() ? texture(surface, true).Str : 0,
+                         surface.is_2d() ? texture(surface, true).Str : 0,
                          {},
                          {},
                          {}};
@@ -151,11 +151,11 @@ class ModelCourse {
         };
         for (const std::string& theory : rough::theory_names()) {
             const auto which = static_cast<rough::Theory>(&theory - rough::theory_names().data());
-            if (holds_for(which, surface.is_area()))
+            if (holds_for(which, surface.is_2d()))
                 measure(ModelRun::Family::theory, theory, 0,
                         [&] { return foretold_curve(which, random, 1, scene.pressure); });
         }
-        if (surface.is_area()) {
+        if (surface.is_2d()) {
             measure(ModelRun::Family::line, "section", finest,
                     [&] { return pressed(first_row(surface), scene.pressure); });
             measure(ModelRun::Family::line, "mean-line", finest,
@@ -163,7 +163,7 @@ class ModelCourse {
         }
         for (const Index nodes : coarser) {
             const Profile coarse = on(nodes);
-            measure(ModelRun::Family::grid, surface.is_area() ? "map" : "profile", coarse.nodes(),
+            measure(ModelRun::Family::grid, surface.is_2d() ? "map" : "profile", coarse.nodes(),
                     [&] { return pressed(coarse, scene.pressure); });
         }
     }

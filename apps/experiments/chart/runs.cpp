@@ -79,7 +79,7 @@ std::optional<ChartRun> run_chart(const ChartScene& scene, const ChartTruth& tru
     run.late = gave_up;
     if (trial.outcome == Outcome::solved) {
         run.contact_fraction = trial.curve.steps.back().contact_fraction;
-        if (setting.nodes <= truth.finest_judged)
+        if (setting.nodes <= truth.finest_verified)
             measure_errors(trial.curve, truth, run);
     }
     return run;

@@ -33,7 +33,7 @@ ChartTruth exact_curve(const std::function<rough::exact::Contact(double)>& conta
         truth.fraction[k] = 2 * a / length;
     }
     truth.origin = "the exact solution";
-    truth.finest_judged = std::numeric_limits<Index>::max();
+    truth.finest_verified = std::numeric_limits<Index>::max();
     return truth;
 }
 
@@ -136,7 +136,7 @@ ChartTruth truth_of(const ChartScene& scene, Index most_nodes, const std::functi
     truth.origin = "a grid of " + std::to_string(nodes) + " nodes and " + std::to_string(steps) +
                    " load steps, whose pressures a grid of a quarter of the nodes misses by " +
                    share_words(moved);
-    truth.finest_judged = (nodes - 1) / 4;
+    truth.finest_verified = (nodes - 1) / 4;
     return truth;
 }
 

@@ -9,12 +9,12 @@ namespace app {
 
 /// A curve so fine that other curves are measured against it: between its points it is linear.
 struct ChartTruth {
-    Eigen::VectorXd displacement;   ///< mm, increasing from 0
-    Eigen::VectorXd pressure;       ///< MPa
-    Eigen::VectorXd stiffness;      ///< tangent, MPa/mm
-    Eigen::VectorXd fraction;       ///< of the length in contact
-    std::string origin;             ///< "the exact solution", or how far it was refined
-    rough::Index finest_judged = 0; ///< grids of more nodes are too close to it to be judged by it
+    Eigen::VectorXd displacement;     ///< mm, increasing from 0
+    Eigen::VectorXd pressure;         ///< MPa
+    Eigen::VectorXd stiffness;        ///< tangent, MPa/mm
+    Eigen::VectorXd fraction;         ///< of the length in contact
+    std::string origin;               ///< "the exact solution", or how far it was refined
+    rough::Index finest_verified = 0; ///< grids of more nodes are too close to it to be verified by it
 };
 
 /// A profile known everywhere, to be sampled on any grid and pressed to a last displacement.

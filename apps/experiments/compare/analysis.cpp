@@ -51,13 +51,14 @@ RuntimeShare share_of(const std::vector<std::vector<double>>& of_seed, std::uint
 }
 
 /// Every pair of variants, corrected together. `p_of` gives the difference and its p.
-template <class Judge>
-void add_duels(std::vector<Duel>& duels, const std::string& problem, std::size_t variants, Judge judge) {
+template <class Verifier>
+void add_duels(std::vector<Duel>& duels, const std::string& problem, std::size_t variants,
+               Verifier verifier) {
     std::vector<double> p;
     const std::size_t first = duels.size();
     for (std::size_t a = 0; a < variants; ++a)
         for (std::size_t b = a + 1; b < variants; ++b) {
-            const auto [difference, chance] = judge(a, b);
+            const auto [difference, chance] = verifier(a, b);
             duels.push_back({problem, a, b, difference, chance, chance});
             p.push_back(chance);
         }
@@ -66,7 +67,7 @@ void add_duels(std::vector<Duel>& duels, const std::string& problem, std::size_t
         duels[first + i].corrected = corrected[i];
 }
 
-void judge_ranks(GroupResult& group) {
+void assess_ranks(GroupResult& group) {
     const std::size_t variants = group.shares.size();
     std::vector<std::vector<double>> blocks;
     for (const Areas& problem : group.areas)
@@ -114,7 +115,7 @@ GroupResult group_of(const std::string& name, const std::vector<const Bout*>& bo
             }
         group.shares.push_back(share_of(of_seed, ga::fold(contest.origin.seed, name)));
     }
-    judge_ranks(group);
+    assess_ranks(group);
     return group;
 }
 

@@ -1,6 +1,6 @@
 #include "apps/experiments/compare/race.hpp"
 
-#include "apps/outside/problem.hpp"
+#include "apps/external/problem.hpp"
 
 namespace app {
 

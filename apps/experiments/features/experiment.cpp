@@ -76,7 +76,7 @@ class FeatureTrial {
             feel(problem, target);
             if (!choose_waves(problem, target) || !hold_out(problem, target))
                 break;
-            judge_features(target);
+            assess_features(target);
         }
         return std::move(targets_);
     }

@@ -49,7 +49,7 @@ struct FeatureTarget {
 /// Fills in what the samples say: verdicts and laws. A feature is shared where the answers' quartiles lie
 /// closer than two thirds of the misses', shifted where the two groups differ (rank sums, Holm's correction),
 /// else open.
-void judge_features(FeatureTarget& target);
+void assess_features(FeatureTarget& target);
 /// A ridge regression (standardised columns) on rows left out: row i is in fifth i mod 5.
 Foretold left_out(const Eigen::MatrixXd& columns, const Eigen::VectorXd& wanted);
 /// The rank correlation (Spearman) of two series.

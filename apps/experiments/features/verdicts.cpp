@@ -153,7 +153,7 @@ Foretold left_out(const Eigen::MatrixXd& columns, const Eigen::VectorXd& wanted)
     return {rms(off), rms(of_mean)};
 }
 
-void judge_features(FeatureTarget& target) {
+void assess_features(FeatureTarget& target) {
     if (target.answers.empty() || target.misses.empty())
         return;
     target.verdicts = verdicts_of(target);

@@ -80,9 +80,9 @@ class Paper {
             conditions_.progress.show(target.title + ": " + variant.name);
             if (auto run = read_at(settings_, "variants." + variant.name,
                                    [&] { return run_kept(variant, problem, target.title); })) {
-                const auto judged = rough::Judge(as_reported(setup)).of(run->answer.genome);
-                run->similarity_refined = judged.refined;
-                run->similarity_worst = judged.worst();
+                const auto verified = rough::Verifier(as_reported(setup)).of(run->answer.genome);
+                run->similarity_refined = verified.refined;
+                run->similarity_worst = verified.worst();
                 target.variants.push_back(std::move(*run));
             }
         }

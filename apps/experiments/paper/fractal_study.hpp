@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// Figure 3: a profile that is no MWM series, in octave bands in place of chromosomes. Algorithm 1 judges
+/// Figure 3: a profile that is no MWM series, in octave bands in place of chromosomes. Algorithm 1 verifies
 /// each band by the correlation of its K with the whole profile's at equal pressures; the dominant ones make
 /// the reduced profile.
 struct FractalStudy {

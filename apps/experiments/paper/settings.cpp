@@ -18,15 +18,15 @@ rough::DatabaseLayout layout_from(const Settings& settings, const rough::Model& 
     rough::DatabaseLayout layout;
     layout.pairs = static_cast<int>(settings.whole("database.pairs", 1, 100000));
     layout.phase_columns = static_cast<int>(settings.whole("database.phase-columns", 1, 1000));
-    layout.H_from = settings.number("database.H-from", std::numeric_limits<double>::min(), 10);
-    layout.H_to = settings.number("database.H-to", layout.H_from, 10);
+    layout.H_from = settings.number("database.hurst-from", std::numeric_limits<double>::min(), 10);
+    layout.H_to = settings.number("database.hurst-to", layout.H_from, 10);
     layout.gamma_from = settings.number("database.gamma-from", 1.01, 100);
     layout.gamma_to = settings.number("database.gamma-to", layout.gamma_from, 100);
     layout.A = settings.positive("database.A");
     layout.lambda =
         settings.has("database.lambda") ? settings.positive("database.lambda") : model.grid.length;
-    layout.shortest =
-        settings.has("database.shortest") ? settings.positive("database.shortest") : model.grid.spacing();
+    layout.shortest = settings.has("database.shortest-wave") ? settings.positive("database.shortest-wave")
+                                                             : model.grid.spacing();
     return layout;
 }
 
@@ -104,13 +104,13 @@ std::vector<Setting> paper_settings() {
         {"paper.phase-relative", "0.1", "how far refinement moves a phase, over its own value"},
         {"database.pairs", "20", "Sobol pairs (H, gamma)"},
         {"database.phase-columns", "5", "Sobol phase columns"},
-        {"database.H-from", "0.5", "lowest H"},
-        {"database.H-to", "1.5", "highest H"},
+        {"database.hurst-from", "0.5", "lowest H"},
+        {"database.hurst-to", "1.5", "highest H"},
         {"database.gamma-from", "1.4", "lowest gamma"},
         {"database.gamma-to", "2", "highest gamma"},
         {"database.A", "1", "amplitude A"},
         {"database.lambda", "", "longest wave, mm [L]"},
-        {"database.shortest", "", "shortest wave, mm [the grid's spacing]"},
+        {"database.shortest-wave", "", "shortest wave, mm [the grid's spacing]"},
     };
     return joined(
         {settings, scan_settings("target."), model_settings("model."), {accuracy_setting("model.")}});

@@ -24,7 +24,7 @@ constexpr std::array<double, 3> dominant_above{rough::dominance_threshold, 0.9, 
 constexpr std::array<double, 5> threshold_shares{0.5, 0.31, 0.405, 0.595, 0.69};
 constexpr std::array<double, 2> absolute_reach{0, 0.2 * std::numbers::pi};
 
-/// What the claims of one body are judged with.
+/// What the claims of one body are verified with.
 struct Pressed {
     rough::Model model;
     std::vector<rough::Target> targets;
@@ -96,7 +96,7 @@ std::vector<rough::Genome> database_of(const rough::DatabaseLayout& layout, std:
 }
 
 /// Claims that hang on a clock, or that no reading can decide.
-bool is_judged(const Claim& claim) {
+bool is_verified(const Claim& claim) {
     return !claim.says.starts_with("Each algorithm takes") && !claim.says.starts_with("The target's trend") &&
            !claim.says.starts_with("p̄ =");
 }
@@ -292,7 +292,7 @@ class ReadingsTrial {
                     for (const auto& some :
                          {part.own, database_claims(run), search_claims(run), answer_claims(run)})
                         for (const Claim& claim : some)
-                            if (is_judged(claim)) {
+                            if (is_verified(claim)) {
                                 found.claims.emplace_back(claim.place, claim.says);
                                 found.cells.back().holds += claim.verdict == Verdict::reproduced     ? '1'
                                                             : claim.verdict == Verdict::contradicted ? '0'

@@ -42,7 +42,7 @@ std::vector<StabilityCell> tried(const Settings& settings, const Conditions& con
             rough::ContactOptions options;
             options.solver = static_cast<rough::Solver>(method);
             ContactTrial trial = try_contact(scene, options, seconds_per_cell);
-            reference.judge(trial, promised_tolerance(trial.curve, options));
+            reference.verifier(trial, promised_tolerance(trial.curve, options));
             cells.push_back({scene.name, name_of(scene.body.kernel), rough::solver_names()[method],
                              scene.has_solution, std::move(trial)});
         }

@@ -92,10 +92,11 @@ std::string stability_page(const std::vector<StabilityCell>& cells) {
               "certificate and a second opinion agrees; otherwise the program says so and gives no curve.");
     page.prose(summary_of(cells) + ".");
     page.table(by_method(cells));
-    page.prose("On up to 256 nodes the second opinion is an oracle in extended precision that shares no code "
-               "with the solvers; direct methods are held to 1e-9 and iterative ones to ten times their "
-               "tolerance of 1e-6, in pressure and tangent stiffness, and to its number of contact nodes. On "
-               "larger grids the direct and the iterative method judge each other. A cell ends after 30 s.");
+    page.prose(
+        "On up to 256 nodes the second opinion is an oracle in extended precision that shares no code "
+        "with the solvers; direct methods are held to 1e-9 and iterative ones to ten times their "
+        "tolerance of 1e-6, in pressure and tangent stiffness, and to its number of contact nodes. On "
+        "larger grids the direct and the iterative method verifier each other. A cell ends after 30 s.");
     page.section("Scene by scene");
     page.table(by_scene(cells));
     if (const Table said = complaints(cells); !said.rows.empty()) {

@@ -54,13 +54,13 @@ const std::vector<StabilityReference::Span>& StabilityReference::spans(double to
     return spans;
 }
 
-std::optional<rough::ContactCurve> StabilityReference::by_another(rough::Solver judged) const {
+std::optional<rough::ContactCurve> StabilityReference::by_another(rough::Solver verified) const {
     rough::ContactOptions options;
     for (const rough::Solver solver :
          {rough::Solver::nested, rough::Solver::active_set, rough::Solver::polonsky_keer}) {
         options.solver = solver;
         ContactTrial other;
-        if (solver != judged)
+        if (solver != verified)
             other = try_contact(scene_, options, seconds_per_opinion);
         if (!other.curve.steps.empty())
             return other.curve;
@@ -81,7 +81,7 @@ std::string StabilityReference::difference(const rough::LoadStep& step, std::siz
     return "";
 }
 
-void StabilityReference::judge(ContactTrial& trial, double tolerance) {
+void StabilityReference::verifier(ContactTrial& trial, double tolerance) {
     if (trial.outcome != Outcome::solved)
         return;
     std::vector<Span> expected;

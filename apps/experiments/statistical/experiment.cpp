@@ -56,7 +56,7 @@ void fill_page(Page& page, const StatisticalRun& run) {
     Plot plot;
     plot.alt = "The target, the theory's curve and the exact curves of realised surfaces against pressure";
     plot.x = {"Mean pressure p (MPa)", true};
-    plot.y = {is_area(target.quantity) ? "Contact fraction A" : "Stiffness K (MPa/mm)", true};
+    plot.y = {is_contact_fraction(target.quantity) ? "Contact fraction A" : "Stiffness K (MPa/mm)", true};
     plot.series = {{"target", target.x, target.y, Colour::text, Style::points, 3},
                    {name_of(run.task.theory), target.x, run.answer.foretold, Colour::orange, Style::line, 2}};
     nlohmann::json rows{{{"curve", name_of(run.task.theory)}, {"similarity", run.answer.similarity}}};

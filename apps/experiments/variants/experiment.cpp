@@ -106,7 +106,7 @@ RaceRun run_once(const RaceTarget& target, const std::string& name, const rough:
     const rough::SearchResult found = rough::search(target.setup, options, {recorder(stages), watch});
     run.run = variant_run(name, found, std::move(stages), clock.seconds());
     run.last_displacement =
-        scored(found.setup, found.best.judgement.on_own).responses.front().displacement.tail(1)[0];
+        scored(found.setup, found.best.verification.on_own).responses.front().displacement.tail(1)[0];
     run.history.push_back({found.counters.asked, run.run.seconds, std::max(best, run.run.similarity)});
     return run;
 }
@@ -137,7 +137,7 @@ json race_json(const Race& race, const RaceTarget& target) {
         if (variant.runs.empty())
             continue;
         json& one = result["variants"][variant.name];
-        one["median_judged"] = variant.median_judged();
+        one["median_lowest"] = variant.median_lowest();
         for (const RaceRun& race_run : variant.runs) {
             const VariantRun& run = race_run.run;
             one["runs"].push_back({{"seed", race_run.seed},
@@ -156,8 +156,8 @@ json race_json(const Race& race, const RaceTarget& target) {
 
 } // namespace
 
-double RaceVariant::median_judged() const {
-    return rough::median(rough::column(runs, [](const RaceRun& one) { return one.run.judged(); }));
+double RaceVariant::median_lowest() const {
+    return rough::median(rough::column(runs, [](const RaceRun& one) { return one.run.lowest(); }));
 }
 
 const RaceRun& RaceVariant::median_run() const {
@@ -165,7 +165,7 @@ const RaceRun& RaceVariant::median_run() const {
     for (const RaceRun& one : runs)
         order.push_back(&one);
     std::stable_sort(order.begin(), order.end(),
-                     [](const RaceRun* a, const RaceRun* b) { return a->run.judged() < b->run.judged(); });
+                     [](const RaceRun* a, const RaceRun* b) { return a->run.lowest() < b->run.lowest(); });
     return *order[(order.size() - 1) / 2];
 }
 
@@ -205,7 +205,7 @@ Race raced(const Settings& settings, const Conditions& conditions) {
             read_at(settings, "variants." + name,
                     [&, &way = way] { rough::expect_searchable(target.setup, way); });
     for (RaceTarget& target : race.targets) {
-        const bool area = target.setup.model.grid.is_area();
+        const bool area = target.setup.model.grid.is_2d();
         const auto memory = area ? std::make_shared<rough::ResponseMemory>() : nullptr;
         for (const auto& [name, way] : ways) {
             RaceVariant variant{name, way, {}};
@@ -224,7 +224,7 @@ Race raced(const Settings& settings, const Conditions& conditions) {
                     options.alternatives = 1;
                 RaceRun run = read_at(settings, "variants." + name,
                                       [&, &name = name] { return run_once(target, name, options); });
-                if (!std::isnan(run.run.judged())) // an area's may be stopped before it is judged
+                if (!std::isnan(run.run.lowest())) // an area's may be stopped before it is verified
                     variant.runs.push_back(std::move(run));
             }
             target.variants.push_back(std::move(variant));

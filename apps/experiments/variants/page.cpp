@@ -37,14 +37,14 @@ Plot shortfall_plot(const RaceTarget& target, const std::string& axis, double fr
     return plot;
 }
 
-bool is_area(const RaceTarget& target) { return target.setup.model.grid.is_area(); }
+bool is_contact_fraction(const RaceTarget& target) { return target.setup.model.grid.is_2d(); }
 
 /// What the genes mean on the target's grid.
 std::string on_grid(const RaceTarget& target) {
     const rough::Model& model = target.setup.model;
     const rough::Grid& grid = model.grid;
     const bool free = model.body.kernel == rough::Kernel::free;
-    if (is_area(target))
+    if (is_contact_fraction(target))
         return "An area of " + std::to_string(grid.nodes) + " x " + std::to_string(grid.rows) + " nodes on " +
                brief(grid.length, 6) + " x " + brief(grid.width, 6) + " mm. The " +
                std::to_string(target.setup.ridges) +
@@ -76,8 +76,8 @@ void add_grids(Page& page, const Race& race) {
     Table table{"", {"Way"}, {}, {false}};
     for (const RaceTarget& target : race.targets)
         for (const char* what : {", similarity at worst", ", seconds"}) {
-            table.header.push_back(target.setup.targets[0].name + (is_area(target) ? ", area" : ", profile") +
-                                   what);
+            table.header.push_back(target.setup.targets[0].name +
+                                   (is_contact_fraction(target) ? ", area" : ", profile") + what);
             table.numeric.push_back(true);
         }
     for (std::size_t i = 0; i < race.targets.front().variants.size(); ++i) {
@@ -89,7 +89,7 @@ void add_grids(Page& page, const Race& race) {
                 continue;
             }
             const VariantRun& run = target.variants[i].median_run().run;
-            row.push_back(readable(target.variants[i].median_judged(), 4));
+            row.push_back(readable(target.variants[i].median_lowest(), 4));
             row.push_back(readable(run.seconds));
         }
         table.rows.push_back(std::move(row));
@@ -128,7 +128,7 @@ void add_target(Page& page, const Race& race, const RaceTarget& target, std::siz
         if (!variant.runs.empty())
             order.push_back(&variant);
     std::stable_sort(order.begin(), order.end(), [](const RaceVariant* a, const RaceVariant* b) {
-        return a->median_judged() > b->median_judged();
+        return a->median_lowest() > b->median_lowest();
     });
     for (const RaceVariant* variant : order) {
         const VariantRun& run = variant->median_run().run;
@@ -136,12 +136,12 @@ void add_target(Page& page, const Race& race, const RaceTarget& target, std::siz
         for (const auto& each : variant->runs)
             crossed += each.crossed, better += each.better;
         table.rows.push_back(
-            {variant->name, readable(variant->median_judged(), 4), readable(run.seconds),
+            {variant->name, readable(variant->median_lowest(), 4), readable(run.seconds),
              std::to_string(run.curves), std::to_string(run.gradients), std::to_string(crossed),
              crossed > 0 ? percent(static_cast<double>(better) / static_cast<double>(crossed)) : "–"});
     }
     page.table(table);
-    if (is_area(target) && !order.empty())
+    if (is_contact_fraction(target) && !order.empty())
         page.figure(area_figure(target, *order.front(), number));
 }
 

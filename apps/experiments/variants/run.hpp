@@ -27,8 +27,8 @@ struct RaceRun {
 struct RaceVariant {
     std::string name, pipeline;
     std::vector<RaceRun> runs; ///< one a seed
-    double median_judged() const;
-    const RaceRun& median_run() const; ///< whose judged similarity is the median, or the next below
+    double median_lowest() const;
+    const RaceRun& median_run() const; ///< whose verified similarity is the median, or the next below
     /// Median over the runs of the best similarity when so much was asked for.
     double median_at(long asked) const;
     double median_at_seconds(double seconds) const;

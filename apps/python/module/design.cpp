@@ -20,13 +20,13 @@ struct Design {
     bool interrupted = false;
 
     bool is_found() const {
-        return found.best.judged() >= setup.required_similarity && found.best.within_limits &&
+        return found.best.lowest() >= setup.required_similarity && found.best.within_limits &&
                beyond.reasons.empty();
     }
 };
 
-/// None where it was not judged.
-std::optional<double> if_judged(double similarity) {
+/// None where it was not verified.
+std::optional<double> if_verified(double similarity) {
     return std::isnan(similarity) ? std::nullopt : std::optional(similarity);
 }
 
@@ -70,9 +70,9 @@ std::vector<rough::Target> targets_from(const std::optional<Eigen::VectorXd>& pr
 void take_limits(Keywords& keywords, DesignSetup& setup) {
     const auto take = [&](const char* name, double& value) { value = keywords.take(name, value); };
     take("shortest_wave", setup.limits.shortest_wave);
-    take("largest_slope", setup.limits.largest_slope);
-    take("largest_height", setup.limits.largest_height);
-    take("smallest_radius", setup.limits.smallest_radius);
+    take("max_slope", setup.limits.max_slope);
+    take("max_height", setup.limits.max_height);
+    take("min_radius", setup.limits.min_radius);
     take("hurst_from", setup.bounds.H_from);
     take("hurst_to", setup.bounds.H_to);
     take("gamma_from", setup.bounds.gamma_from);
@@ -124,7 +124,7 @@ Design designed(const std::optional<Eigen::VectorXd>& pressure,
         if (!setup.targets.empty())
             throw py::type_error("design: like given with a target, expected one of them");
         const rough::Profile profile = surface_from(*like, spacing, "design: like");
-        const rough::Index nodes = profile.is_area() ? 0 : keywords.take<rough::Index>("nodes", 0);
+        const rough::Index nodes = profile.is_2d() ? 0 : keywords.take<rough::Index>("nodes", 0);
         setup = rough::like(setup, profile, model_from(keywords, profile), "like",
                             rough::likeness_named(keywords.take<std::string>("quantity", "both")), 20, nodes);
     } else {
@@ -192,10 +192,10 @@ void add_design(py::module_& module) {
         .def_readonly("genome", &Answer::genome)
         .def_readonly("similarity", &Answer::similarity, "On the grid of the design (Eq. 12).")
         .def_property_readonly(
-            "similarity_refined", [](const Answer& a) { return if_judged(a.similarity_refined); },
-            "On a grid four times finer; None of an area that there was no time to judge.")
+            "similarity_refined", [](const Answer& a) { return if_verified(a.similarity_refined); },
+            "On a grid four times finer; None of an area that there was no time to verify.")
         .def_property_readonly(
-            "similarity_worst", [](const Answer& a) { return if_judged(a.similarity_worst); },
+            "similarity_worst", [](const Answer& a) { return if_verified(a.similarity_worst); },
             "The least over that grid, four times the load steps and both; None as similarity_refined.")
         .def_readonly("within_limits", &Answer::within_limits, "It holds every limit of making.");
     py::class_<Design>(module, "Design", "What design() found.")
@@ -215,9 +215,9 @@ void add_design(py::module_& module) {
             "Distance of the nodes, mm; of an area along x and y.")
         .def_property_readonly("similarity", [](const Design& d) { return d.found.best.similarity; })
         .def_property_readonly("similarity_refined",
-                               [](const Design& d) { return if_judged(d.found.best.similarity_refined); })
+                               [](const Design& d) { return if_verified(d.found.best.similarity_refined); })
         .def_property_readonly("similarity_worst",
-                               [](const Design& d) { return if_judged(d.found.best.similarity_worst); })
+                               [](const Design& d) { return if_verified(d.found.best.similarity_worst); })
         .def_property_readonly("found", &Design::is_found,
                                "similarity_worst is what was asked for, 0.99 by default.")
         .def_property_readonly(
@@ -252,11 +252,11 @@ void add_design(py::module_& module) {
             "Asks the same again on finer grids, in more load steps, with another datum, under height noise\n"
             "(mm, standard deviation) and on other bodies; a dictionary of similarities and flags.")
         .def("__repr__", [](const Design& d) {
-            return d.found.best.is_judged()
+            return d.found.best.is_verified()
                        ? "<rugosa.Design, " + std::string(d.is_found() ? "found" : "not found") +
-                             ": similarity " + rough::line_of(d.found.best.judged()) + " at worst>"
-                       : "<rugosa.Design, not judged: similarity " + rough::line_of(d.found.best.similarity) +
-                             " as designed>";
+                             ": similarity " + rough::line_of(d.found.best.lowest()) + " at worst>"
+                       : "<rugosa.Design, not verified: similarity " +
+                             rough::line_of(d.found.best.similarity) + " as designed>";
         });
     module.def(
         "design", &designed, py::arg("target_pressure") = py::none(),
@@ -267,7 +267,7 @@ void add_design(py::module_& module) {
         "stiffness and contact area are the targets (quantity='both'). Keywords as the program's flags: "
         "max_pressure, variant, pipeline,\n"
         "seconds, evaluations, seed, threads, reach_similarity, alternatives, shortest_wave,\n"
-        "largest_slope, largest_height, smallest_radius, hurst_from, hurst_to, gamma_from, gamma_to,\n"
+        "max_slope, max_height, min_radius, hurst_from, hurst_to, gamma_from, gamma_to,\n"
         "lambda_from, lambda_to, starts (Genomes), progress (a callable of path, generations,\n"
         "evaluations, best), and the model's as in contact() of a Genome. Ctrl-C ends the search with\n"
         "the best so far. Returns a Design.");

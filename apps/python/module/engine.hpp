@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/outside/problem.hpp"
+#include "apps/external/problem.hpp"
 #include "apps/python/module/python.hpp"
 
 #include <pybind11/numpy.h>

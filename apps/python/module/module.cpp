@@ -51,7 +51,7 @@ rough::Model model_on(Keywords& keywords, const std::function<rough::Grid(bool w
     rough::Body& body = model.body;
     body.kernel = rough::kernel_named(keywords.take<std::string>("kernel", "free"));
     model.grid = grid(body.kernel == rough::Kernel::periodic);
-    if (model.grid.is_area()) {
+    if (model.grid.is_2d()) {
         expect_for_areas(keywords);
         if (body.kernel == rough::Kernel::strip)
             throw rough::InputError("kernel: strip given with an area, expected free or periodic");
@@ -109,7 +109,7 @@ rough::Model model_from(Keywords& keywords, const rough::Profile& surface) {
             return spacing * static_cast<double>(wraps ? n : n - 1);
         };
         rough::Grid grid{columns, length(surface.spacing, columns)};
-        if (surface.is_area()) {
+        if (surface.is_2d()) {
             grid.rows = rows;
             grid.width = length(surface.row_spacing, rows);
         }

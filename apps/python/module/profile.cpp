@@ -43,13 +43,13 @@ Profile surface_from(const py::object& heights, const Spacing& spacing, const st
 
 Profile profile_from(const py::object& heights, const Spacing& spacing, const std::string& of) {
     Profile profile = surface_from(heights, spacing, of);
-    if (profile.is_area())
+    if (profile.is_2d())
         throw rough::InputError(of + ": heights of 2 dimensions given, expected one");
     return profile;
 }
 
 py::object as_python(Profile surface) {
-    return surface.is_area() ? py::cast(Surface{std::move(surface)}) : py::cast(std::move(surface));
+    return surface.is_2d() ? py::cast(Surface{std::move(surface)}) : py::cast(std::move(surface));
 }
 
 namespace {
@@ -114,7 +114,7 @@ void add_profile(py::module_& module) {
                         "((48, 32), (32, 48))\n")
         .def(py::init([](const py::object& heights, const OneOrTwo<double>& spacing) {
                  Surface surface{surface_from(heights, spacing, "Surface")};
-                 if (!surface.is_area())
+                 if (!surface.is_2d())
                      throw rough::InputError("Surface: heights of 1 dimension given, expected two");
                  return surface;
              }),

@@ -100,7 +100,7 @@ def _curve_picture(curve):
 def _design_box(design):
     worst = design.similarity_worst
     verdict = ("found" if design.found else "; ".join(design.out_of_reach)
-               or ("not judged" if worst is None else "not found"))
+               or ("not verified" if worst is None else "not found"))
     worst = "none" if worst is None else f"{worst:.4f}"
     return (f'<div style="border:1px solid #888;padding:8px"><b>{escape(verdict)}</b>: similarity '
             f"{worst} at worst, {design.similarity:.4f} on the grid of the design<br>"

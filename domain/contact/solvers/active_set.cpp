@@ -34,7 +34,7 @@ constexpr Index coarsest_line = 1024, coarsest_area = 256;
 /// From one grid to the next coarser one; an area's nodes grow by its square.
 constexpr Index line_stride = 4, area_stride = 2;
 
-Index coarsest(const ContactProblem& problem) { return problem.is_area() ? coarsest_area : coarsest_line; }
+Index coarsest(const ContactProblem& problem) { return problem.is_2d() ? coarsest_area : coarsest_line; }
 
 enum class Purpose { curve, guess };
 
@@ -88,7 +88,7 @@ class ActiveSet {
     /// tangent just below full contact.
     void find_tangent() {
         Index least = problem_.nodes();
-        if (problem_.is_area() && problem_.kernel == Kernel::periodic &&
+        if (problem_.is_2d() && problem_.kernel == Kernel::periodic &&
             static_cast<Index>(set_.nodes().size()) == problem_.nodes()) {
             load_.pressure.minCoeff(&least);
             set_.erase(least);
@@ -117,7 +117,7 @@ class ActiveSet {
     /// Goes on along the tangent; on an area its product is known everywhere.
     void move(double by) {
         load_.pressure += by * tangent_.pressure;
-        if (!problem_.is_area() || product_.pressure.size() == 0)
+        if (!problem_.is_2d() || product_.pressure.size() == 0)
             return;
         product_.pressure = load_.pressure;
         product_.displacement += by * tangent_.displacement;
@@ -157,9 +157,9 @@ class ActiveSet {
         solver_.improve(
             set_, [&](Index i) { return approach - problem_.gap[i]; }, load_,
             Enough{target * approach, [&](double) { return check_stop(options_), false; }}, most_iterations,
-            problem_.is_area() ? &product_ : nullptr, sum_ ? &level : nullptr);
+            problem_.is_2d() ? &product_ : nullptr, sum_ ? &level : nullptr);
         approach -= level;
-        stale_ = !problem_.is_area();
+        stale_ = !problem_.is_2d();
     }
 
     /// Under a load the approach is what the nodes in contact say in the mean.
@@ -202,7 +202,7 @@ class ActiveSet {
     }
 
     void settle(double& approach, double tolerance) {
-        if (problem_.is_area())
+        if (problem_.is_2d())
             settle_area(approach, tolerance);
         else
             settle_line(approach, tolerance);
@@ -284,7 +284,7 @@ class ActiveSet {
         stale_ = false;
         look(approach);
         std::vector<int> added;
-        if (dropped.empty() || problem_.is_area())
+        if (dropped.empty() || problem_.is_2d())
             added = advancing_nodes(depth_, set_.touching(), problem_.shape, least + ahead_);
         ahead_ = 0;
         if (swinging_ && !dropped.empty())
@@ -325,7 +325,7 @@ StepSolution certified(const ContactProblem& problem, double approach, StepSolut
     return found;
 }
 
-Index stride_of(const ContactProblem& problem) { return problem.is_area() ? area_stride : line_stride; }
+Index stride_of(const ContactProblem& problem) { return problem.is_2d() ? area_stride : line_stride; }
 
 /// Every load step; the coarser grid goes first, as long as it is worth while.
 void solve_levels(const ContactProblem& problem, const ContactOptions& options, Purpose purpose,
@@ -333,7 +333,7 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
     const bool cascade = problem.nodes() > coarsest(problem);
     const Index stride = stride_of(problem);
     ContactProblem coarse_problem = cascade ? coarsened(problem, stride) : problem;
-    if (problem.is_area()) // from the first step on the tangent begins as well as a coarser grid
+    if (problem.is_2d()) // from the first step on the tangent begins as well as a coarser grid
         coarse_problem.approach.resize(std::min<std::size_t>(1, problem.approach.size()));
     const Solution coarse = cascade ? guess(coarse_problem, options) : Solution();
     ActiveSet solver(problem, options, purpose);

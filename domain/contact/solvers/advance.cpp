@@ -16,11 +16,11 @@ struct Doubt {
     double deepest; ///< depth in the run
 };
 
-/// Judges a run of penetrating nodes along a line of n nodes, `stride` apart, of which number `place` is the
-/// run's first, node `first`; calls judge(node, doubt). Returns how many nodes it has.
-template <class Penetrates, class Touches, class Judge>
-Index judge_run(const Eigen::ArrayXd& depth, Index first, Index stride, Index place, Index n,
-                Penetrates penetrates, Touches touches, Judge judge) {
+/// Verifies a run of penetrating nodes along a line of n nodes, `stride` apart, of which number `place` is
+/// the run's first, node `first`; calls note(node, doubt). Returns how many nodes it has.
+template <class Penetrates, class Touches, class Note>
+Index assess_run(const Eigen::ArrayXd& depth, Index first, Index stride, Index place, Index n,
+                 Penetrates penetrates, Touches touches, Note note) {
     Index count = 1;
     double deepest = depth[first];
     for (; place + count < n && penetrates(first + count * stride); ++count)
@@ -34,7 +34,7 @@ Index judge_run(const Eigen::ArrayXd& depth, Index first, Index stride, Index pl
                              : left        ? from_left / advance
                              : right       ? from_right / advance
                                            : far;
-        judge(first + i * stride, Doubt{share, deepest});
+        note(first + i * stride, Doubt{share, deepest});
     }
     return count;
 }
@@ -66,11 +66,11 @@ std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<
     if (area)
         for (const Index i : deep) // by the first node of each run
             if (i < columns || !penetrates(i - columns))
-                judge_run(depth, i, columns, i / columns, shape.rows, penetrates, touches,
-                          [&](Index k, const Doubt& doubt) { of_y(k) = doubt; });
+                assess_run(depth, i, columns, i / columns, shape.rows, penetrates, touches,
+                           [&](Index k, const Doubt& doubt) { of_y(k) = doubt; });
     for (const Index i : deep)
         if (i % columns == 0 || !penetrates(i - 1))
-            judge_run(
+            assess_run(
                 depth, i, 1, i % columns, columns, penetrates, touches, [&](Index k, const Doubt& along_x) {
                     if (!area)
                         return take(k, along_x);

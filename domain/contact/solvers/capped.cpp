@@ -36,7 +36,7 @@ class CappedContact {
             check_stop(options_);
             const double before = worst;
             worst = find_free(0.5 * enough);
-            // Rounding may allow no better; the certificate judges.
+            // Rounding may allow no better; the certificate verifies.
             if (worst <= enough || (worst >= 0.5 * before && worst <= 100 * enough))
                 break;
             if (!descend(std::max(0.1 * enough, loosening * worst)))

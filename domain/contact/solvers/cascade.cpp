@@ -20,7 +20,7 @@ ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node
     coarse.strip_width = problem.strip_width / ratio;
     coarse.column = influence_on(coarse, coarse.shape);
     coarse.pressure_unit = problem.pressure_unit / ratio;
-    coarse.elements = problem.elements / (problem.is_area() ? ratio * ratio : ratio);
+    coarse.elements = problem.elements / (problem.is_2d() ? ratio * ratio : ratio);
     for (double& load : coarse.load) // the same mean pressures, in the coarse grid's units
         load *= ratio * coarse.elements / problem.elements;
     return coarse;

@@ -62,7 +62,7 @@ double apply_cost(double nodes) { return per_transform * nodes * std::log2(2 * n
 /// Numbers that an area's transforms turn over those of a line of as many nodes, which is padded to twice its
 /// length: four times as many padded along both axes, and none where it is periodic.
 double turned(const ContactProblem& problem) {
-    return !problem.is_area() ? 1 : problem.kernel == Kernel::periodic ? 0.5 : 2;
+    return !problem.is_2d() ? 1 : problem.kernel == Kernel::periodic ? 0.5 : 2;
 }
 
 double iterative_cost(const ContactProblem& problem, double steps) {

@@ -91,7 +91,7 @@ struct Influences {
 
 /// First column of H for E* = 1, mm/MPa.
 Vector influence(const Profile& profile, const Body& given) {
-    if (profile.is_area())
+    if (profile.is_2d())
         return area_influence(profile, given.kernel);
     const Body body = completed(given, profile_length(profile, given.kernel));
     const Index n = profile.nodes();
@@ -203,9 +203,9 @@ Pressed press_capped(const Influences& h, const Vector& goal, Real cap) {
 Oracle consult_oracle(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
     const Influences h{influence(profile, body), profile.shape().columns};
     const Vector heights = profile.heights.cast<Real>();
-    const Real share = profile.is_area() ? 1 / static_cast<Real>(elements(profile, body.kernel))
-                                         : static_cast<Real>(profile.spacing) /
-                                               static_cast<Real>(profile_length(profile, body.kernel));
+    const Real share = profile.is_2d() ? 1 / static_cast<Real>(elements(profile, body.kernel))
+                                       : static_cast<Real>(profile.spacing) /
+                                             static_cast<Real>(profile_length(profile, body.kernel));
     const Real modulus = body.effective_modulus;
     Oracle oracle;
     for (const double displacement : displacements) {

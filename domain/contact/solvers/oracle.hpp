@@ -7,7 +7,7 @@ namespace rough {
 /// A slow second opinion for small grids that shares nothing with the solvers but the question: influence
 /// coefficients by the printed formulas in extended precision (80 bits here), the whole contact set factored
 /// anew each time, nodes released from full contact downwards; with a hardness, node after node pressed
-/// within its bounds until nothing moves (projected Gauss-Seidel). For judging the solvers; N up to some
+/// within its bounds until nothing moves (projected Gauss-Seidel). For verifying the solvers; N up to some
 /// hundreds. Pressures and stiffness in MPa, MPa/mm; one entry a displacement (mm, > 0).
 struct Oracle {
     std::vector<double> pressure;                   ///< P, MPa

@@ -88,7 +88,7 @@ class PolonskyKeer {
             if (!std::isfinite(residual))
                 break;
             if (residual <= target) {
-                if (residual <= finest || problem_.is_area()) // as the active set does
+                if (residual <= finest || problem_.is_2d()) // as the active set does
                     return;
                 const double trusted = trusted_residual(problem_, approach, p, load_.displacement);
                 if (residual <= trusted)

@@ -12,7 +12,7 @@ namespace rough {
 namespace {
 
 void check_profile(const Profile& profile) {
-    if (profile.is_area()) {
+    if (profile.is_2d()) {
         if (!std::isfinite(profile.row_spacing))
             refuse("row spacing ", profile.row_spacing,
                    " mm was given, a positive finite length is expected");
@@ -65,11 +65,11 @@ double largest_displacement(const Profile& profile, const Body& body) {
 ContactProblem make_problem(const Profile& profile, const Body& given,
                             const std::vector<double>& displacements) {
     check_profile(profile);
-    if (profile.is_area() && given.kernel == Kernel::strip)
+    if (profile.is_2d() && given.kernel == Kernel::strip)
         refuse_value("kernel", "strip", " given with a map, expected free or periodic: a strip is one row");
     const double length = profile_length(profile, given.kernel);
     Body body = completed(given, length);
-    if (profile.is_area())
+    if (profile.is_2d())
         body.datum = profile.spacing * static_cast<double>(profile.nodes()); // none is needed
     validate(body, profile.nodes(), profile.spacing);
     check_displacements(profile, body, displacements);
@@ -89,7 +89,7 @@ ContactProblem make_problem(const Profile& profile, const Body& given,
     problem.cap = body.hardness / problem.pressure_unit;
     problem.elements = elements(profile, body.kernel);
     problem.stiffness_unit =
-        body.effective_modulus / (profile.is_area() ? problem.elements * profile.spacing : length);
+        body.effective_modulus / (profile.is_2d() ? problem.elements * profile.spacing : length);
     problem.touches_only_overlapping =
         body.kernel == Kernel::strip || (body.kernel == Kernel::free && body.datum >= length);
     return problem;
@@ -107,13 +107,13 @@ ContactProblem make_problem_at(const Profile& profile, const Body& body,
 }
 
 Eigen::VectorXd influence_on(const ContactProblem& problem, Extent shape) {
-    return problem.is_area()
+    return problem.is_2d()
                ? area_influence_column(problem.kernel, shape, problem.row_spacing)
                : influence_column(problem.kernel, shape.nodes(), problem.datum, problem.strip_width);
 }
 
 Eigen::VectorXd spectrum_on(const ContactProblem& problem, Extent shape) {
-    return problem.is_area() ? area_spectrum(shape, problem.row_spacing) : periodic_spectrum(shape.nodes());
+    return problem.is_2d() ? area_spectrum(shape, problem.row_spacing) : periodic_spectrum(shape.nodes());
 }
 
 template <typename Operator>

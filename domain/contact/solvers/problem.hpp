@@ -28,7 +28,7 @@ struct ContactProblem {
     Index nodes() const { return gap.size(); } ///< N
     /// Load steps to solve.
     std::size_t steps() const { return load.empty() ? approach.size() : load.size(); }
-    bool is_area() const { return row_spacing > 0; } ///< two dimensions
+    bool is_2d() const { return row_spacing > 0; } ///< two dimensions
     /// Only overlapping nodes can touch (strip, and free with d >= L).
     bool touches_only_overlapping;
 };

@@ -99,7 +99,7 @@ void ContactSet::collect() {
 }
 
 SetSolver::SetSolver(const ContactProblem& problem)
-    : shape_(problem.shape), sums_(problem.is_area() ? Eigen::VectorXd() : cumulative(problem.column)),
+    : shape_(problem.shape), sums_(problem.is_2d() ? Eigen::VectorXd() : cumulative(problem.column)),
       forward_(fourier_operator(problem)), single_(single_fourier_operator(problem)),
       inverse_(preconditioner(problem)), inverse_shape_(circulant_shape(problem)) {}
 
@@ -170,7 +170,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
     const Deflation deflation(nodes, sums_);
     const std::vector<int> places = inverse_places(nodes);
     std::optional<Extension> extension;
-    if (is_area())
+    if (is_2d())
         extension.emplace(inverse_shape_, places);
     Eigen::VectorXd r(m), z(m), q(m), hq(m), even; // even: like what the preconditioner makes of a constant
     if (level) { // continued it is a constant, and so is a circulant times it
@@ -262,10 +262,10 @@ double SetSolver::tangent(const ContactSet& set, double tolerance, bool each_ent
         each_entry ? Enough{0.1 * tolerance}
                    : Enough{0, [&](double energy) { return energy <= 0.5 * tolerance * w.pressure.sum(); }};
     KnownProduct known;
-    if (is_area())
+    if (is_2d())
         known = {w.pressure, w.displacement, 0};
     improve(
-        set, [](Index) { return 1.0; }, w, enough, most_iterations, is_area() ? &known : nullptr);
+        set, [](Index) { return 1.0; }, w, enough, most_iterations, is_2d() ? &known : nullptr);
     if (tolerance >= single_stiffness)
         return known.blur;
     load(w);

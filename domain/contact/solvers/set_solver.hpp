@@ -87,7 +87,7 @@ class SetSolver {
                   double scale, Eigen::VectorXd& image, Extension* extension = nullptr) const;
     /// Where nodes stand on the preconditioner's grid.
     std::vector<int> inverse_places(const std::vector<int>& nodes) const;
-    bool is_area() const { return sums_.size() == 0; }
+    bool is_2d() const { return sums_.size() == 0; }
 
     Extent shape_;
     Eigen::VectorXd sums_; ///< of H's first column, for the deflation; empty on an area, which has none

@@ -15,7 +15,7 @@ namespace {
 /// Genomes of few, long waves on a fine grid, where coarser grids are worth a try.
 const std::string paper = "run '" RUGOSA_SOURCE "/experiments/paper.ini' --pictures off --nodes 1025 "
                           "--set database.pairs=3 --set database.phase-columns=2 --set "
-                          "database.shortest=0.1 --set paper.sweep-points=0 ";
+                          "database.shortest-wave=0.1 --set paper.sweep-points=0 ";
 
 rough::Model model_of(const json& result) {
     rough::Model model;

@@ -1,7 +1,7 @@
 #include "apps/commands/design/page.hpp"
 #include "apps/commands/design/summary.hpp"
 #include "domain/mwm/genome_json.hpp"
-#include "domain/problem/judgement.hpp"
+#include "domain/problem/verification.hpp"
 #include "domain/profile/solid.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
@@ -55,7 +55,7 @@ TEST_CASE("a design on an area has the same files, and its similarities follow f
         CHECK(variant["similarity_refined"].get<double>() ==
               Approx(similarity(setup, genome, 4)).margin(1e-5));
         CHECK(variant["similarity_worst"].get<double>() ==
-              Approx(rough::Judge(setup).of(genome).worst()).margin(1e-5));
+              Approx(rough::Verifier(setup).of(genome).worst()).margin(1e-5));
         CHECK(variant["genome"]["series"][0]["chromosomes"][0]["phases"].size() == 8);
         CHECK(variant["trust"]["checks"].size() == 4);
         CHECK(variant["trust"]["other_kernels"].size() == 1);
@@ -95,7 +95,7 @@ TEST_CASE("a design like a map answers for the map's own stiffness and contact a
     CHECK(rough::read_whole(folder / "r" / "report.html").find("The map") != std::string::npos);
 }
 
-TEST_CASE("a design on an area that there is no time to judge is said to be not judged, without a number",
+TEST_CASE("a design on an area that there is no time to verify is said to be not verified, without a number",
           "[areas]") {
     const Folder folder;
     const Ended ended =
@@ -108,11 +108,11 @@ TEST_CASE("a design on an area that there is no time to judge is said to be not 
     CHECK(variant["similarity_refined"].is_null());
     CHECK(variant["similarity_worst"].is_null());
     CHECK(variant["alternatives"][0]["similarity_worst"].is_null());
-    CHECK(result["summary"]["judged"].is_null());
+    CHECK(result["summary"]["lowest"].is_null());
     CHECK(result["summary"]["found"] == false);
-    CHECK(result["verdict"].get<std::string>().rfind("not judged: similarity ", 0) == 0);
+    CHECK(result["verdict"].get<std::string>().rfind("not verified: similarity ", 0) == 0);
     CHECK_THAT(result["summary"]["worst_case"].get<std::string>(),
-               Catch::Contains("not judged on a grid 4 times finer"));
+               Catch::Contains("not verified on a grid 4 times finer"));
     CHECK_THAT(ended.out + ended.err, Catch::Contains("there was no time"));
     CHECK((ended.out + ended.err).find("nan") == std::string::npos);
     const auto rows = rows_of(folder / "r" / "answer.csv");
@@ -124,7 +124,7 @@ TEST_CASE("a design on an area that there is no time to judge is said to be not 
               .margin(1e-5));
 }
 
-TEST_CASE("the page of an area that was not judged draws its own curve alone and says so", "[areas]") {
+TEST_CASE("the page of an area that was not verified draws its own curve alone and says so", "[areas]") {
     app::DesignRun run;
     run.setup.model.grid.nodes = run.setup.model.grid.rows = 20;
     run.setup.model.grid.width = run.setup.model.grid.length;
@@ -141,8 +141,8 @@ TEST_CASE("the page of an area that was not judged draws its own curve alone and
     run.summary = app::summary_of(run);
     CHECK_FALSE(run.summary.found);
     const std::string page = app::design_page(run, 60);
-    CHECK(page.find("not judged: similarity ") != std::string::npos);
-    CHECK(page.find("There was no time to judge the answer") != std::string::npos);
+    CHECK(page.find("not verified: similarity ") != std::string::npos);
+    CHECK(page.find("There was no time to verify the answer") != std::string::npos);
     CHECK(page.find("There was no time for: 4 times the nodes; 4 times the load steps") != std::string::npos);
     CHECK(page.find("Where it touches at the last load") != std::string::npos);
     CHECK(page.find("on a grid four times finer, ") == std::string::npos);

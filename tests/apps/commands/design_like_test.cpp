@@ -66,7 +66,7 @@ TEST_CASE("what was not asked for is said with how far the answer is off, the sa
     const double off = summary["not_asked"]["contact area"];
     CHECK(off == Approx(1 - similarity(setup, genome)).epsilon(1e-6));
     CHECK(summary["found"] == true);
-    CHECK(summary["judged"] == result["variants"]["pipeline"]["similarity_worst"]);
+    CHECK(summary["lowest"] == result["variants"]["pipeline"]["similarity_worst"]);
     const std::string page = rough::read_whole(folder / "r/report.html");
     for (const char* fact :
          {"matched", "not_asked_for", "worst_case", "yielding", "making", "carries_over"}) {
@@ -83,7 +83,7 @@ TEST_CASE("what was not asked for is said with how far the answer is off, the sa
 TEST_CASE("a verdict asked with noise or a hardness is a verdict under them") {
     const Folder folder;
     write_scan(folder);
-    const auto judged = [&](const std::string& flags) {
+    const auto verified = [&](const std::string& flags) {
         const Ended ended =
             rugosa("design --like scan.txt --nodes 128 --pipeline 'own 1 | score | refine lm 10' "
                    "--quantity stiffness --pictures off --force --out r" +
@@ -93,15 +93,15 @@ TEST_CASE("a verdict asked with noise or a hardness is a verdict under them") {
         CHECK(ended.code == (result_in(folder / "r")["summary"]["found"].get<bool>() ? 0 : 3));
         return result_in(folder / "r")["summary"];
     };
-    const double alone = judged("")["judged"];
+    const double alone = verified("")["lowest"];
     const std::string asked = " --reach-similarity " + std::to_string(alone - 0.01);
-    const json calm = judged(asked + " --noise 1e-9 --hardness 1e3");
+    const json calm = verified(asked + " --noise 1e-9 --hardness 1e3");
     CHECK(calm["found"] == true);
     CHECK_THAT(calm["yielding"].get<std::string>(), Catch::StartsWith("elastic"));
-    const json noisy = judged(asked + " --noise 0.01");
+    const json noisy = verified(asked + " --noise 0.01");
     CHECK(noisy["found"] == false);
-    CHECK(noisy["judged"] < alone - 0.01);
-    const json soft = judged(asked + " --hardness 1e-3");
+    CHECK(noisy["lowest"] < alone - 0.01);
+    const json soft = verified(asked + " --hardness 1e-3");
     CHECK(soft["found"] == false);
     CHECK_THAT(soft["yielding"].get<std::string>(), Catch::StartsWith("yields"));
 }

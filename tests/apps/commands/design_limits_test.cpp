@@ -17,8 +17,8 @@ TEST_CASE("every variant's answer holds every limit, on a grid four times finer 
     for (const std::string mode : {"", " --max-pressure 1.6e-4"})
         for (const std::string& variant : mode.empty() ? all : few) {
             const std::string words = "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 128 "
-                                      "--pictures off --largest-slope 6e-4 --largest-height 2e-4 "
-                                      "--smallest-radius 5 --shortest-wave 0.04 --force --out r --variant " +
+                                      "--pictures off --max-slope 6e-4 --max-height 2e-4 "
+                                      "--min-radius 5 --shortest-wave 0.04 --force --out r --variant " +
                                       variant + mode;
             const Ended ended = rugosa(words, folder.path());
             INFO(variant << mode << ": " << ended.out << ended.err);
@@ -48,7 +48,8 @@ TEST_CASE("a design's genes keep to the bounds that were given") {
     const Folder folder;
     const Ended ended =
         rugosa("design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 64 --shortest-wave 0.1 "
-               "--pictures off --pipeline 'sample 8 | score | refine lm 3 | best 1' --H-from 0.6 --H-to 0.65 "
+               "--pictures off --pipeline 'sample 8 | score | refine lm 3 | best 1' --hurst-from 0.6 "
+               "--hurst-to 0.65 "
                "--gamma-from 1.75 --gamma-to 1.8 --lambda-from 0.5 --lambda-to 0.6 --out r",
                folder.path());
     INFO(ended.err << ended.out);

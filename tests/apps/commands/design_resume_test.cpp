@@ -10,7 +10,7 @@ namespace {
 
 const std::string words =
     "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 128 --threads 1 --pictures off "
-    "--largest-slope 0.5 --pipeline 'shape 12 | score | best 4 | refine lm 6 | repeat 12 { tournament 2 | "
+    "--max-slope 0.5 --pipeline 'shape 12 | score | best 4 | refine lm 6 | repeat 12 { tournament 2 | "
     "cross uniform | mutate 0.1 | score | refine lm 6 | elite 1 } | best 2 | score verified'";
 
 } // namespace
@@ -48,7 +48,7 @@ TEST_CASE("a design out of time goes on where it stopped, and a set-up that is a
         unfinished = cut.out.find("--resume") != std::string::npos;
     }
     REQUIRE(unfinished);
-    check_refused(rugosa(words + " --largest-height 1 --out cut --resume", folder.path()), "checkpoint");
+    check_refused(rugosa(words + " --max-height 1 --out cut --resume", folder.path()), "checkpoint");
     const Ended homeless = rugosa(words + " --resume", folder.path());
     CHECK(homeless.code == 2);
     CHECK_THAT(homeless.err, Catch::Contains("--out"));

@@ -47,7 +47,7 @@ TEST_CASE("a design's similarities follow from its genome, amplitude free or by 
         CHECK(variant["similarity_refined"].get<double>() ==
               Approx(similarity(setup, genome, 4)).margin(1e-9));
         CHECK(variant["similarity_worst"].get<double>() ==
-              Approx(rough::Judge(as_reported(setup)).of(genome).worst()).margin(1e-9));
+              Approx(rough::Verifier(as_reported(setup)).of(genome).worst()).margin(1e-9));
         CHECK(ended.code ==
               (variant["similarity_worst"].get<double>() >= rough::default_required_similarity ? 0 : 3));
         CHECK(variant["similarity"].get<double>() > 0.95);
@@ -105,7 +105,7 @@ TEST_CASE("limits on what can be made hold in the answer and are stated with the
     REQUIRE(rugosa(drawn + brief + " --out r", folder.path()).code != 2);
     const json free = result_in(folder / "r")["variants"]["pipeline"]["margins"];
     const double slope = free[1]["value"], radius = free[3]["value"];
-    const std::string limits = " --largest-slope " + std::to_string(0.9 * slope) + " --smallest-radius " +
+    const std::string limits = " --max-slope " + std::to_string(0.9 * slope) + " --min-radius " +
                                std::to_string(1.1 * radius) + " --shortest-wave 0.03";
     const Ended ended =
         rugosa(drawn + " --pictures off --pipeline 'shape 8 | score | refine lm 15 | best 2'" + limits +
@@ -234,7 +234,7 @@ TEST_CASE("a design begins from a database's nearest curves and is better than t
     in_its_steps.model.loading.steps = result["steps"];
     CHECK(result["variants"]["in-line"]["similarity"].get<double>() >
           similarity(completed(in_its_steps), best));
-    const double queried = rough::Judge(completed(setup)).of(best).worst();
+    const double queried = rough::Verifier(completed(setup)).of(best).worst();
     CHECK(result_in(folder / "quick")["variants"]["in-line"]["similarity_worst"].get<double>() >=
           queried - 1e-9);
     for (const std::string words :

@@ -98,7 +98,7 @@ TEST_CASE(
             target.answers.push_back(sample_with(at + spread * random.normal(), random.normal()));
             target.misses.push_back(sample_with(random.normal(), random.normal()));
         }
-        judge_features(target);
+        assess_features(target);
         for (const json& one : target.verdicts)
             if (one["feature"] == "f")
                 return one["kind"].get<std::string>();
@@ -119,7 +119,7 @@ TEST_CASE(
     const json before = target.laws[0]["error"];
     for (FeatureSample& answer : target.answers)
         answer.stiffness.fill(100);
-    judge_features(target);
+    assess_features(target);
     CHECK(target.laws[0]["error"] == before);
 }
 

@@ -19,7 +19,7 @@ TEST_CASE("no solver claims a wrong curve, and the automatic and nested ones sol
             rough::ContactOptions options;
             options.solver = static_cast<rough::Solver>(method);
             app::ContactTrial trial = try_contact(scene, options, 30);
-            reference.judge(trial, app::promised_tolerance(trial.curve, options));
+            reference.verifier(trial, app::promised_tolerance(trial.curve, options));
             INFO(scene.name << ", " << rough::name_of(scene.body.kernel) << ", "
                             << rough::solver_names()[method] << ": " << trial.message);
             CHECK(trial.outcome != app::Outcome::wrong);
@@ -45,26 +45,27 @@ app::StabilityScene parabola(rough::Index nodes) {
 
 } // namespace
 
-TEST_CASE("stability's judge passes what is wrong by half a tolerance and names what is wrong by twice it") {
+TEST_CASE(
+    "stability's verifier passes what is wrong by half a tolerance and names what is wrong by twice it") {
     constexpr double tolerance = 1e-4;
-    for (const rough::Index nodes : {40, 300}) { // the oracle judges, or another solver
+    for (const rough::Index nodes : {40, 300}) { // the oracle verifies, or another solver
         const app::StabilityScene scene = parabola(nodes);
         rough::ContactOptions options;
         options.solver = rough::Solver::nested;
         const app::ContactTrial right = try_contact(scene, options);
         app::StabilityReference reference(scene);
-        const auto judged = [&](auto corrupt) {
+        const auto verified = [&](auto corrupt) {
             app::ContactTrial trial = right;
             corrupt(trial.curve.steps[1]);
-            reference.judge(trial, tolerance);
+            reference.verifier(trial, tolerance);
             return trial;
         };
         for (const double sign : {-1.0, 1.0}) {
             const auto pressure = [&](double by) {
-                return judged([&](rough::LoadStep& step) { step.pressure *= 1 + sign * by * tolerance; });
+                return verified([&](rough::LoadStep& step) { step.pressure *= 1 + sign * by * tolerance; });
             };
             const auto stiffness = [&](double by) {
-                return judged(
+                return verified(
                     [&](rough::LoadStep& step) { step.tangent_stiffness *= 1 + sign * by * tolerance; });
             };
             INFO(nodes << " nodes, " << sign);
@@ -78,38 +79,38 @@ TEST_CASE("stability's judge passes what is wrong by half a tolerance and names 
             CHECK(wrong.outcome == app::Outcome::wrong);
             CHECK_THAT(wrong.message, Catch::Contains("pressure of step 2"));
             const app::ContactTrial miscounted =
-                judged([&](rough::LoadStep& one) { one.contact_nodes += sign > 0 ? 1 : -1; });
+                verified([&](rough::LoadStep& one) { one.contact_nodes += sign > 0 ? 1 : -1; });
             CHECK(miscounted.outcome == app::Outcome::wrong);
             CHECK_THAT(miscounted.message, Catch::Contains("contact nodes of step 2"));
         }
         for (const std::size_t j : {0u, 2u}) {
             app::ContactTrial trial = right;
             trial.curve.steps[j].pressure *= 1.01;
-            reference.judge(trial, tolerance);
+            reference.verifier(trial, tolerance);
             CHECK_THAT(trial.message, Catch::Contains("pressure of step " + std::to_string(j + 1)));
         }
         app::ContactTrial refused = right;
         refused.outcome = app::Outcome::refused;
         refused.curve.steps[0].pressure *= 2;
-        reference.judge(refused, tolerance);
+        reference.verifier(refused, tolerance);
         CHECK(refused.outcome == app::Outcome::refused);
     }
 }
 
-TEST_CASE("first touch has no pressure and the stiffness of the nodes that touch, by which it is judged") {
+TEST_CASE("first touch has no pressure and the stiffness of the nodes that touch, by which it is verified") {
     app::StabilityScene scene = parabola(40);
     scene.displacements = {0, 0.05};
     app::StabilityReference reference(scene);
     const app::ContactTrial right = try_contact(scene, {});
     app::ContactTrial trial = right;
-    reference.judge(trial, 1e-6);
+    reference.verifier(trial, 1e-6);
     CHECK(trial.outcome == app::Outcome::solved);
     trial.curve.steps[0].tangent_stiffness *= 1 + 2e-6;
-    reference.judge(trial, 1e-6);
+    reference.verifier(trial, 1e-6);
     CHECK(trial.outcome == app::Outcome::wrong);
     trial = right;
     trial.curve.steps[0].pressure = 1e-15;
-    reference.judge(trial, 1e-6);
+    reference.verifier(trial, 1e-6);
     CHECK(trial.outcome == app::Outcome::wrong);
 }
 
@@ -208,7 +209,7 @@ TEST_CASE("a rough scene repeats, and a fault is told in digits that show it") {
     const app::StabilityScene scene = parabola(40);
     app::ContactTrial trial = try_contact(scene, {});
     trial.curve.steps[1].pressure = 0.123456789012;
-    app::StabilityReference(scene).judge(trial, 1e-6);
+    app::StabilityReference(scene).verifier(trial, 1e-6);
     CHECK_THAT(trial.message, Catch::Contains("is 0.123456789012 where"));
     const double before = app::processor_seconds();
     const app::ContactTrial timed = try_contact(scene, {});

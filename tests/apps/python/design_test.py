@@ -74,8 +74,8 @@ class Design(WithFolder):
         self.assertIsNone(design.alternatives[0].similarity_refined)
         self.assertFalse(design.found)
         self.assertLess(design.similarity, 1)
-        self.assertIn("not judged", repr(design))
-        self.assertIn("not judged", design._repr_html_())
+        self.assertIn("not verified", repr(design))
+        self.assertIn("not verified", design._repr_html_())
         self.assertEqual(len(design.curve), 20)
 
     def test_interrupt_gives_the_best_so_far(self):

@@ -27,7 +27,7 @@ void check_same(const GenomeStore& one, const GenomeStore& other) {
 } // namespace
 
 TEST_CASE("a law's genome depends on its number alone, is valid and keeps to the law") {
-    GenomeLaw law;
+    GenomeDistribution law;
     law.series = 2;
     law.ridges = 3;
     law.shortest = 0.05;
@@ -48,7 +48,7 @@ TEST_CASE("a law's genome depends on its number alone, is valid and keeps to the
 }
 
 TEST_CASE("genomes survive packing to the bit") {
-    GenomeLaw law;
+    GenomeDistribution law;
     law.ridges = 2;
     std::vector<Genome> genomes;
     for (std::uint64_t i = 0; i < 7; ++i)

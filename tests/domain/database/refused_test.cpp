@@ -133,7 +133,7 @@ TEST_CASE("names that SQLite takes for a place in memory are no database files")
 }
 
 TEST_CASE("a law of genomes that no memory holds is refused") {
-    GenomeLaw law;
+    GenomeDistribution law;
     law.series = 16, law.ridges = 1000, law.shortest = 1e-300;
     CHECK_THROWS_WITH(validate(law), Catch::Contains("phases a genome"));
 }

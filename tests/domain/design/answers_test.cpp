@@ -71,7 +71,7 @@ TEST_CASE("an answer's twin, its mirror image and what hardly differs are no alt
     options.threads = 1;
     const SearchResult found = search(setup, options);
     REQUIRE(found.alternatives.size() == 2);
-    CHECK(found.alternatives[0].judged() == found.best.judged());
+    CHECK(found.alternatives[0].lowest() == found.best.lowest());
     CHECK(found.alternatives[0].difference == 1);
     const Profile first = sample(found.alternatives[0].genome, setup.model.grid),
                   second = sample(found.alternatives[1].genome, setup.model.grid);
@@ -83,7 +83,7 @@ TEST_CASE("an answer's twin, its mirror image and what hardly differs are no alt
 }
 
 TEST_CASE(
-    "alternatives differ from each other, are as many as asked for, and are judged on a grid four times "
+    "alternatives differ from each other, are as many as asked for, and are verified on a grid four times "
     "finer") {
     const DesignSetup setup = set_up();
     SearchOptions options;
@@ -99,10 +99,9 @@ TEST_CASE(
             CHECK(answer.similarity == Approx(similarity(reported, answer.genome, 1)).epsilon(1e-9));
             CHECK(answer.similarity_refined == Approx(similarity(reported, answer.genome, 4)).epsilon(1e-9));
             CHECK(answer.similarity_refined != Approx(similarity(reported, answer.genome, 8)).epsilon(1e-6));
-            CHECK(answer.judged() == answer.similarity_worst);
-            CHECK(answer.judged() <=
+            CHECK(answer.lowest() == answer.similarity_worst);
+            CHECK(answer.lowest() <=
                   std::min({answer.similarity, answer.similarity_refined, answer.similarity_stepped}));
         }
     }
 }
-

@@ -42,16 +42,16 @@ TEST_CASE("an area is searched on half and a quarter of its nodes a side, where 
     CHECK(side(fine, 2) == 128);
 }
 
-TEST_CASE("a target aimed at anew is off by what the judged curves are off in the middle", "[areas]") {
+TEST_CASE("a target aimed at anew is off by what the verified curves are off in the middle", "[areas]") {
     DesignSetup setup = drawn_area(32);
     setup.targets[0].weight = 0.5;
-    Judgement judged;
-    for (auto& misfits : judged.misfits)
+    Verification verified;
+    for (auto& misfits : verified.misfits)
         misfits = {Eigen::VectorXd::Zero(20)};
-    judged.misfits[0][0][3] = 0.01;
-    judged.misfits[1][0][3] = 0.05;
-    judged.misfits[3][0][3] = -0.02; // 0.015 in the middle
-    const DesignSetup aimed = corrected_targets(setup, judged);
+    verified.misfits[0][0][3] = 0.01;
+    verified.misfits[1][0][3] = 0.05;
+    verified.misfits[3][0][3] = -0.02; // 0.015 in the middle
+    const DesignSetup aimed = corrected_targets(setup, verified);
     CHECK(aimed.targets[0].y[3] == Approx(setup.targets[0].y[3] * (1 + (0.01 - 0.015) / 0.5)));
     CHECK(aimed.targets[0].y[4] == setup.targets[0].y[4]);
 }
@@ -79,9 +79,9 @@ TEST_CASE("the default search meets the drawn target on a small area and on one 
     const SearchResult found = search(setup, options);
     // K differs by several per cent between the two grids.
     CHECK(found.best.similarity_worst > 0.85);
-    CHECK(found.best.similarity_worst == found.best.judgement.worst());
+    CHECK(found.best.similarity_worst == found.best.verification.worst());
     options.threads = 1;
-    CHECK(search(setup, options).best.judged() == found.best.judged());
+    CHECK(search(setup, options).best.lowest() == found.best.lowest());
     TrustOptions trust;
     trust.phase_draws = 2;
     const Trust verified = trust_in(setup, found.best.genome, trust, &found.best);
@@ -92,7 +92,7 @@ TEST_CASE("the default search meets the drawn target on a small area and on one 
     CHECK(verified.kernels.size() == 1); // no strip
 }
 
-TEST_CASE("an area's search without time for judging says that, with the answer's own curve all the same",
+TEST_CASE("an area's search without time for verifying says that, with the answer's own curve all the same",
           "[areas]") {
     DesignSetup setup = drawn_area(24);
     for (const char* pipeline : {"", "shape 2 | score | best 1", "shape 1 | score verified"}) {
@@ -102,9 +102,9 @@ TEST_CASE("an area's search without time for judging says that, with the answer'
         options.seconds = 0;
         const SearchResult found = search(setup, options);
         const Answer& best = found.best;
-        CHECK_FALSE(best.is_judged());
+        CHECK_FALSE(best.is_verified());
         CHECK(std::isnan(best.similarity_refined));
-        CHECK(best.judgement.on_finer.empty());
+        CHECK(best.verification.on_finer.empty());
         CHECK_FALSE(found.setup.model.contact.stop);
         const DesignResponse own = response_of(found.setup, best);
         CHECK(best.similarity == similarity(found.setup, own));
@@ -122,7 +122,7 @@ TEST_CASE("an area's search without time for judging says that, with the answer'
     }
 }
 
-TEST_CASE("an area's search that is asked to stop judges nothing more, and takes no failure from it",
+TEST_CASE("an area's search that is asked to stop verifies nothing more, and takes no failure from it",
           "[areas]") {
     const DesignSetup setup = drawn_area(24);
     std::atomic<bool> stop = false;
@@ -136,8 +136,8 @@ TEST_CASE("an area's search that is asked to stop judges nothing more, and takes
                    asked = event.counters.asked;
                }});
     CHECK(stop);
-    CHECK_FALSE(found.best.is_judged());
-    CHECK(found.best.judgement.on_finer.empty());
+    CHECK_FALSE(found.best.is_verified());
+    CHECK(found.best.verification.on_finer.empty());
     CHECK(found.best.similarity > 0.9);
     CHECK(found.counters.failures == 0);
     CHECK(found.stopped == "stop requested");
@@ -150,7 +150,7 @@ TEST_CASE("time that suffices changes nothing of an area's answer", "[areas]") {
     const SearchResult endless = search(setup, options);
     options.seconds = 1e6;
     const SearchResult timed = search(setup, options);
-    CHECK(timed.best.judged() == endless.best.judged());
-    CHECK(timed.best.is_judged());
+    CHECK(timed.best.lowest() == endless.best.lowest());
+    CHECK(timed.best.is_verified());
     CHECK(timed.notes == endless.notes);
 }

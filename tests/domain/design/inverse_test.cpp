@@ -89,7 +89,7 @@ TEST_CASE("on an area nodes come into contact in any order that is asked, too", 
                     return steps;
                 },
                 infinity, infinity);
-            CHECK(inverse.profile.is_area());
+            CHECK(inverse.profile.is_2d());
             for (std::size_t k = 0; k + 2 < inverse.entry.size(); k += 3) {
                 ContactOptions options;
                 options.states = true;

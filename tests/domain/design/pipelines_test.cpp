@@ -43,8 +43,9 @@ TEST_CASE(
         setup.targets.push_back(setup.targets[0]); // for mcco and nsga2
         for (const auto& [name, text] : design_variants()) {
             INFO(name << (area ? " on an area" : ""));
-            setup.like = name == "like" ? std::optional(sample(shaped_start(setup, ga::Stream(3)), setup.model.grid))
-                                        : std::nullopt;
+            setup.like = name == "like"
+                             ? std::optional(sample(shaped_start(setup, ga::Stream(3)), setup.model.grid))
+                             : std::nullopt;
             const std::string run =
                 search(setup, {.pipeline = name, .seconds = 0, .evaluations = 1}).pipeline;
             const std::string by_name = found_by(setup, name, 120);
@@ -77,7 +78,7 @@ TEST_CASE("the default search begins anew until an answer has the required simil
     options.pipeline = "default";
     setup.required_similarity = -1;
     CHECK(search(setup, options).counters.asked == once);
-    setup.required_similarity = 1.1;                          // nothing has that
+    setup.required_similarity = 1.1; // nothing has that
     options.evaluations = 2 * once;
     CHECK(search(setup, options).counters.asked == 2 * once);
 }
@@ -88,9 +89,9 @@ TEST_CASE("corrected targets bring an answer nearer at its worst") {
     options.alternatives = 1;
     const std::string before = "shape 6 | score | best 2 | refine lm 20 | best 1";
     options.pipeline = before;
-    const double plain = search(setup, options).best.judged();
+    const double plain = search(setup, options).best.lowest();
     options.pipeline = before + " | corrected { score | refine lm 12 sharpen=4 | best 1 } | score";
-    CHECK(search(setup, options).best.judged() > plain);
+    CHECK(search(setup, options).best.lowest() > plain);
 }
 
 TEST_CASE("an answer outside the limits on shape is brought within them, and one inside is left alone") {
@@ -105,12 +106,12 @@ TEST_CASE("an answer outside the limits on shape is brought within them, and one
         return 0.0;
     };
     const double steep = slope(free.genome);
-    setup.limits.largest_slope = 0.6 * steep;
+    setup.limits.max_slope = 0.6 * steep;
     const SearchResult within = search(setup, options);
     CHECK(within.pipeline.find("within-limits { ") != std::string::npos);
     CHECK(within.best.within_limits);
     CHECK(slope(within.best.genome) <= 0.6 * steep);
-    setup.limits.largest_slope = 2 * steep;
+    setup.limits.max_slope = 2 * steep;
     const SearchResult same = search(setup, options);
     CHECK(shape_key(same.best.genome) == shape_key(free.genome));
     CHECK(same.counters.gradients == 0);

@@ -18,7 +18,7 @@ StatisticalTask foretold_target(Quantity quantity) {
     task.target.x = Eigen::VectorXd::LinSpaced(6, 1e-3, 2e-2);
     const TheoryCurve curve =
         foretold_curve(task.theory, random_surface({0.7, 0.4, 0.12, 0.08}), 1, task.target.x);
-    task.target.y = is_area(quantity) ? curve.contact_fraction : curve.stiffness;
+    task.target.y = is_contact_fraction(quantity) ? curve.contact_fraction : curve.stiffness;
     return task;
 }
 

@@ -163,7 +163,7 @@ TEST_CASE("a wave that is flat at the nodes is not dominant and no error") {
     CHECK(dominance.at(0, 0));
 }
 
-TEST_CASE("equal wave numbers of two series are judged as one length scale") {
+TEST_CASE("equal wave numbers of two series are verified as one length scale") {
     const Model model = paper_model(128);
     const Genome genome{1,
                         {{1, 0.8, 1.5, 0.84942, {{1, {2.0}}, {2, {1.0}}}},

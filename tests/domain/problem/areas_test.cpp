@@ -56,16 +56,17 @@ TEST_CASE("on areas they do so for interface stiffness, contact fractions and lo
         Target& target = setup.targets[0];
         target.quantity = quantity;
         target.x = Eigen::VectorXd::LinSpaced(8, 1e-5, 2e-4);
-        target.y = is_area(quantity) ? Eigen::VectorXd(Eigen::VectorXd::LinSpaced(8, 0.05, 0.6))
-                                     : Eigen::VectorXd(0.6 * target.x);
+        target.y = is_contact_fraction(quantity) ? Eigen::VectorXd(Eigen::VectorXd::LinSpaced(8, 0.05, 0.6))
+                                                 : Eigen::VectorXd(0.6 * target.x);
         if (quantity == Quantity::interface_stiffness)
             target.y = Eigen::VectorXd::LinSpaced(8, 0.5, 4);
         // A smooth contact fraction is steep where a node is about to enter, and differences of it less good.
-        check_jacobian(setup, two_series(random, setup), "similarity", is_area(quantity) ? 1e-4 : 1e-5);
+        check_jacobian(setup, two_series(random, setup), "similarity",
+                       is_contact_fraction(quantity) ? 1e-4 : 1e-5);
     }
 }
 
-TEST_CASE("an area's judgement is that of separate solutions, all its fine steps solved or nearly so",
+TEST_CASE("an area's verification is that of separate solutions, all its fine steps solved or nearly so",
           "[areas]") {
     std::mt19937_64 random(73);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
@@ -79,43 +80,43 @@ TEST_CASE("an area's judgement is that of separate solutions, all its fine steps
             model.loading.steps *= times;
             return similarity(setup, respond(setup, genome, model));
         };
-        const Judgement judged = Judge(setup).of(genome);
-        CHECK(judged.similarity == Approx(alone(1, 1)).epsilon(1e-6));
-        CHECK(judged.refined == Approx(alone(4, 1)).epsilon(1e-6));
-        CHECK(judged.stepped == Approx(alone(1, 4)).epsilon(1e-6));
+        const Verification verified = Verifier(setup).of(genome);
+        CHECK(verified.similarity == Approx(alone(1, 1)).epsilon(1e-6));
+        CHECK(verified.refined == Approx(alone(4, 1)).epsilon(1e-6));
+        CHECK(verified.stepped == Approx(alone(1, 4)).epsilon(1e-6));
         const double both = alone(4, 4);
-        CHECK(judged.reading_error < 1e-3 * (1 + judged.misfits[2][0].cwiseAbs().maxCoeff()));
-        CHECK(judged.both == Approx(both).margin(3e-3 * (2 - both)));
-        CHECK(judged.both == Judge(setup, 2).of(genome).both);
-        CHECK(judged.on_finer[0].steps() == 20);
+        CHECK(verified.reading_error < 1e-3 * (1 + verified.misfits[2][0].cwiseAbs().maxCoeff()));
+        CHECK(verified.both == Approx(both).margin(3e-3 * (2 - both)));
+        CHECK(verified.both == Verifier(setup, 2).of(genome).both);
+        CHECK(verified.on_finer[0].steps() == 20);
     }
 }
 
-TEST_CASE("a judgement of an area that is stopped knows what was solved by then and nothing of the rest",
+TEST_CASE("a verification of an area that is stopped knows what was solved by then and nothing of the rest",
           "[areas]") {
     std::mt19937_64 random(75);
     DesignSetup setup = area_setup(Kernel::periodic);
     setup.max_pressure = 1.6e-4;
     const Genome genome = two_series(random, setup);
-    const Judgement whole = Judge(setup).of(genome);
+    const Verification whole = Verifier(setup).of(genome);
     const auto stopped_after = [&](long questions, long* asked = nullptr) {
         long count = 0;
         DesignSetup ends = setup;
         ends.model.contact.stop = [&] { return ++count > questions; };
-        const Judgement judged = Judge(ends).of(genome);
+        const Verification verified = Verifier(ends).of(genome);
         if (asked)
             *asked = count;
-        return judged;
+        return verified;
     };
     long all = 0;
-    const Judgement never = stopped_after(1000000, &all);
+    const Verification never = stopped_after(1000000, &all);
     CHECK(never.worst() == whole.worst());
-    const Judgement at_once = stopped_after(0);
+    const Verification at_once = stopped_after(0);
     CHECK(std::isnan(at_once.similarity));
     CHECK(std::isnan(at_once.stepped));
     CHECK(std::isnan(at_once.worst()));
     CHECK(at_once.on_own.empty());
-    const Judgement late = stopped_after(all - 1); // in the last step of the finer grid
+    const Verification late = stopped_after(all - 1); // in the last step of the finer grid
     CHECK(late.similarity == whole.similarity);
     CHECK(late.stepped == whole.stepped);
     CHECK(late.on_own[0].pressure == whole.on_own[0].pressure);
@@ -205,9 +206,9 @@ TEST_CASE("the rows of limits on an area's shape follow differences", "[areas]")
     Genome genome = two_series(random, setup);
     genome = problem.settled(genome, problem.evaluate(genome));
     const auto has = margins(genome, setup.model.grid, {});
-    setup.limits.largest_slope = 0.8 * has[1].value;
-    setup.limits.largest_height = 0.7 * has[2].value;
-    setup.limits.smallest_radius = 1.2 * has[3].value;
+    setup.limits.max_slope = 0.8 * has[1].value;
+    setup.limits.max_height = 0.7 * has[2].value;
+    setup.limits.min_radius = 1.2 * has[3].value;
     CHECK(DesignProblem(setup).evaluate(genome).excess > 0.5);
     check_jacobian(setup, genome, "similarity");
 }

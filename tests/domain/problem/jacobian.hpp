@@ -1,7 +1,7 @@
 #pragma once
 
-#include "domain/problem/judgement.hpp"
 #include "domain/problem/problem.hpp"
+#include "domain/problem/verification.hpp"
 
 #include <catch2/catch.hpp>
 

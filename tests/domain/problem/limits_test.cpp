@@ -56,9 +56,9 @@ TEST_CASE("a margin is positive inside its limit, negative outside, and a limit 
 TEST_CASE("each limit on shape is exceeded by as much as it was set too tight, alone and together") {
     const Exact wave = exact();
     const auto within_bound = [](double expected) { return Approx(expected).margin(3e-4); };
-    const MakingLimits slope{.largest_slope = wave.slope / 1.25}, height{.largest_height = wave.height / 1.5},
-        radius{.smallest_radius = 1.1 * wave.radius},
-        all{0, slope.largest_slope, height.largest_height, radius.smallest_radius},
+    const MakingLimits slope{.max_slope = wave.slope / 1.25}, height{.max_height = wave.height / 1.5},
+        radius{.min_radius = 1.1 * wave.radius},
+        all{0, slope.max_slope, height.max_height, radius.min_radius},
         kept{0, 1.01 * wave.slope, 1.01 * wave.height, 0.99 * wave.radius};
     CHECK(excess(one_wave(), grid, slope) == within_bound(0.25));
     CHECK(excess(one_wave(), grid, height) == within_bound(0.5));
@@ -73,7 +73,7 @@ TEST_CASE("each limit on shape is exceeded by as much as it was set too tight, a
     CHECK(limit_rows(one_wave(), grid, all, 0.05).residuals.isApprox(Eigen::Vector3d(0.3, 0.55, 0.15), 2e-3));
     Genome steep = one_wave(); // its radius is a hundredth of the other's, under a millimetre
     steep.scale *= 100;
-    CHECK(excess(steep, grid, {.smallest_radius = 1.1 * wave.radius / 100}) == within_bound(0.1));
+    CHECK(excess(steep, grid, {.min_radius = 1.1 * wave.radius / 100}) == within_bound(0.1));
 }
 
 TEST_CASE("phases move by their reach about where they are, those of waves from an eighth of the length on "

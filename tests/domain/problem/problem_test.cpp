@@ -105,15 +105,15 @@ TEST_CASE("the rows of limits on shape follow differences and vanish within the 
         genome = problem.settled(genome, problem.evaluate(genome));
         const auto has = margins(genome, setup.model.grid, {});
         CHECK(problem.sensitivity(genome, "similarity").residuals.size() == 20);
-        setup.limits.largest_slope = 0.8 * has[1].value;
-        setup.limits.largest_height = 0.7 * has[2].value;
-        setup.limits.smallest_radius = 1.2 * has[3].value;
+        setup.limits.max_slope = 0.8 * has[1].value;
+        setup.limits.max_height = 0.7 * has[2].value;
+        setup.limits.min_radius = 1.2 * has[3].value;
         check_jacobian(setup, genome, "similarity");
         CHECK(DesignProblem(setup).evaluate(genome).excess > 0.5);
         CHECK(DesignProblem(setup).objectives()[0].fitness(DesignProblem(setup).evaluate(genome)) < -1);
-        setup.limits.largest_slope = 1.1 * has[1].value;
-        setup.limits.largest_height = 1.1 * has[2].value;
-        setup.limits.smallest_radius = 0.9 * has[3].value;
+        setup.limits.max_slope = 1.1 * has[1].value;
+        setup.limits.max_height = 1.1 * has[2].value;
+        setup.limits.min_radius = 0.9 * has[3].value;
         CHECK(DesignProblem(setup).sensitivity(genome, "similarity").residuals.tail(3).isZero());
     }
 }
@@ -240,7 +240,7 @@ TEST_CASE("compromises are better than each other in one target or another, and 
     CHECK(few.back().similarity == front.back().similarity);
     const std::vector<Genome> ends{front.back().genome, front.front().genome};
     CHECK(compromises(setup, ends, 100, 1).size() == 2); // in any order
-    setup.limits.largest_height = 1e-9;
+    setup.limits.max_height = 1e-9;
     CHECK(compromises(setup, genomes, 100, 1).empty());
 }
 

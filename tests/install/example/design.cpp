@@ -7,5 +7,5 @@ int main(int, char** arguments) {
     const rough::SearchResult found =
         search(setup, {.pipeline = "shape 8 | score | best 2 | refine lm 10 | best 1"});
     std::cout << genome_file_text(found.best.genome, setup.model.grid.length);
-    std::cerr << "similarity " << found.best.judged() << "\n";
+    std::cerr << "similarity " << found.best.lowest() << "\n";
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/outside/solution.hpp"
+#include "apps/external/solution.hpp"
 #include "ga/base/random.hpp"
 #include "ga/problem/permutation.hpp"
 #include "ga/problem/problem.hpp"
@@ -12,7 +12,7 @@
 
 namespace app {
 
-/// One instance of a benchmark problem, with what it takes to judge a search on it.
+/// One instance of a benchmark problem, with what it takes to verify a search on it.
 template <class G>
 struct Instance {
     std::function<Answer(const G&)> evaluate; ///< less is better in every objective

@@ -1,5 +1,5 @@
 #include "apps/commands/optimise/child.hpp"
-#include "apps/outside/solution.hpp"
+#include "apps/external/solution.hpp"
 #include "domain/errors.hpp"
 #include "tests/folder.hpp"
 

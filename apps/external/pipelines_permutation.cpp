@@ -1,4 +1,4 @@
-#include "apps/outside/problem.hpp"
+#include "apps/external/problem.hpp"
 #include "ga/text/whole_vocabulary.hpp"
 
 GA_PIPELINES_HERE(app::OutsideProblem<ga::Permutation>)

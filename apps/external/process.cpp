@@ -1,4 +1,4 @@
-#include "apps/outside/process.hpp"
+#include "apps/external/process.hpp"
 
 #include "ga/base/stopwatch.hpp"
 

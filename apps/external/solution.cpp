@@ -1,4 +1,4 @@
-#include "apps/outside/solution.hpp"
+#include "apps/external/solution.hpp"
 
 #include <nlohmann/json.hpp>
 

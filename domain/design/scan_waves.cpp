@@ -1,4 +1,4 @@
-#include "domain/design/own_waves.hpp"
+#include "domain/design/scan_waves.hpp"
 
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
@@ -58,17 +58,17 @@ double longest_own(const DesignSetup& setup) {
 
 } // namespace
 
-Index most_own_waves(const DesignSetup& given) {
+Index max_scan_waves(const DesignSetup& given) {
     const DesignSetup setup = completed(given);
     return static_cast<Index>(longest_own(setup) /
                               std::max(setup.limits.shortest_wave, 2 * setup.model.grid.spacing()) *
                               (1 + 1e-12));
 }
 
-Genome own_waves(const DesignSetup& given, Index waves) {
+Genome scan_waves(const DesignSetup& given, Index waves) {
     if (!given.like)
         throw InputError("own: no measured profile given, expected a design like one");
-    if (given.like->is_area())
+    if (given.like->is_2d())
         throw InputError("own: a map given, expected a profile: the waves are a line's");
     const DesignSetup setup = completed(given);
     const double longest = longest_own(setup);

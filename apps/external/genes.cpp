@@ -1,4 +1,4 @@
-#include "apps/outside/genes.hpp"
+#include "apps/external/genes.hpp"
 
 #include "domain/errors.hpp"
 #include "domain/text/words.hpp"

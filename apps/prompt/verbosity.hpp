@@ -10,7 +10,7 @@ enum class Voice { quiet, plain, verbose };
 
 /// Takes --quiet and --verbose out of the words and keeps to them from then on. Throws rough::InputError on
 /// both.
-void take_voice(std::vector<std::string>& words);
+void parse_verbosity(std::vector<std::string>& words);
 Voice voice();
 
 void say(const std::string& remark);  ///< a line on standard output, unless --quiet

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/outside/genes.hpp"
-#include "apps/outside/solution.hpp"
+#include "apps/external/genes.hpp"
+#include "apps/external/solution.hpp"
 #include "ga/base/number.hpp"
 #include "ga/problem/permutation.hpp"
 #include "ga/text/compiled_once.hpp"

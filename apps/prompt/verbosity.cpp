@@ -1,4 +1,4 @@
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 
 #include "apps/prompt/progress.hpp"
 #include "domain/errors.hpp"
@@ -27,7 +27,7 @@ bool taken(std::vector<std::string>& words, const char* word) {
 
 } // namespace
 
-void take_voice(std::vector<std::string>& words) {
+void parse_verbosity(std::vector<std::string>& words) {
     const bool quiet = taken(words, "--quiet"), verbose = taken(words, "--verbose");
     if (quiet && verbose)
         throw rough::InputError("--quiet and --verbose given, expected one of them");

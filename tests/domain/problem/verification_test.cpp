@@ -20,7 +20,7 @@ DesignSetup drawn_setup() {
 
 } // namespace
 
-TEST_CASE("the four similarities of a judgement are those of four separate solutions") {
+TEST_CASE("the four similarities of a verification are those of four separate solutions") {
     for (const bool rescaled : {false, true}) {
         DesignSetup setup = drawn_setup();
         if (rescaled)
@@ -30,13 +30,14 @@ TEST_CASE("the four similarities of a judgement are those of four separate solut
             model.loading.steps *= times;
             return similarity(setup, respond(setup, three_waves(), model));
         };
-        const Judgement judged = Judge(setup).of(three_waves());
-        CHECK(judged.similarity == Approx(alone(1, 1)).epsilon(1e-9));
-        CHECK(judged.refined == Approx(alone(4, 1)).epsilon(1e-9));
-        CHECK(judged.stepped == Approx(alone(1, 4)).epsilon(1e-9));
-        CHECK(judged.both == Approx(alone(4, 4)).epsilon(1e-9));
-        CHECK(judged.worst() == std::min({judged.similarity, judged.refined, judged.stepped, judged.both}));
-        CHECK(judged.stepped != Approx(judged.similarity).epsilon(1e-6));
+        const Verification verified = Verifier(setup).of(three_waves());
+        CHECK(verified.similarity == Approx(alone(1, 1)).epsilon(1e-9));
+        CHECK(verified.refined == Approx(alone(4, 1)).epsilon(1e-9));
+        CHECK(verified.stepped == Approx(alone(1, 4)).epsilon(1e-9));
+        CHECK(verified.both == Approx(alone(4, 4)).epsilon(1e-9));
+        CHECK(verified.worst() ==
+              std::min({verified.similarity, verified.refined, verified.stepped, verified.both}));
+        CHECK(verified.stepped != Approx(verified.similarity).epsilon(1e-6));
     }
 }
 
@@ -44,19 +45,21 @@ TEST_CASE("a measured profile answers as it does itself in any load steps") {
     DesignSetup setup = drawn_setup();
     setup.like = sample(three_waves(), setup.model.grid);
     setup.targets = {target_like(*setup.like, setup.model, "itself")};
-    const Judgement judged = Judge(setup).of(three_waves());
-    CHECK(judged.similarity == Approx(1));
-    CHECK(judged.stepped == Approx(1));
+    const Verification verified = Verifier(setup).of(three_waves());
+    CHECK(verified.similarity == Approx(1));
+    CHECK(verified.stepped == Approx(1));
     setup.like.reset(); // then its response in few steps is all that is known
-    CHECK(Judge(setup).of(three_waves()).stepped < 0.999);
+    CHECK(Verifier(setup).of(three_waves()).stepped < 0.999);
 }
 
-TEST_CASE("the worst misfit of what refinement sees as judged or stepped is what the answer is judged by") {
+TEST_CASE(
+    "the worst misfit of what refinement sees as verified or stepped is what the answer is verified by") {
     const DesignProblem problem(drawn_setup());
     const DesignOutcome outcome = problem.evaluate(three_waves());
-    const Judgement judged = Judge(problem.setup()).of(three_waves());
-    for (const auto& [name, value] : {std::pair("verified", judged.worst()),
-                                      std::pair("more_steps", std::min(judged.similarity, judged.stepped))}) {
+    const Verification verified = Verifier(problem.setup()).of(three_waves());
+    for (const auto& [name, value] :
+         {std::pair("verified", verified.worst()),
+          std::pair("more_steps", std::min(verified.similarity, verified.stepped))}) {
         const auto& all = problem.objectives();
         const auto objective = std::find_if(all.begin(), all.end(),
                                             [&, name = name](const auto& one) { return one.name == name; });
@@ -74,5 +77,5 @@ TEST_CASE("a search that is given starts returns nothing worse than the first of
     const Answer good = search(setup, options).best;
     options.starts = {good.genome};
     options.pipeline = "mutate 1 | score";
-    CHECK(search(setup, options).best.judged() >= good.judged() - 1e-9);
+    CHECK(search(setup, options).best.lowest() >= good.lowest() - 1e-9);
 }

@@ -1,4 +1,4 @@
-#include "domain/problem/judgement.hpp"
+#include "domain/problem/verification.hpp"
 
 #include "domain/contact/full_contact.hpp"
 #include "domain/errors.hpp"
@@ -25,7 +25,7 @@ Response read_between(Response response, const std::vector<char>& solved) {
     for (Index j = 0; j < response.steps(); ++j) {
         if (solved[static_cast<std::size_t>(j)])
             continue;
-        const Index a = j - (j + 1) % judged_refinement, b = a + judged_refinement;
+        const Index a = j - (j + 1) % verified_refinement, b = a + verified_refinement;
         const auto& D = response.displacement;
         const double h = D[b] - D[a], t = (D[j] - D[a]) / h;
         for (auto* column : {&response.pressure, &response.contact_fraction, &response.kkt_residual})
@@ -45,15 +45,15 @@ Response read_between(Response response, const std::vector<char>& solved) {
 std::vector<char> steps_to_solve(const Response& all) {
     const Index count = all.steps();
     std::vector<char> solved(static_cast<std::size_t>(count), 1);
-    for (Index j = judged_refinement; j < count; ++j)
-        solved[static_cast<std::size_t>(j)] = (j + 1) % judged_refinement == 0;
+    for (Index j = verified_refinement; j < count; ++j)
+        solved[static_cast<std::size_t>(j)] = (j + 1) % verified_refinement == 0;
     const Response read = read_between(all, solved);
-    for (Index a = judged_refinement - 1; a + judged_refinement < count; a += judged_refinement) {
+    for (Index a = verified_refinement - 1; a + verified_refinement < count; a += verified_refinement) {
         const double off =
-            (read.pressure - all.pressure).segment(a + 1, judged_refinement).cwiseAbs().maxCoeff();
-        const double step = (all.pressure[a + judged_refinement] - all.pressure[a]) / judged_refinement;
+            (read.pressure - all.pressure).segment(a + 1, verified_refinement).cwiseAbs().maxCoeff();
+        const double step = (all.pressure[a + verified_refinement] - all.pressure[a]) / verified_refinement;
         if (2 * off > reading_accuracy * step)
-            std::fill_n(solved.begin() + a + 1, judged_refinement, char{1});
+            std::fill_n(solved.begin() + a + 1, verified_refinement, char{1});
     }
     return solved;
 }
@@ -73,19 +73,19 @@ DesignSetup in_finer_steps(DesignSetup setup, int times) {
     return setup;
 }
 
-double Judgement::worst() const {
+double Verification::worst() const {
     return std::isnan(similarity + refined + stepped + both) ? std::numeric_limits<double>::quiet_NaN()
                                                              : std::min({similarity, refined, stepped, both});
 }
 
-const DesignSetup& Judge::finer() const {
+const DesignSetup& Verifier::finer() const {
     std::call_once(asked_, [&] { finer_ = in_finer_steps(setup_); });
     return finer_;
 }
 
-std::vector<Response> Judge::on_fine_area(const Genome& genome,
-                                          const std::vector<std::vector<char>>& to_solve) const {
-    const Model model = refined(finer().model, judged_refinement);
+std::vector<Response> Verifier::on_fine_area(const Genome& genome,
+                                             const std::vector<std::vector<char>>& to_solve) const {
+    const Model model = refined(finer().model, verified_refinement);
     const Profile map = sample(at_scale_one(genome, finer()), model.grid);
     std::vector<Response> responses;
     for (const Loading& loading : loadings_of(finer(), finer().model.loading).each) {
@@ -116,13 +116,13 @@ std::vector<Response> Judge::on_fine_area(const Genome& genome,
     return responses;
 }
 
-void Judge::judge(const Genome& genome, Judgement& result) const {
-    const bool area = setup_.model.grid.is_area();
+void Verifier::verifier(const Genome& genome, Verification& result) const {
+    const bool area = setup_.model.grid.is_2d();
     // The misfits in all steps, then in every fourth, which are the set-up's own.
     const auto misfits_in = [&](std::vector<Response> fine, std::size_t own_steps, std::size_t all_steps) {
         std::vector<Response> own;
         for (const Response& response : fine)
-            own.push_back(every(judged_refinement, response));
+            own.push_back(every(verified_refinement, response));
         result.misfits[all_steps] = misfits_of(finer(), scored(finer(), std::move(fine)));
         result.misfits[own_steps] = misfits_of(setup_, scored(setup_, own));
         return own;
@@ -142,24 +142,24 @@ void Judge::judge(const Genome& genome, Judgement& result) const {
     }
     result.on_own = misfits_in(std::move(fine), 0, 2);
     result.on_finer = misfits_in(area ? on_fine_area(genome, to_solve)
-                                      : pressed(finer(), genome, refined(finer().model, judged_refinement)),
+                                      : pressed(finer(), genome, refined(finer().model, verified_refinement)),
                                  1, 3);
 }
 
-std::optional<Judgement> Judge::known(const Genome& genome) const {
+std::optional<Verification> Verifier::known(const Genome& genome) const {
     const std::string key = shape_key(setup_.max_pressure ? genome : folded(genome));
     const std::lock_guard lock(guard_);
-    for (const auto& [other, judgement] : known_)
+    for (const auto& [other, verification] : known_)
         if (other == key)
-            return judgement;
+            return verification;
     return std::nullopt;
 }
 
-Judgement Judge::remembered(const Genome& genome) const {
+Verification Verifier::remembered(const Genome& genome) const {
     constexpr std::size_t most = 32;
     if (auto before = known(genome))
         return *before;
-    Judgement found = of(genome);
+    Verification found = of(genome);
     if (std::isnan(found.worst()))
         return found;
     const std::lock_guard lock(guard_);
@@ -169,11 +169,11 @@ Judgement Judge::remembered(const Genome& genome) const {
     return found;
 }
 
-Judgement Judge::of(const Genome& genome) const {
+Verification Verifier::of(const Genome& genome) const {
     const ga::Stopwatch clock;
-    Judgement result;
+    Verification result;
     try {
-        judge(genome, result);
+        verifier(genome, result);
     } catch (const NotConverged&) {
         if (!is_stopped(setup_.model.contact))
             throw;

@@ -1,5 +1,5 @@
 #include "apps/prompt/progress.hpp"
-#include "apps/prompt/voice.hpp"
+#include "apps/prompt/verbosity.hpp"
 #include "tests/apps/program.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "domain/design/own_waves.hpp"
+#include "domain/design/scan_waves.hpp"
 #include "domain/design/search.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/test_surfaces.hpp"
@@ -42,18 +42,18 @@ TEST_CASE("a scan that is a sum of few waves is that sum, on either body") {
             return 1e-3 * (std::cos(q * x + 0.4) + 0.5 * std::cos(3 * q * x + 2) + 0.2 * std::cos(7 * q * x));
         });
         const DesignSetup setup = like(scan, 128, 2, kernel);
-        const Profile sum = sample(own_waves(setup, 10), grid);
+        const Profile sum = sample(scan_waves(setup, 10), grid);
         const Eigen::ArrayXd off = (sum.heights - scan.heights).array();
         CHECK((off - off.mean()).abs().maxCoeff() < 2e-2 * 3.4e-3);
-        CHECK(similarity(setup, own_waves(setup, 10)) > 0.9);
-        CHECK(std::abs(jump_at_ends(own_waves(setup, 10), 2)) < (wraps ? 1e-12 : 1.0));
+        CHECK(similarity(setup, scan_waves(setup, 10)) > 0.9);
+        CHECK(std::abs(jump_at_ends(scan_waves(setup, 10), 2)) < (wraps ? 1e-12 : 1.0));
     }
 }
 
 TEST_CASE("nodes that touch are followed more closely than those that contact does not see") {
     const Profile scan = ten_scans::walk(9);
     const DesignSetup setup = like(scan, scan.nodes(), ten_scans::grid.length);
-    const Eigen::VectorXd off = sample(own_waves(setup, 128), setup.model.grid).heights - scan.heights;
+    const Eigen::VectorXd off = sample(scan_waves(setup, 128), setup.model.grid).heights - scan.heights;
     const std::vector<int> nodes = touching(setup);
     double seen = 0, all = (off.array() - off(nodes).mean()).square().mean();
     for (const int node : nodes)
@@ -63,12 +63,12 @@ TEST_CASE("nodes that touch are followed more closely than those that contact do
 
 TEST_CASE("own waves are no shorter than the set-up allows, and need a measured profile") {
     DesignSetup setup = like(ten_scans::ground(0.1, 4), 256, ten_scans::grid.length);
-    CHECK(most_own_waves(setup) == 63); // 2 L over 8 nodes
+    CHECK(max_scan_waves(setup) == 63); // 2 L over 8 nodes
     setup.limits.shortest_wave = 0.2;
-    CHECK(most_own_waves(setup) == 40);
-    CHECK(shortest_wave(own_waves(setup, 40)) == Approx(0.2));
+    CHECK(max_scan_waves(setup) == 40);
+    CHECK(shortest_wave(scan_waves(setup, 40)) == Approx(0.2));
     setup.like.reset();
-    CHECK_THROWS_AS(own_waves(setup, 4), InputError);
+    CHECK_THROWS_AS(scan_waves(setup, 4), InputError);
 }
 
 TEST_CASE("refined, a scan's own waves answer as it does in stiffness and area together") {
@@ -78,7 +78,7 @@ TEST_CASE("refined, a scan's own waves answer as it does in stiffness and area t
     options.alternatives = 1;
     options.pipeline = "own 1 | score verified | refine lm 45 sharpen=6";
     const Answer answer = search(setup, options).best;
-    CHECK(answer.judged() > 0.85);
+    CHECK(answer.lowest() > 0.85);
     CHECK(answer.within_limits);
 }
 
@@ -89,12 +89,12 @@ TEST_CASE("a design like a scan goes on from what it has until its evaluations a
     options.alternatives = 1;
     options.evaluations = 130;
     const SearchResult once = search(setup, options);
-    REQUIRE(once.best.judged() < default_required_similarity);
+    REQUIRE(once.best.lowest() < default_required_similarity);
     options.evaluations = once.counters.asked + 90;
     const SearchResult longer = search(setup, options);
     CHECK(longer.counters.asked > once.counters.asked);
     CHECK(longer.counters.asked <= options.evaluations);
-    CHECK(longer.best.judged() > once.best.judged());
+    CHECK(longer.best.lowest() > once.best.lowest());
 }
 
 TEST_CASE("of ten scans at least six are met to 0.9 at their worst in stiffness and area together",
@@ -106,8 +106,8 @@ TEST_CASE("of ten scans at least six are met to 0.9 at their worst in stiffness 
         options.pipeline = "like";
         options.evaluations = 200; // about 50 s on two cores
         const SearchResult found = search(setup, options);
-        WARN(scan.name << ": " << found.best.judged());
-        met += found.best.judged() >= 0.9;
+        WARN(scan.name << ": " << found.best.lowest());
+        met += found.best.lowest() >= 0.9;
     }
     CHECK(met >= 6);
 }
