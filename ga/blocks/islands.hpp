@@ -88,6 +88,7 @@ struct Islands : Operator {
     [[gnu::cold]] static void run_round(Frame<G>& frame, const Stage<P>& body, Context<P>& context) {
         const std::size_t n = frame.kept.size(), depth = context.state.frames.size() - 1;
         Snapshot<G> before;
+        context.forget_old();
         if (context.is_kept())
             before = context.snapshot();
         std::vector<std::optional<Context<P>>> islands(n);

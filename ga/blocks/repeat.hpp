@@ -78,7 +78,8 @@ class GenerationsStep {
             for (bool inside = frame.resumed(); inside || !ended(); inside = false, ++frame->next) {
                 if (!inside)
                     frame->kept = {start_of_generation(frame->population, reads_)};
-                const typename Context<P>::Generation generation(context.position, frame->next, frame->kept[0]);
+                const typename Context<P>::Generation generation(context.position, frame->next,
+                                                                 frame->kept[0]);
                 frame->population = body_(std::move(frame->population), context);
             }
         } catch (const Stopped&) {

@@ -109,7 +109,8 @@ template <class G>
 void to_json(json& j, const Snapshot<G>& snapshot) {
     j = {snapshot.frames,        snapshot.counters,
          snapshot.next_identity, snapshot.best ? json(*snapshot.best) : json(),
-         snapshot.notes,         snapshot.seconds};
+         snapshot.notes,         snapshot.seconds,
+         snapshot.heaviest};
 }
 template <class G>
 void from_json(const json& j, Snapshot<G>& snapshot) {
@@ -120,6 +121,7 @@ void from_json(const json& j, Snapshot<G>& snapshot) {
         snapshot.best = j.at(3).get<Individual<G>>();
     j.at(4).get_to(snapshot.notes);
     j.at(5).get_to(snapshot.seconds);
+    j.at(6).get_to(snapshot.heaviest);
 }
 ///@}
 

@@ -9,11 +9,12 @@ namespace ga {
 
 /// How a pipeline is run.
 struct RunOptions {
-    std::string variant = "pipeline";                ///< first word of every path; decides no random number
-    std::uint64_t seed = 1;                          ///< of every random stream
-    int threads = 0;                                 ///< 0: as many as OpenMP has; decides no result
-    std::size_t memory_bytes = std::size_t{1} << 30; ///< for known outcomes; decides no result
-    Budget budget = {};                              ///< when to stop before the pipeline ends
+    std::string variant = "pipeline"; ///< first word of every path; decides no random number
+    std::uint64_t seed = 1;           ///< of every random stream
+    int threads = 0;                  ///< 0: as many as OpenMP has; decides no result
+    std::size_t memory_bytes = std::size_t{1}
+                               << 30; ///< for outcomes known before a stage; does not affect the result
+    Budget budget = {};               ///< when to stop before the pipeline ends
     /// For one population; a run whose population would exceed it ends with what it has.
     std::size_t population_bytes = std::size_t{1} << 30;
 };
@@ -176,7 +177,8 @@ template <Problem P, class Pipeline, class G = typename P::Genome>
 requires(std::convertible_to<Pipeline, Stage<P>>)
     [[gnu::cold]] Result<G> run_by(Evaluator<P>& evaluator, const Pipeline& pipeline, const P& problem,
                                    Population<G> population, const RunOptions& options = {},
-                                   std::vector<Observer<G>> observers = {}, Checkpointer<P>* keeper = nullptr) {
+                                   std::vector<Observer<G>> observers = {},
+                                   Checkpointer<P>* keeper = nullptr) {
     const Stage<P>& stage = pipeline;
     return run_stage(evaluator, stage, problem, std::move(population), options, std::move(observers), keeper);
 }

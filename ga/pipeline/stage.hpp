@@ -10,8 +10,8 @@ namespace ga {
 /// it does.
 template <Problem P>
 struct Step {
-    using Genome = typename P::Genome; ///< of the problem
-    std::string text;                  ///< as pipelines write it
+    using Genome = typename P::Genome;      ///< of the problem
+    std::string text;                       ///< as pipelines write it
     std::function<void(CheckState&)> check; ///< what it needs and makes known
     std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply; ///< what it does
     std::size_t reads_of_start = 0; ///< how many of the best at the start of its generation it reads
@@ -293,7 +293,8 @@ class Stage {
 /// Checks a body that runs generation after generation: what one leaves must suit the next. `more` looks at
 /// what is known after the first.
 template <Problem P, class More>
-[[gnu::cold]] void check_generation(const Stage<P>& body, const std::string& name, CheckState& known, More more) {
+[[gnu::cold]] void check_generation(const Stage<P>& body, const std::string& name, CheckState& known,
+                                    More more) {
     CheckState inside = known;
     inside.in_generation = true;
     inside.start_scored = known.scored;

@@ -184,8 +184,14 @@ class Context {
             state.note(note);
     }
 
+    /// Keeps the memory to its bound, outside islands.
+    void forget_old() {
+        if (this == &root_)
+            ledger_.forget_old();
+    }
     /// A moment between two stages, at which a run may end or be written down.
     void pause() {
+        forget_old();
         if (Checkpointer<P>* keeper = terms_.keeper; keeper && keeper->due(seconds()))
             keeper->write(snapshot(), ledger_);
         if (!watch().expired())
@@ -208,7 +214,8 @@ class Context {
                 state.best,
                 state.notes(),
                 seconds(),
-                ledger_.memory().young().size()};
+                ledger_.memory().young().size(),
+                ledger_.heaviest()};
     }
     /// Goes on from a snapshot: blocks that open find their frames in it.
     [[gnu::cold]] void resume(Snapshot<Genome> snapshot) {
@@ -218,7 +225,7 @@ class Context {
         state.best = std::move(snapshot.best);
         state.resume_notes(std::move(snapshot.notes));
         state.earlier_seconds = snapshot.seconds;
-        ledger_.resume(state.best.has_value());
+        ledger_.resume(state.best.has_value(), snapshot.heaviest);
     }
     /// Hands the keeper a run that stopped inside a stage, as it was before that stage; the innermost block
     /// knows.

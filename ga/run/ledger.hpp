@@ -77,13 +77,9 @@ class Ledger : public EvaluationQueue<P> {
                         [](const EvaluationRequest<P>* each) { return each->patience == Patience::finish; });
         evaluate(patient);
         const bool cut_short = book();
-        bool interrupted = cut_short;
         for (EvaluationRequest<P>* inquiry : inquiries) {
             answer(*inquiry, cut_short);
-            interrupted |= inquiry->spent;
         }
-        if (!interrupted) // what a stopped stage has paid for is told from what was known before it
-            memory_.forget_old(heaviest_ + bookkeeping);
     }
 
     /// Whether the budget has no room for more evaluations than these.
@@ -98,14 +94,22 @@ class Ledger : public EvaluationQueue<P> {
 
     Counters counters; ///< what was paid
 
-    /// Tells a ledger whether an evaluation succeeded before it was made, in this run or another.
-    void resume(bool succeeded) { succeeded_ |= succeeded; }
+    /// Tells a ledger whether an evaluation succeeded before it was made, and the largest outcome then.
+    void resume(bool succeeded, std::size_t heaviest) {
+        succeeded_ |= succeeded;
+        heaviest_ = std::max(heaviest_, heaviest);
+    }
     /// Takes note of what an evaluation was worth.
     void note(const Fitness& fitness) {
         succeeded_ |= !fitness.has_failed();
         if (!first_failure_ && fitness.has_failed())
             first_failure_ = reason(fitness.reason());
     }
+
+    /// Keeps the memory to its bound. Called between two stages only: a stage that is interrupted is
+    /// repeated, and what it has paid for is told from what was known before it.
+    void forget_old() { memory_.forget_old(heaviest_ + bookkeeping); }
+    std::size_t heaviest() const { return heaviest_; } ///< bytes of the largest outcome or reason so far
 
     /// Throws NothingLeft where all that was evaluated failed.
     void expect_success() const {

@@ -20,7 +20,8 @@ using Evaluation = std::variant<Pending, Outcome, Reason>;
 
 /// Values by fingerprint: entries in the order they came, in blocks that never move, and an open-addressed
 /// index whose slots are a byte each to look at, so that a look-up for what is not there touches little
-/// memory.
+/// memory. A std::unordered_map beside a
+/// std::deque more than doubled the time of a cheap evaluation.
 template <class Value>
 class Table {
   public:

@@ -21,7 +21,8 @@ class Rounds {
   public:
     /// See above.
     template <class Job>
-    static void run(std::size_t n, EvaluationQueue<P>& through, Job job, const std::function<void()>& after = {}) {
+    static void run(std::size_t n, EvaluationQueue<P>& through, Job job,
+                    const std::function<void()>& after = {}) {
         if (n == 1)
             return job(std::size_t{0}, through);
         std::exception_ptr first;

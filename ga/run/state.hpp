@@ -211,6 +211,7 @@ struct Snapshot {
     std::vector<std::string> notes;    ///< remarks so far
     double seconds = 0;                ///< spent so far, in all the processes that carried the run
     std::size_t remembered = 0;        ///< how many evaluations of the memory's young half were known then
+    std::size_t heaviest = 0;          ///< bytes of the largest outcome or reason then
 };
 
 /// What a run needs to be resumed: the frames of open blocks, the identities given out, the best so far,

@@ -36,10 +36,11 @@ struct StoppingRule {};
 /// A stopping rule for one type of genome.
 template <class G>
 struct Rule {
-    std::string text;                                            ///< "stagnation 5"
-    std::function<void(const CheckState&, const std::string&)> check; ///< what it needs, if anything; named stage
-    std::function<bool(const Progress<G>&, Numbers&)> holds;     ///< whether the block ends
-    bool sure = false;                                           ///< it holds some day
+    std::string text; ///< "stagnation 5"
+    std::function<void(const CheckState&, const std::string&)>
+        check;                                               ///< what it needs, if anything; named stage
+    std::function<bool(const Progress<G>&, Numbers&)> holds; ///< whether the block ends
+    bool sure = false;                                       ///< it holds some day
 };
 
 /// The rule for one type of genome.

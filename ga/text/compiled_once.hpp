@@ -21,8 +21,8 @@
     instantiate class ga::Parser<P>;                                                                         \
     instantiate ga::Result<P::Genome> ga::run(const ga::Stage<P>&, const P&, ga::Population<P::Genome>,      \
                                               const ga::RunOptions&, std::vector<ga::Observer<P::Genome>>,   \
-                                              ga::Checkpointer<P>*);                                               \
-    instantiate ga::Result<P::Genome> ga::run_stage(ga::Evaluator<P>&, const ga::Stage<P>&, const P&,        \
-                                                    ga::Population<P::Genome>, const ga::RunOptions&,        \
-                                                    std::vector<ga::Observer<P::Genome>>, ga::Checkpointer<P>*);
+                                              ga::Checkpointer<P>*);                                         \
+    instantiate ga::Result<P::Genome> ga::run_stage(                                                         \
+        ga::Evaluator<P>&, const ga::Stage<P>&, const P&, ga::Population<P::Genome>, const ga::RunOptions&,  \
+        std::vector<ga::Observer<P::Genome>>, ga::Checkpointer<P>*);
 /// @endcond

@@ -388,3 +388,76 @@ TEST_CASE(
             CHECK(whole.counters.evaluations > run(pipeline, Tour{}, {}).counters.evaluations);
     }
 }
+
+namespace {
+
+/// A sum of squares that asks the run to stop at one of its calls.
+struct Interrupted {
+    using Genome = std::vector<double>;
+    using Outcome = double;
+
+    std::atomic<bool>* stop;
+    std::atomic<long>* calls;
+    long at = -1;
+
+    double evaluate(const Genome& x) const {
+        if (++*calls == at)
+            *stop = true;
+        double sum = 0;
+        for (const double gene : x)
+            sum -= gene * gene;
+        return sum;
+    }
+    const std::vector<Objective<double>>& objectives() const {
+        static const std::vector<Objective<double>> list = {{"squares", [](const double& v) { return v; }}};
+        return list;
+    }
+    std::vector<Variable> bounds(const Genome&) const { return {{0, -2, 2}, {1, -2, 2}}; }
+    Genome sample(Stream& stream) const {
+        return {static_cast<double>(stream.below(4)) - 1.5, static_cast<double>(stream.below(4)) - 1.5};
+    }
+};
+
+} // namespace
+
+TEST_CASE("a run stopped at any evaluation counts as an uninterrupted one when resumed, in any memory") {
+    const tests::Folder folder;
+    using Numbers = std::vector<double>;
+    const auto whole = [](const Result<Numbers>& result) {
+        std::string text = std::to_string(result.counters.asked) + " " +
+                           std::to_string(result.counters.evaluations) + " " +
+                           std::to_string(result.counters.remembered);
+        for (const auto& each : result.population)
+            text += " " + std::to_string(each.identity) + ":" + number(each.genome[0]) + "," +
+                    number(each.genome[1]);
+        return text;
+    };
+    const Stage<Interrupted> islands =
+        sample(8) | score() |
+        ga::islands(2, {3, 1}, tournament(2) | cross(uniform()) | mutate(0.4) | score() | elite(1));
+    const Stage<Interrupted> refined =
+        sample(3) | score() |
+        repeat(3, tournament(2) | mutate(0.5) | score() | refine(nlopt_method("LN_COBYLA", 5)) | elite(1));
+    for (const auto& pipeline : {islands, refined})
+        for (const std::size_t memory : {std::size_t{600}, std::size_t{1} << 30}) {
+            std::atomic<bool> stop = false;
+            std::atomic<long> calls = 0;
+            RunOptions options{.seed = 5, .threads = 1, .memory_bytes = memory, .budget = {.stop = &stop}};
+            const std::string uninterrupted = whole(run(pipeline, Interrupted{&stop, &calls}, {}, options));
+            const long count = calls;
+            for (long at = 1; at <= count; ++at) {
+                stop = false;
+                calls = 0;
+                options.threads = 1 + static_cast<int>(at % 3);
+                {
+                    Checkpoints<Interrupted> first(folder / "kept", "x", false, 1e9);
+                    run(pipeline, Interrupted{&stop, &calls, at}, {}, options, {}, &first);
+                }
+                stop = false;
+                Checkpoints<Interrupted> second(folder / "kept", "x", true, 1e9);
+                CHECK(whole(run(pipeline, Interrupted{&stop, &calls}, {}, options, {}, &second)) ==
+                      uninterrupted);
+                CHECK(calls == count);
+            }
+        }
+}
