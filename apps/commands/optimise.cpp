@@ -23,9 +23,12 @@ constexpr const char* usual_evaluations = "10000";
 
 std::vector<Setting> optimise_settings() {
     return {
-        {"genes", "", "genome: real:COUNT:LOWER:UPPER, bits:COUNT or permutation:COUNT (of 0, 1, ...)"},
+        {"genes", "",
+         "genome: real:COUNT:LOWER:UPPER, int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., with commas "
+         "between; "
+         "bits:COUNT; or permutation:COUNT (of 0, 1, ...)"},
         {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
-        {"variant", "", "ga, nsga2, for real genes bipop-cma-es or lshade [ga; of several objectives nsga2]"},
+        {"variant", "", "ga, nsga2, for numbers bipop-cma-es or lshade [ga; of several objectives nsga2]"},
         {"pipeline", "", "search by this text, its objectives called f1, f2, ... (rugosa operators)"},
         {"minimise", "", "less is better: in all objectives, or X = 1,3 in those"},
         {"evaluations", usual_evaluations, "most that may be asked for"},
@@ -126,6 +129,7 @@ int optimise(const Words& words) {
              "optimise --genes bits:40 --evaluate ./count --evaluations 2000 --seed 7",
              "optimise --genes permutation:20 --evaluate 'python3 tour.py' --pipeline \"sample 50 | score | "
              "repeat 200 { tournament 3 | cross order | mutate 0.05 reverse | score | elite 2 } | best 1\"",
+             "optimise --genes int:64:0:120,real:1:-5:5,choice:3:a:b:c --evaluate ./mixed --evaluations 5000",
              "optimise --genes real:10:0:1 --evaluate 'python3 two.py' --minimise 1,2 --variant nsga2"}))
         return 0;
     const Settings settings = read_command_line(with_minimise_of_all(words), optimise_settings());

@@ -4,8 +4,11 @@
 #include "domain/text/words.hpp"
 #include "ga/base/number.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace app {
@@ -38,29 +41,92 @@ std::size_t count_from(const std::string& word, const std::string& where, double
 
 std::vector<ga::Variable> range_of(const Genes& genes) {
     std::vector<ga::Variable> range;
-    if (genes.kind == Genes::Kind::real)
-        for (std::size_t i = 0; i < genes.count; ++i)
-            range.push_back({i, genes.lower, genes.upper});
+    for (const Genes::Part& part : genes.parts)
+        for (std::size_t i = 0; i < part.count; ++i)
+            range.push_back({range.size(), part.lower - (part.is_whole ? 0.5 : 0),
+                             part.upper + (part.is_whole ? 0.5 : 0)});
     return range;
 }
 
-Genes genes_from(const std::string& text) {
-    const auto parts = parts_of(text);
-    const std::string kind = parts.empty() ? "" : parts.front();
-    const bool real = kind == "real";
-    if ((!real && kind != "bits" && kind != "permutation") || parts.size() != (real ? 4u : 2u))
-        throw InputError("--genes: \"" + text +
-                         "\" given, expected real:COUNT:LOWER:UPPER, bits:COUNT or permutation:COUNT");
-    Genes genes;
-    genes.kind = real ? Genes::Kind::real : kind == "bits" ? Genes::Kind::bits : Genes::Kind::permutation;
-    genes.count = count_from(parts[1], "--genes", genes.kind == Genes::Kind::permutation ? 2 : 1, most_genes);
-    if (real) {
-        genes.lower = rough::number_from(parts[2], "--genes");
-        genes.upper = rough::number_from(parts[3], "--genes");
-        if (!(genes.lower < genes.upper) || !std::isfinite(genes.upper - genes.lower))
-            throw InputError("--genes: \"" + text +
-                             "\" given, expected a lower bound below the upper one, a finite way apart");
+bool Genes::all_real() const {
+    return kind == Kind::numbers &&
+           std::none_of(parts.begin(), parts.end(), [](const Part& part) { return part.is_whole; });
+}
+
+std::vector<double> rounded(const Genes& genes, std::vector<double> numbers) {
+    std::size_t g = 0;
+    for (const Genes::Part& part : genes.parts)
+        for (std::size_t i = 0; i < part.count && g < numbers.size(); ++i, ++g)
+            if (part.is_whole)
+                numbers[g] = std::clamp(std::round(numbers[g]), part.lower, part.upper) + 0.0; // no -0
+    return numbers;
+}
+
+std::string genes_text(const Genes& genes, const std::vector<double>& numbers) {
+    const std::vector<double> values = rounded(genes, numbers);
+    std::string text;
+    std::size_t g = 0;
+    const auto add = [&](const std::string& value) { text += (text.empty() ? "[" : ",") + value; };
+    for (const Genes::Part& part : genes.parts)
+        for (std::size_t i = 0; i < part.count && g < values.size(); ++i, ++g)
+            add(part.words.empty() ? ga::number(values[g])
+                                   : nlohmann::json(part.words[static_cast<std::size_t>(values[g])]).dump());
+    for (; g < values.size(); ++g)
+        add(ga::number(values[g]));
+    return text + "]";
+}
+
+namespace {
+
+constexpr const char* kinds_of_genes =
+    "real:COUNT:LOWER:UPPER, int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., "
+    "with commas between, or bits:COUNT or permutation:COUNT alone";
+
+Genes::Part part_from(const std::string& text) {
+    const auto words = parts_of(text);
+    const std::string kind = words.empty() ? "" : words.front();
+    const bool real = kind == "real", whole = kind == "int", choice = kind == "choice";
+    if ((!choice || words.size() < 4) && (!(real || whole) || words.size() != 4))
+        throw InputError("--genes: \"" + text + "\" given, expected " + kinds_of_genes);
+    Genes::Part part;
+    part.count = count_from(words[1], "--genes", 1, most_genes);
+    part.is_whole = !real;
+    if (choice) {
+        part.words.assign(words.begin() + 2, words.end());
+        part.upper = static_cast<double>(part.words.size()) - 1;
+        if (std::set<std::string>(part.words.begin(), part.words.end()).size() < part.words.size())
+            throw InputError("--genes: \"" + text + "\" given, expected different words");
+        return part;
     }
+    part.lower = rough::number_from(words[2], "--genes");
+    part.upper = rough::number_from(words[3], "--genes");
+    if (!(part.lower < part.upper) || !std::isfinite(part.upper - part.lower))
+        throw InputError("--genes: \"" + text +
+                         "\" given, expected a lower bound below the upper one, a finite way apart");
+    if (whole && (part.lower != std::round(part.lower) || part.upper != std::round(part.upper) ||
+                  std::max(-part.lower, part.upper) > 1e15))
+        throw InputError("--genes: \"" + text + "\" given, expected whole bounds up to 1e15");
+    return part;
+}
+
+} // namespace
+
+Genes genes_from(const std::string& text) {
+    const auto words = parts_of(text);
+    Genes genes;
+    if (words.size() == 2 && (words[0] == "bits" || words[0] == "permutation")) {
+        genes.kind = words[0] == "bits" ? Genes::Kind::bits : Genes::Kind::permutation;
+        genes.count =
+            count_from(words[1], "--genes", genes.kind == Genes::Kind::permutation ? 2 : 1, most_genes);
+        return genes;
+    }
+    genes.count = 0;
+    for (const std::string& part : rough::listed(text)) {
+        genes.parts.push_back(part_from(part));
+        genes.count += genes.parts.back().count;
+    }
+    if (genes.parts.empty() || static_cast<double>(genes.count) > most_genes)
+        throw InputError("--genes: \"" + text + "\" given, expected " + kinds_of_genes);
     return genes;
 }
 
@@ -83,7 +149,7 @@ ga::Variants outside_variants(const Genes& genes, std::size_t objectives) {
     const std::string rate = ga::number(1 / static_cast<double>(genes.count)); // one gene a child
     std::string vary = "tournament 2 | ";
     switch (genes.kind) {
-    case Genes::Kind::real:
+    case Genes::Kind::numbers:
         vary += "cross sbx rate=0.9 | mutate " + rate + " polynomial";
         break;
     case Genes::Kind::bits:
@@ -100,7 +166,7 @@ ga::Variants outside_variants(const Genes& genes, std::size_t objectives) {
     ga::Variants variants{
         {"ga", "sample 40 | score | " + on + " | score | elite 2 } | best 1"},
         {"nsga2", "sample 100 | " + pareto + " | " + on + " | " + pareto + " | plus 100 } | front"}};
-    if (genes.kind == Genes::Kind::real) {
+    if (genes.kind == Genes::Kind::numbers) {
         const std::size_t many = std::clamp<std::size_t>(18 * genes.count, 20, 2000); // Tanabe and Fukunaga
         const std::string ever = " | score | repeat 1000000000 { ";
         variants["bipop-cma-es"] = "sample 1" + ever + "cma-es | score }";

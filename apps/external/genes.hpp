@@ -8,16 +8,31 @@
 
 namespace app {
 
-/// What a genome is made of, as --genes says it: real:5:-5:5, bits:40 or permutation:20.
+/// What a genome is made of, as --genes says it: bits:40, permutation:20, or numbers and words in several
+/// parts, real:5:-5:5,int:3:0:120,choice:2:a:b:c.
 struct Genes {
-    enum class Kind { real, bits, permutation };
-    Kind kind = Kind::real;
-    std::size_t count = 1;
-    double lower = 0, upper = 1; ///< of every real gene
+    enum class Kind { numbers, bits, permutation };
+    /// Genes of one range. A whole number and a word are genes like others, rounded when they are evaluated.
+    struct Part {
+        std::size_t count = 1;
+        double lower = 0, upper = 1;         ///< of each; a word's place in `words`
+        bool is_whole = false;               ///< an integer or a word
+        std::vector<std::string> words = {}; ///< that the gene chooses from
+    };
+    Kind kind = Kind::numbers;
+    std::size_t count = 1;        ///< of all genes
+    std::vector<Part> parts = {}; ///< of numbers
+
+    /// Whether every gene is a real number.
+    bool all_real() const;
 };
 
-/// The range of every real gene; none of other kinds.
+/// The range of every number, half a unit more on both sides of a whole one; none of other kinds.
 std::vector<ga::Variable> range_of(const Genes& genes);
+/// The numbers as they are evaluated: whole ones rounded, within their range.
+std::vector<double> rounded(const Genes& genes, std::vector<double> numbers);
+/// As a JSON array, "[0.5,3,\"a\"]": 17 digits where they are needed.
+std::string genes_text(const Genes& genes, const std::vector<double>& numbers);
 
 /// Throws rough::InputError on anything else.
 Genes genes_from(const std::string& text);

@@ -10,6 +10,15 @@
 
 namespace app {
 
+/// "[0,1]" of bits or a permutation.
+template <class G>
+std::string genes_text(const G& genome) {
+    std::string text;
+    for (const auto gene : genome)
+        text += (text.empty() ? "[" : ",") + ga::number(static_cast<double>(gene));
+    return text + "]";
+}
+
 /// A problem whose evaluations are made by an evaluator: genomes are drawn here, and no more is known of
 /// them.
 template <class G>
@@ -20,6 +29,7 @@ struct OutsideProblem {
     std::size_t count;                       ///< genes
     std::vector<ga::Variable> range;         ///< of real genes
     std::vector<ga::Objective<Answer>> list; ///< f1, f2, ...
+    Genes genes = {};                        ///< which of them are whole numbers and words
 
     OutsideProblem(std::size_t genes, std::vector<ga::Variable> range_of_reals,
                    const std::vector<bool>& minimise)
@@ -29,11 +39,25 @@ struct OutsideProblem {
             list.push_back(
                 {names[k], [k](const Answer& answer) { return answer.objectives.at(k); }, minimise[k]});
     }
-    OutsideProblem(const Genes& genes, const std::vector<bool>& minimise)
-        : OutsideProblem(genes.count, range_of(genes), minimise) {}
+    OutsideProblem(const Genes& of, const std::vector<bool>& minimise)
+        : OutsideProblem(of.count, range_of(of), minimise) {
+        genes = of;
+    }
 
     Answer evaluate(const G&) const { throw std::logic_error("evaluated here, expected by the evaluator"); }
     const std::vector<ga::Objective<Answer>>& objectives() const { return list; }
+    /// Numbers that are rounded alike are one genome.
+    std::string key(const G& genome) const requires std::same_as<G, std::vector<double>> {
+        const std::vector<double> values = rounded(genes, genome);
+        return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
+    }
+    /// As a JSON array.
+    std::string text_of(const G& genome) const {
+        if constexpr (std::same_as<G, std::vector<double>>)
+            return genes_text(genes, genome);
+        else
+            return genes_text(genome);
+    }
     double violation(const Answer& answer) const { return answer.violation; }
     std::size_t bytes(const Answer& answer) const { return answer.objectives.size() * sizeof(double); }
     const std::vector<ga::Variable>& bounds(const G&) const requires std::same_as<G, std::vector<double>> {
@@ -53,15 +77,6 @@ struct OutsideProblem {
         }
     }
 };
-
-/// "[0.5,1]": 17 digits where they are needed.
-template <class G>
-std::string genes_text(const G& genome) {
-    std::string text;
-    for (const auto gene : genome)
-        text += (text.empty() ? "[" : ",") + ga::number(static_cast<double>(gene));
-    return text + "]";
-}
 
 } // namespace app
 

@@ -23,6 +23,8 @@ int main(int, char** words) {
         std::vector<double> x;
         for (double gene; in >> gene;)
             x.push_back(gene);
+        in.clear();
+        in >> word; // of genes that are words, the first
         double sum = 0, squares = 0, steps = 0;
         for (std::size_t i = 0; i < x.size(); ++i) {
             sum += x[i];
@@ -37,6 +39,8 @@ int main(int, char** words) {
             std::cout << steps << "]}";
         else if (function == "schaffer") // whose front is 0 <= x <= 2
             std::cout << x[0] * x[0] << "," << (x[0] - 2) * (x[0] - 2) << "]}";
+        else if (function == "mixed") // best at 7, 0.5 and "b"
+            std::cout << (word == "\"b\"" ? 1 : 0) - (x[0] - 7) * (x[0] - 7) - (x[1] - 0.5) * (x[1] - 0.5) << "]}";
         else if (function == "held") // x where x <= 0.25
             std::cout << x[0] << "],\"violation\":" << x[0] - 0.25 << "}";
         else

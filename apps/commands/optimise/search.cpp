@@ -16,10 +16,10 @@ class ByChildren : public ga::Evaluator<P> {
   public:
     explicit ByChildren(Children& children) : children_(children) {}
 
-    void outcomes(const P&, std::span<ga::Call<P>> calls, const ga::Watch& watch) override {
+    void outcomes(const P& problem, std::span<ga::Call<P>> calls, const ga::Watch& watch) override {
         std::vector<std::string> genes;
         for (const auto& call : calls)
-            genes.push_back(genes_text(*call.genome));
+            genes.push_back(problem.text_of(*call.genome));
         auto answers = children_.ask(genes, watch);
         for (std::size_t i = 0; i < answers.size(); ++i)
             if (answers[i])
@@ -84,7 +84,7 @@ void search_by_children(OutsideSearch& asked, Children& children) {
 
 void search(OutsideSearch& search, Children& children) {
     switch (search.genes.kind) {
-    case Genes::Kind::real:
+    case Genes::Kind::numbers:
         return search_by_children<std::vector<double>>(search, children);
     case Genes::Kind::bits:
         return search_by_children<std::vector<bool>>(search, children);

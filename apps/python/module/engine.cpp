@@ -19,7 +19,7 @@ void take_genes(Optimisation& asked, const std::optional<Eigen::VectorXd>& lower
     if (real + (bits > 0) + (permutation > 0) != 1)
         throw rough::InputError("optimise: expected one of lower and upper, bits, permutation");
     Genes& genes = asked.genes;
-    genes.kind = real ? Genes::Kind::real : bits > 0 ? Genes::Kind::bits : Genes::Kind::permutation;
+    genes.kind = real ? Genes::Kind::numbers : bits > 0 ? Genes::Kind::bits : Genes::Kind::permutation;
     genes.count = real ? 0 : bits + permutation;
     if (!real)
         return;
@@ -69,7 +69,7 @@ Optimisation asked_for(const py::object& problem, const std::optional<Eigen::Vec
 /// Calls with a genome of the kind that is asked for.
 template <class Call>
 auto by_kind(const Optimisation& asked, Call call) {
-    return asked.genes.kind == Genes::Kind::real   ? call(std::vector<double>())
+    return asked.genes.kind == Genes::Kind::numbers   ? call(std::vector<double>())
            : asked.genes.kind == Genes::Kind::bits ? call(std::vector<bool>())
                                                    : call(ga::Permutation());
 }

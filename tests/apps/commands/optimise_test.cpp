@@ -69,6 +69,28 @@ TEST_CASE("bits are maximised, and a permutation is found by a pipeline") {
     CHECK(desk.result("order")["best"]["genes"] == json({0, 1, 2, 3, 4, 5, 6, 7}));
 }
 
+TEST_CASE("whole numbers, reals and words are mixed, and what is rounded alike is evaluated once") {
+    const Desk desk;
+    const Ended ended =
+        desk.optimise("--genes int:1:0:12,real:1:-5:5,choice:1:a:b:c --evaluate './child mixed' "
+                      "--evaluations 3000 --out out");
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    const json best = desk.result("out")["best"];
+    CHECK(best["genes"][0] == 7);
+    CHECK(best["genes"][1].get<double>() == Approx(0.5).margin(0.05));
+    CHECK(best["genes"][2] == "b");
+    REQUIRE(desk.optimise("--genes int:2:0:3 --evaluate './child ones' --evaluations 2000 --out few").code ==
+            0);
+    CHECK(desk.result("few")["best"]["objectives"][0] == 6);
+    CHECK(desk.result("few")["evaluations"] <= 17); // 16 genomes, and the one that tells the objectives
+    for (const char* wrong : {"int:1:0:2.5", "choice:1:a", "choice:1:a:a", "real:1:0:1,bits:3", ""}) {
+        const Ended refused = desk.optimise(std::string("--genes '") + wrong + "' --evaluate './child ones'");
+        CHECK(refused.code == 2);
+        CHECK_THAT(refused.err, Catch::Contains("--genes"));
+    }
+}
+
 TEST_CASE("several objectives give a front beside the best by the first") {
     const Desk desk;
     REQUIRE(desk.optimise("--genes real:1:-10:10 --evaluate './child schaffer' --minimise 1,2 "
