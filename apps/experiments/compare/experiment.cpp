@@ -30,6 +30,7 @@ std::vector<Setting> compare_settings() {
         {"compare.curves", "1000", "budget of a run on roughness: curves and gradients"},
         {"compare.target", "", "target curve (CSV) of roughness"},
         {"compare.max-pressure", "", "of roughness: p_max of Eq. 11, MPa [amplitude is a gene]"},
+        {"compare.coco", "", "write the runs on BBOB's functions to coco/, for cocopp and IOHanalyzer", true},
         {"compare.quick", "", "few problems, 5 seeds, 1e3*D evaluations, where nothing else is asked for",
          true}};
     for (const auto& [kind, usual] : usual_contestants())
@@ -170,9 +171,8 @@ void hold(Contest& contest, const Settings& settings, const Conditions& conditio
     const auto race_of = [&](std::size_t i) {
         const auto [bout, variant, s] = places[i];
         const std::uint64_t number = contest.origin.seed + s;
-        return CompareRun{bout->problem.name, bout->variants[variant].second,
-                          static_cast<int>(1 + (number - 1) % 100000), ga::fold(number, bout->problem.name),
-                          bout->budget};
+        return CompareRun{bout->problem.name, bout->variants[variant].second, instance_of(number),
+                          ga::fold(number, bout->problem.name), bout->budget};
     };
     const auto take = [&](std::size_t i, Reached reached) {
         const auto [bout, variant, s] = places[i];
@@ -214,7 +214,11 @@ Findings run_compare(const Settings& settings, const Conditions& conditions) {
         best +=
             (best.empty() ? "best on " : ", on ") + group.name + " " + group.bouts[0]->variants[first].first;
     }
-    return {[=, folder = conditions.folder] { write_contest(*contest, *groups, folder); },
+    return {[=, folder = conditions.folder, coco = settings.is_on("compare.coco")] {
+                write_contest(*contest, *groups, folder);
+                if (coco)
+                    write_coco_runs(*contest, folder / "coco");
+            },
             [=] { return contest_page(*contest, *groups); }, best};
 }
 
@@ -231,7 +235,7 @@ Experiment compare_experiment() {
                 "objectives the names of all. libpagmo's pagmo:cmaes, pagmo:cmaes-bounded, pagmo:de, "
                 "pagmo:sade and pagmo:sga run beside where rugosa was built with it.",
             .settings = compare_settings(),
-            .files = {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv"},
+            .files = {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv", "coco"},
             .run = run_compare,
             .examples =
                 {"compare --quick --out out/compare",

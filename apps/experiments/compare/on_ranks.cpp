@@ -29,7 +29,8 @@ void race_on_ranks(const std::optional<rough::DesignSetup>& roughness, int threa
                     .take =
                         [&](std::size_t place, const std::string& answer) {
                             const json j = json::from_cbor(answer);
-                            take(place, {j.at(0).get<std::vector<double>>(), j.at(1), j.at(2)});
+                            take(place, {j.at(0).get<std::vector<double>>(), j.at(1), j.at(2),
+                                         j.at(3).get<std::vector<std::pair<long, double>>>()});
                         },
                     .ended = [] { return Interrupt::flag().load(); }});
 }
@@ -41,7 +42,7 @@ Work races_under(const std::string& setting) {
         const json r = json::from_cbor(task);
         const CompareRun race{r.at(0), r.at(1), r.at(2), r.at(3), r.at(4)};
         const Reached reached = raced(benchmarks({race.problem}, roughness).front(), race);
-        return cbor_of(json::array({reached.evaluations, reached.precision, reached.spent}));
+        return cbor_of(json::array({reached.evaluations, reached.precision, reached.spent, reached.found}));
     };
 }
 

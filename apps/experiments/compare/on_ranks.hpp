@@ -4,6 +4,9 @@
 
 namespace app {
 
+/// The number of the instance that a run of this number is on.
+inline int instance_of(std::uint64_t number) { return static_cast<int>(1 + (number - 1) % 100000); }
+
 /// One run of a comparison.
 struct CompareRun {
     std::string problem, pipeline;

@@ -19,6 +19,8 @@ struct Reached {
     std::vector<double> evaluations; ///< that each target took; NaN where it was missed
     double precision = HUGE_VAL;     ///< the best
     long spent = 0;                  ///< evaluations
+    /// Evaluations and the best precision after them: the first, and whenever a target was reached.
+    std::vector<std::pair<long, double>> found = {};
 };
 
 /// Keeps when a run reaches its targets, and tells it when to end.

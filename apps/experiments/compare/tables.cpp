@@ -1,10 +1,16 @@
 #include "apps/experiments/compare/contest.hpp"
+#include "apps/experiments/compare/on_ranks.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
+#include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "ga/observers/coco.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <map>
 
 namespace app {
 
@@ -60,6 +66,30 @@ json bout_json(const Bout& bout) {
 }
 
 } // namespace
+
+void write_coco_runs(const Contest& contest, const std::filesystem::path& folder) {
+    std::map<std::string, std::vector<ga::CocoFunction>> of_variant;
+    for (const Bout& bout : contest.bouts) {
+        int dimension = 0, function = 0;
+        if (std::sscanf(bout.problem.name.c_str(), "bbob%d-%d", &dimension, &function) != 2)
+            continue;
+        for (std::size_t v = 0; v < bout.variants.size(); ++v) {
+            ga::CocoFunction one{function, bout.problem.genes, {}};
+            for (std::size_t s = 0; s < bout.runs[v].size(); ++s)
+                one.runs.push_back(
+                    {instance_of(contest.origin.seed + s), bout.runs[v][s].found, bout.runs[v][s].spent});
+            of_variant[bout.variants[v].first].push_back(std::move(one));
+        }
+    }
+    if (of_variant.empty())
+        throw rough::InputError("--coco: given without a problem of BBOB; add one to --problems, e.g. bbob5");
+    for (const auto& [name, functions] : of_variant) {
+        std::string plain = name;
+        std::replace_if(
+            plain.begin(), plain.end(), [](unsigned char c) { return !std::isalnum(c) && c != '-'; }, '_');
+        ga::write_coco(folder / plain, plain, functions);
+    }
+}
 
 void write_contest(const Contest& contest, const std::vector<GroupResult>& groups,
                    const std::filesystem::path& folder) {

@@ -24,6 +24,7 @@ TEST_CASE("a comparison writes medians, runtimes, shares and tests, the same on 
             CHECK(rough::read_whole(folder / out / name) == rough::read_whole(folder / "t1" / name));
     }
     const json result = result_in(folder / "t1");
+    CHECK_FALSE(std::filesystem::exists(folder / "t1/coco"));
     CHECK(result["seeds"] == 3);
     CHECK(result["groups"].size() == 4);
     CHECK(result["problems"].size() == 5);
@@ -128,4 +129,51 @@ TEST_CASE("what a comparison cannot do gets one line and exit code 2") {
         check_refused(ended, message);
     }
     CHECK_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_CASE("runs on BBOB's functions are written as COCO has them, a folder for each variant") {
+    const Folder folder;
+    const std::string words = "compare --variants ga,bipop-cma-es --seeds 2 --budget 200*D --coco --out c ";
+    REQUIRE(rugosa(words + "--problems bbob2-1,bbob5-1,bbob2-8", folder.path()).code == 0);
+    const json result = result_in(folder / "c");
+    for (const std::string variant : {"ga", "bipop-cma-es"}) {
+        const auto in = folder / ("c/coco/" + variant);
+        std::istringstream info(rough::read_whole(in / "bbobexp_f1.info"));
+        for (const int dimension : {2, 5}) {
+            std::string about, comment, runs;
+            std::getline(info, about);
+            std::getline(info, comment);
+            std::getline(info, runs);
+            const std::string D = std::to_string(dimension);
+            CHECK(about == "funcId = 1, DIM = " + D + ", Precision = 1.000e-08, algId = '" + variant + "'");
+            CHECK_THAT(comment, Catch::StartsWith("%"));
+            CHECK_THAT(runs, Catch::StartsWith("data_f1/bbobexp_f1_DIM" + D + ".dat, 1:"));
+            const json& told = result["problems"]["bbob" + D + "-1"]["variants"][variant]["runs"];
+            std::istringstream rows(rough::read_whole(in / ("data_f1/bbobexp_f1_DIM" + D + ".dat")));
+            int run = -1;
+            long before = 0;
+            double best = HUGE_VAL;
+            for (std::string row; std::getline(rows, row);) {
+                if (row[0] == '%') {
+                    ++run, before = 0, best = HUGE_VAL;
+                    continue;
+                }
+                std::istringstream cells(row);
+                long evaluations = 0;
+                double first = 0, second = 0;
+                REQUIRE(cells >> evaluations >> first >> second);
+                CHECK(evaluations > before);
+                CHECK(second <= best);
+                before = evaluations, best = second;
+                CHECK(evaluations <= told[static_cast<std::size_t>(run)]["evaluations"].get<long>());
+            }
+            CHECK(run == 1);
+            CHECK(before == told[1]["evaluations"].get<long>());
+        }
+        CHECK(std::filesystem::exists(in / "data_f8/bbobexp_f8_DIM2.tdat"));
+    }
+    const Ended none =
+        rugosa("compare --variants ga --problems zdt1 --seeds 1 --budget 200 --coco --out z", folder.path());
+    CHECK(none.code == 2);
+    CHECK_THAT(none.err, Catch::Contains("--coco"));
 }
