@@ -37,14 +37,14 @@ Plot shortfall_plot(const RaceTarget& target, const std::string& axis, double fr
     return plot;
 }
 
-bool is_contact_fraction(const RaceTarget& target) { return target.setup.model.grid.is_2d(); }
+bool is_2d(const RaceTarget& target) { return target.setup.model.grid.is_2d(); }
 
 /// What the genes mean on the target's grid.
 std::string on_grid(const RaceTarget& target) {
     const rough::Model& model = target.setup.model;
     const rough::Grid& grid = model.grid;
     const bool free = model.body.kernel == rough::Kernel::free;
-    if (is_contact_fraction(target))
+    if (is_2d(target))
         return "An area of " + std::to_string(grid.nodes) + " x " + std::to_string(grid.rows) + " nodes on " +
                brief(grid.length, 6) + " x " + brief(grid.width, 6) + " mm. The " +
                std::to_string(target.setup.ridges) +
@@ -77,7 +77,7 @@ void add_grids(Page& page, const Race& race) {
     for (const RaceTarget& target : race.targets)
         for (const char* what : {", similarity at worst", ", seconds"}) {
             table.header.push_back(target.setup.targets[0].name +
-                                   (is_contact_fraction(target) ? ", area" : ", profile") + what);
+                                   (is_2d(target) ? ", area" : ", profile") + what);
             table.numeric.push_back(true);
         }
     for (std::size_t i = 0; i < race.targets.front().variants.size(); ++i) {
@@ -104,7 +104,7 @@ void add_grids(Page& page, const Race& race) {
 
 void add_target(Page& page, const Race& race, const RaceTarget& target, std::size_t number) {
     page.section("Target " + target.setup.targets[0].name);
-    if (std::any_of(race.targets.begin(), race.targets.end(), is_area))
+    if (std::any_of(race.targets.begin(), race.targets.end(), is_2d))
         page.prose(on_grid(target));
     double longest = 0.1;
     for (const auto& variant : target.variants)
@@ -141,7 +141,7 @@ void add_target(Page& page, const Race& race, const RaceTarget& target, std::siz
              crossed > 0 ? percent(static_cast<double>(better) / static_cast<double>(crossed)) : "–"});
     }
     page.table(table);
-    if (is_contact_fraction(target) && !order.empty())
+    if (is_2d(target) && !order.empty())
         page.figure(area_figure(target, *order.front(), number));
 }
 
@@ -154,8 +154,8 @@ std::string race_page(const Race& race) {
     std::size_t number = 0;
     for (const RaceTarget& target : race.targets)
         add_target(page, race, target, ++number);
-    if (std::any_of(race.targets.begin(), race.targets.end(), is_area) &&
-        !std::all_of(race.targets.begin(), race.targets.end(), is_area))
+    if (std::any_of(race.targets.begin(), race.targets.end(), is_2d) &&
+        !std::all_of(race.targets.begin(), race.targets.end(), is_2d))
         add_grids(page, race);
     page.section("The ways");
     for (const RaceVariant& variant : race.targets.front().variants)
