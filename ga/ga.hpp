@@ -8,6 +8,7 @@
 #include "ga/blocks/repeat.hpp"
 #include "ga/blocks/restarts.hpp"
 #include "ga/pareto/pareto.hpp"
+#include "ga/pipeline/average.hpp"
 #include "ga/pipeline/run.hpp"
 #include "ga/pipeline/score.hpp"
 #include "ga/pipeline/transform.hpp"

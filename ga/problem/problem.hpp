@@ -33,6 +33,14 @@ concept Problem = requires(const P& problem, const typename P::Genome& genome) {
     { problem.objectives() } -> std::same_as<const std::vector<Objective<typename P::Outcome>>&>;
 };
 
+/// Optional: an evaluation with noise. Each replicate is another draw, and a pure function of its number;
+/// `evaluate(genome)` is replicate 0. What `average` needs.
+template <class P>
+concept Noisy = Problem<P> &&
+    requires(const P& problem, const typename P::Genome& genome, std::uint64_t replicate) {
+    { problem.evaluate(genome, replicate) } -> std::same_as<typename P::Outcome>;
+};
+
 /// Optional: the bytes that identify a genome, where ga cannot read its bits or where several genomes have
 /// one outcome.
 template <class P>

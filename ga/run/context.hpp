@@ -130,6 +130,29 @@ class Context {
             population, [](const auto&) { return true; }, assign, Patience::none);
     }
 
+    /// Gives every individual the mean fitness of n replicates of a noisy evaluation; what is known of them
+    /// is not evaluated again. One failure fails the individual.
+    void average(Population<Genome>& population, const std::string& objective_name, std::size_t n) {
+        const std::size_t which = objective_index(objective_name);
+        inquiry_.questions.clear();
+        for (auto& individual : population)
+            for (std::size_t r = 0; r < n; ++r)
+                inquiry_.questions.push_back({&individual.genome, r > 0 || !individual.fitness.known(), r});
+        inquiry_.patience = Patience::none;
+        inquiry_.use = [&] {
+            for (std::size_t i = 0; i < population.size(); ++i) {
+                const auto mean = mean_of(i * n, n, which);
+                if (!mean)
+                    continue;
+                population[i].fitness = *mean;
+                ledger_.note(*mean);
+                counters().failures += mean->has_failed() ? 1 : 0;
+                offer(population[i]);
+            }
+        };
+        serve(population);
+    }
+
     /// Remembers the individual if it is the best so far under the problem's first objective.
     void offer(const Individual<Genome>& individual) {
         auto& best = root_.state.best;
@@ -272,12 +295,32 @@ class Context {
                 offer(individual);
             }
         };
+        serve(population);
+    }
+    /// Asks what is in the request; a run that has to stop keeps the population in hand.
+    void serve(const Population<Genome>& population) {
         try {
             door_.serve(inquiry_);
         } catch (const Stopped&) {
             state.in_hand = population;
             throw;
         }
+    }
+    /// Of n answers from one on; none where one is missing.
+    std::optional<Fitness> mean_of(std::size_t from, std::size_t n, std::size_t which) const {
+        const auto& objective = problem().objectives()[which];
+        double value = 0, violation = 0;
+        for (std::size_t i = from; i < from + n; ++i) {
+            const Evaluation<Outcome>* answer = inquiry_.questions[i].answer;
+            if (!answer || std::holds_alternative<Pending>(*answer))
+                return std::nullopt;
+            const Fitness one = fitness_of(problem(), *answer, objective, names_[which]);
+            if (one.has_failed())
+                return one;
+            value += one.value() / static_cast<double>(n);
+            violation += one.violation() / static_cast<double>(n);
+        }
+        return Fitness(names_[which], value, objective.minimise, violation);
     }
 
     Ledger<P>& ledger_;

@@ -15,6 +15,7 @@ template <Problem P>
 struct Call {
     const typename P::Genome* genome;        ///< to be evaluated
     Evaluation<typename P::Outcome>* answer; ///< left as it is when the run must end first
+    std::uint64_t replicate = 0;             ///< of a noisy evaluation
 };
 
 /// One derivative to be found: of residuals (for a problem with `sensitivity`) or of the fitness (with
@@ -32,8 +33,12 @@ struct Slope {
 /// The outcome or the reason that there is none: an evaluation with its failure caught. Pending where the
 /// problem itself ended it, by throwing Stopped.
 template <Problem P>
-Evaluation<typename P::Outcome> evaluated(const P& problem, const typename P::Genome& genome) {
+Evaluation<typename P::Outcome> evaluated(const P& problem, const typename P::Genome& genome,
+                                          std::uint64_t replicate = 0) {
     try {
+        if constexpr (Noisy<P>)
+            if (replicate > 0)
+                return problem.evaluate(genome, replicate);
         return problem.evaluate(genome);
     } catch (const Stopped& stop) {
         return Pending{.why = reason(stop.reason)};
@@ -95,7 +100,7 @@ class Serial : public Evaluator<P> {
     void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) override {
         for (Call<P>& call : calls)
             if (!watch.expired())
-                *call.answer = evaluated(problem, *call.genome);
+                *call.answer = evaluated(problem, *call.genome, call.replicate);
     }
 };
 
@@ -109,7 +114,7 @@ class OnThreads : public Evaluator<P> {
     void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) override {
         parallel_for(calls.size(), threads_, [&](std::size_t i) {
             if (!watch.expired())
-                *calls[i].answer = evaluated(problem, *calls[i].genome);
+                *calls[i].answer = evaluated(problem, *calls[i].genome, calls[i].replicate);
         });
     }
     void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch&) override {

@@ -23,6 +23,7 @@ struct EvaluationRequest {
     struct Question {
         const Genome* genome;                        ///< must outlive the answer
         bool counts = true;                          ///< against the budget
+        std::uint64_t replicate = 0;                 ///< of a noisy evaluation
         Fingerprint print = {};                      ///< set by the door
         const Evaluation<Outcome>* answer = nullptr; ///< set by the door; unanswered where the run had to end
     };
@@ -143,6 +144,9 @@ class Ledger : public EvaluationQueue<P> {
             if (question.counts && !pay())
                 break;
             question.print = identify(problem_, *question.genome);
+            if (question.replicate > 0)
+                question.print = {fold(question.print.high, question.replicate),
+                                  fold(question.print.low, question.replicate)};
             memory_.prefetch(question.print);
             ++within;
         }
@@ -155,7 +159,7 @@ class Ledger : public EvaluationQueue<P> {
                 ++counters.remembered;
             } else if (!take_prepaid(question.print, place)) {
                 pending->queued = true;
-                calls_.push_back({question.genome, &place});
+                calls_.push_back({question.genome, &place, question.replicate});
             }
         }
         for (Slope<P>* slope : inquiry.slopes) {

@@ -14,6 +14,7 @@ const char* const exchangeable = "genes that may change places";
 template <Problem P>
 void add_selection(Registry<P>& registry) {
     registry.template add<Score>();
+    registry.template add_if<Noisy<P>, Average>("a noisy evaluation (evaluate(genome, replicate))");
     registry.template add<Best>();
     registry.template add<Threshold<true>>();
     registry.template add<Threshold<false>>();
