@@ -2,8 +2,6 @@
 
 #include "domain/design/pipelines.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/sobol.hpp"
-#include "domain/problem/harmonics.hpp"
 #include "domain/problem/stored.hpp"
 #include "domain/text/json.hpp"
 #include "ga/base/stopwatch.hpp"
@@ -142,29 +140,6 @@ std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Popula
     return candidates;
 }
 
-/// A line that wraps takes waves that repeat; an area moves those of any genome to its lattice.
-bool takes_harmonics(const DesignSetup& setup) {
-    return setup.model.grid.wraps && !setup.model.grid.is_2d() && !setup.phases;
-}
-
-std::vector<Genome> database_for(const DesignSetup& setup, int threads) {
-    DatabaseLayout layout;
-    layout.lambda = std::clamp(setup.model.grid.length, setup.bounds.lambda_from, setup.bounds.lambda_to);
-    layout.H_from = std::clamp(layout.H_from, setup.bounds.H_from, setup.bounds.H_to);
-    layout.H_to = std::clamp(layout.H_to, setup.bounds.H_from, setup.bounds.H_to);
-    layout.gamma_from = std::clamp(layout.gamma_from, setup.bounds.gamma_from, setup.bounds.gamma_to);
-    layout.gamma_to = std::clamp(layout.gamma_to, setup.bounds.gamma_from, setup.bounds.gamma_to);
-    layout.shortest = setup.limits.shortest_wave;
-    layout.ridges = setup.ridges;
-    std::vector<Genome> genomes = sobol_database(layout);
-    ga::parallel_for(genomes.size(), ga::thread_count(threads), [&](std::size_t i) {
-        if (takes_harmonics(setup))
-            genomes[i] = in_harmonics(genomes[i], setup.model.grid.length);
-        genomes[i] = with_fitting_amplitude(setup, genomes[i]);
-    });
-    return genomes;
-}
-
 bool better(const Answer& a, const Answer& b) {
     const auto rank = [](const Answer& one) { // what is not verified is after what is
         return std::tuple(one.within_limits, one.is_verified() ? one.lowest() : -HUGE_VAL,
@@ -199,9 +174,8 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
     const DesignSetup setup = result.setup = completed(given);
     validate(setup);
     SearchOptions options = asked;
-    if (takes_harmonics(setup))
-        for (Genome& genome : options.starts)
-            genome = in_harmonics(genome, setup.model.grid.length);
+    for (Genome& genome : options.starts)
+        genome = fitting_grid(setup, genome);
     const std::string text = options.pipeline.empty() ? usual_variant(setup) : options.pipeline;
     const Pipeline pipeline = design_pipeline(setup, text);
     result.name = design_variants().count(text) ? text : "pipeline";
@@ -251,7 +225,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
     try {
         const std::vector<Genome> starts = !options.starts.empty() ? options.starts
                                            : pipeline.begins()     ? std::vector<Genome>{any_start()}
-                                                                   : database_for(setup, options.threads);
+                                                                   : database_starts(setup, options.threads);
         ga::OnThreads<DesignProblem> on_threads(options.threads);
         auto found = ga::run_by(options.evaluator ? *options.evaluator : on_threads, pipeline, problem,
                                 ga::population(starts), run, observers, keeper ? &*keeper : nullptr);

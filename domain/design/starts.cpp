@@ -2,7 +2,9 @@
 
 #include "domain/design/advance.hpp"
 #include "domain/design/shape_to_waves.hpp"
+#include "domain/mwm/sobol.hpp"
 #include "domain/problem/harmonics.hpp"
+#include "ga/base/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -129,6 +131,27 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
                                                   gamma * random.uniform(1.05, 1.2),
                                                   lambda * random.uniform(0.6, 0.9))};
     return shaped_as(inverse.profile, series, setup.limits.shortest_wave);
+}
+
+Genome fitting_grid(const DesignSetup& setup, const Genome& genome) {
+    const bool takes_harmonics = setup.model.grid.wraps && !setup.model.grid.is_2d() && !setup.phases;
+    return takes_harmonics ? in_harmonics(genome, setup.model.grid.length) : genome;
+}
+
+std::vector<Genome> database_starts(const DesignSetup& setup, int threads) {
+    DatabaseLayout layout;
+    layout.lambda = std::clamp(setup.model.grid.length, setup.bounds.lambda_from, setup.bounds.lambda_to);
+    layout.H_from = std::clamp(layout.H_from, setup.bounds.H_from, setup.bounds.H_to);
+    layout.H_to = std::clamp(layout.H_to, setup.bounds.H_from, setup.bounds.H_to);
+    layout.gamma_from = std::clamp(layout.gamma_from, setup.bounds.gamma_from, setup.bounds.gamma_to);
+    layout.gamma_to = std::clamp(layout.gamma_to, setup.bounds.gamma_from, setup.bounds.gamma_to);
+    layout.shortest = setup.limits.shortest_wave;
+    layout.ridges = setup.ridges;
+    std::vector<Genome> genomes = sobol_database(layout);
+    ga::parallel_for(genomes.size(), ga::thread_count(threads), [&](std::size_t i) {
+        genomes[i] = with_fitting_amplitude(setup, fitting_grid(setup, genomes[i]));
+    });
+    return genomes;
 }
 
 } // namespace rough

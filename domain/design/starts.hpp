@@ -12,4 +12,11 @@ namespace rough {
 /// few contacts that come and go: good ground for refinement.
 Genome shaped_start(const DesignSetup& setup, ga::Stream random);
 
+/// The genome with waves that repeat where a line's grid wraps; an area moves those of any genome to its
+/// lattice.
+Genome fitting_grid(const DesignSetup& setup, const Genome& genome);
+
+/// The paper's Sobol database within the set-up's bounds, each genome in its best amplitude.
+std::vector<Genome> database_starts(const DesignSetup& setup, int threads);
+
 } // namespace rough
