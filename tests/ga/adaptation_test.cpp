@@ -441,7 +441,7 @@ TEST_CASE("operators that learn are refused where nothing is repeated, and words
               .find("expected rand, best or current-to-best") != std::string::npos);
     CHECK(refused("sample 9 | score | repeat 2 { self-adaptive steps=two | score }")
               .find("expected each or one") != std::string::npos);
-    Known ranked;
+    CheckState ranked;
     ranked.in_generation = true;
     ranked.scored = "pareto f g";
     CHECK_THROWS_WITH(CmaEs().check(ranked), Catch::Contains("one objective"));

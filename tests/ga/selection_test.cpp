@@ -104,7 +104,7 @@ TEST_CASE("below keeps those under the threshold in their order") {
 }
 
 TEST_CASE("what chooses in proportion to the fitness is refused where there is no one number") {
-    Known ranked;
+    CheckState ranked;
     ranked.scored = "pareto f g";
     CHECK_THROWS_WITH(roulette().check(ranked), Catch::Contains("one objective"));
     CHECK_THROWS_WITH(sus().check(ranked), Catch::Contains("one objective"));
