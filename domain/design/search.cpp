@@ -120,10 +120,11 @@ std::vector<Answer> alternatives(const Grid& grid, const AnswerVerifier& verifie
     return all;
 }
 
-/// What the pipeline gave, and on a line the best of its way and the first start that was given, each once.
+/// What the pipeline gave and the best that it verified; on a line also the best of all stages by similarity,
+/// and the first start that was given. Each once.
 std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Population<Genome>& population,
-                                  const ga::Population<Genome>& seen, const SearchOptions& options,
-                                  std::size_t most) {
+                                  const ga::Population<Genome>& verified, const ga::Population<Genome>& seen,
+                                  const SearchOptions& options, std::size_t most) {
     std::vector<Genome> candidates;
     std::set<std::string> keys;
     const auto consider = [&](const Genome& genome) {
@@ -132,6 +133,8 @@ std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Popula
     };
     for (std::size_t i = 0; i < std::min(population.size(), most); ++i)
         consider(population[i].genome);
+    for (std::size_t i = 0; i < std::min(verified.size(), most); ++i)
+        consider(verified[i].genome);
     const bool area = problem.setup().model.grid.is_2d();
     for (std::size_t i = 0; i < seen.size() && (area ? candidates.empty() : i < most); ++i)
         consider(seen[i].genome);
@@ -195,9 +198,11 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
     };
 
     ga::HallOfFame<DesignProblem> seen(problem, remembered);
+    ga::HallOfFame<DesignProblem> verified_so_far(problem, options.verifying, "verified");
     std::vector<Genome> front;     // the last that was ranked
     std::optional<Genome> nearest; // the best under a derived problem
     observers.insert(observers.begin(), seen.observer());
+    observers.insert(observers.begin(), verified_so_far.observer());
     observers.insert(observers.begin(), [&](const ga::Event<Genome>& event) {
         if (event.derived && ga::comparable(event.population) && !event.population.empty())
             nearest = ga::best_of(event.population, 1).front().genome;
@@ -217,6 +222,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
         keeper.emplace(options.keeping->file, json_text(description(setup), true), options.keeping->resume,
                        options.keeping->interval);
         keeper->keep("seen", seen.members);
+        keeper->keep("verified", verified_so_far.members);
         keeper->keep("front", front);
         if (options.keeping->also)
             options.keeping->also(*keeper);
@@ -256,8 +262,8 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
         offer(nearest ? *nearest : any_start(), 0);
 
     const AnswerVerifier verified(problem, reported, options.threads);
-    const std::vector<Answer> answers =
-        verified(candidates_of(problem, population, seen.members, options, plan.answers));
+    const std::vector<Answer> answers = verified(
+        candidates_of(problem, population, verified_so_far.members, seen.members, options, plan.answers));
     result.best = *std::max_element(answers.begin(), answers.end(),
                                     [](const Answer& a, const Answer& b) { return better(b, a); });
     result.alternatives =

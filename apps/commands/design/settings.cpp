@@ -61,7 +61,7 @@ void take_range(const Settings& settings, const std::string& name, double& from,
 
 void take_bounds(const Settings& settings, rough::DesignSetup& setup) {
     rough::GeneBounds& bounds = setup.bounds;
-    take_range(settings, "H", bounds.H_from, bounds.H_to, std::numeric_limits<double>::min(), 10);
+    take_range(settings, "hurst", bounds.H_from, bounds.H_to, std::numeric_limits<double>::min(), 10);
     take_range(settings, "gamma", bounds.gamma_from, bounds.gamma_to, 1.001, 100);
     bounds = completed(bounds, setup.model.grid.length);
     take_range(settings, "lambda", bounds.lambda_from, bounds.lambda_to, 1e-12, 1e12);
