@@ -130,6 +130,7 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
     } catch (const rough::InputError& error) {
         throw rough::InputError(settings.place("compare.problems") + ": " + error.what());
     }
+    bool has_bbob = false;
     for (Benchmark& problem : problems) {
         Bout bout;
         bout.variants = contestants_of(settings, problem.kind);
@@ -147,10 +148,14 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
                 return 0;
             });
         }
+        has_bbob |= problem.name.starts_with("bbob");
         bout.runs.assign(bout.variants.size(), std::vector<Reached>(static_cast<std::size_t>(contest.seeds)));
         bout.problem = std::move(problem);
         contest.bouts.push_back(std::move(bout));
     }
+    if (settings.is_on("compare.coco") && !has_bbob)
+        throw rough::InputError(settings.place("compare.coco") +
+                                ": given without a function of BBOB; add one to --problems, e.g. bbob5");
     return contest;
 }
 

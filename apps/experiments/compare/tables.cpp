@@ -3,7 +3,6 @@
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
-#include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/observers/coco.hpp"
 
@@ -81,8 +80,6 @@ void write_coco_runs(const Contest& contest, const std::filesystem::path& folder
             of_variant[bout.variants[v].first].push_back(std::move(one));
         }
     }
-    if (of_variant.empty())
-        throw rough::InputError("--coco: given without a problem of BBOB; add one to --problems, e.g. bbob5");
     for (const auto& [name, functions] : of_variant) {
         std::string plain = name;
         std::replace_if(

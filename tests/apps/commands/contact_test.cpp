@@ -145,7 +145,8 @@ TEST_CASE("a hardness is held, counted and told; friction writes partial slip be
     const Ended rubbed =
         rugosa("contact --genome g.json --friction 0.3 --out c.csv --verbose", folder.path());
     REQUIRE(rubbed.code == 0);
-    CHECK_THAT(rubbed.out, Catch::Contains("c-slip.csv: partial slip under the last load, f = 0.300; assumed"));
+    CHECK_THAT(rubbed.out,
+               Catch::Contains("c-slip.csv: partial slip under the last load, f = 0.300; assumed"));
     const auto normal = rows_of(folder / "c.csv"),
                slip = rows_of(folder / "c-slip.csv", "tangential_displacement_mm,tangential_traction_MPa,"
                                                      "tangential_stiffness_MPa_per_mm,stick_fraction");

@@ -103,7 +103,7 @@ TEST_CASE("a design on an area that there is no time to verify is said to be not
     INFO(ended.err << ended.out);
     REQUIRE(ended.code == 3);
     const json result = result_in(folder / "r");
-    const json& variant = result["variants"]["default"];
+    const json& variant = result["variants"]["maps"];
     CHECK(variant["similarity"].is_number());
     CHECK(variant["similarity_refined"].is_null());
     CHECK(variant["similarity_worst"].is_null());

@@ -80,7 +80,7 @@ TEST_CASE("the two-target variants answer by name, and are refused with one targ
 TEST_CASE("the operators listed are those that a design takes, with its variants by name") {
     const Ended ended = rugosa("operators");
     REQUIRE(ended.code == 0);
-    for (const char* word : {"shape n", "\n  reduce goal2 ", "  fit ", "default = shape", "mcco = pair",
+    for (const char* word : {"shape n", "\n  reduce goal2 ", "  fit ", "default = pass", "mcco = pair",
                              "nsga2 = ", "macro", "sog-minimax = "})
         CHECK_THAT(ended.out, Catch::Contains(word));
 }

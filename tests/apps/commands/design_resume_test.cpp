@@ -56,17 +56,12 @@ TEST_CASE("a design out of time goes on where it stopped, and a set-up that is a
     CHECK(timeless(result_in(folder / "cut")) == timeless(result_in(folder / "whole")));
 }
 
-TEST_CASE(
-    "a similarity that is asked for is tried for from fresh starts, and once reached nothing is left to do") {
+TEST_CASE("a similarity that is asked for and missed ends with 3, and once reached no checkpoint is left") {
     const Folder folder;
     const std::string asked =
         "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 64 --pictures off "
         "--pipeline 'sample 3 | score | refine lm 2' --reach-similarity ";
     REQUIRE(rugosa(asked + "0.99999 --out missed", folder.path()).code == 3);
-    const json missed = result_in(folder / "missed")["variants"]["pipeline"];
-    CHECK(missed["stages"].back()["path"] == "pipeline/restarts.1");
-    const auto begun = [&](const json& stage) { return stage["path"] == "pipeline/restarts.1/sample.1"; };
-    CHECK(std::count_if(missed["stages"].begin(), missed["stages"].end(), begun) == 8);
     const Ended reached = rugosa(asked + "0.1 --out reached", folder.path());
     CHECK(reached.code == 0);
     CHECK_FALSE(std::filesystem::exists(folder / "reached/checkpoint.cbor"));

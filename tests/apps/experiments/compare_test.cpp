@@ -172,8 +172,8 @@ TEST_CASE("runs on BBOB's functions are written as COCO has them, a folder for e
         }
         CHECK(std::filesystem::exists(in / "data_f8/bbobexp_f8_DIM2.tdat"));
     }
-    const Ended none =
-        rugosa("compare --variants ga --problems zdt1 --seeds 1 --budget 200 --coco --out z", folder.path());
+    const Ended none = rugosa(
+        "compare --variants nsga2 --problems zdt1 --seeds 1 --budget 200 --coco --out z", folder.path());
     CHECK(none.code == 2);
     CHECK_THAT(none.err, Catch::Contains("--coco"));
 }
