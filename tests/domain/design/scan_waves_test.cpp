@@ -90,7 +90,7 @@ TEST_CASE("a design like a scan goes on from what it has until its evaluations a
     options.evaluations = 130;
     const SearchResult once = search(setup, options);
     REQUIRE(once.best.lowest() < default_required_similarity);
-    options.evaluations = once.counters.asked + 90;
+    options.evaluations = once.counters.asked + 300;
     const SearchResult longer = search(setup, options);
     CHECK(longer.counters.asked > once.counters.asked);
     CHECK(longer.counters.asked <= options.evaluations);
