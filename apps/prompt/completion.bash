@@ -6,7 +6,7 @@ _rugosa_words() { # the words of a help page that stand where subcommands or fla
 }
 
 _rugosa_variants() { # of rugosa design, as the list of operators has them
-    "$1" operators 2>/dev/null | sed -n '/^variants of rugosa design/,/^$/s/^  \([a-z0-9-]*\) = .*/\1/p'
+    "$1" operators 2>/dev/null | sed -n '/^variants$/,/^$/s/^  \([a-z0-9-]*\) = .*/\1/p'
 }
 
 _rugosa() {
