@@ -31,7 +31,6 @@
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/paper/variants.hpp"
 #include "domain/problem/problem.hpp"
-#include "domain/profile/areal.hpp"
 #include "domain/profile/derivatives.hpp"
 #include "domain/profile/detrend.hpp"
 #include "domain/profile/filter.hpp"

@@ -94,7 +94,6 @@ rough::Extrusion extrusion_from(const Settings& settings) {
     return extrusion;
 }
 
-/// Parameters of roughness have their name only where the long waves were taken off.
 nlohmann::json numbers_of(const Shape& shape, const rough::Roughness& r, const Settings& settings) {
     nlohmann::json numbers{
         {"nodes", shape.profile.nodes()},
@@ -103,14 +102,9 @@ nlohmann::json numbers_of(const Shape& shape, const rough::Roughness& r, const S
         {"lambda_c_mm", settings.has("lambda-c") ? nlohmann::json(settings.positive("lambda-c")) : nullptr},
         {"section_length_mm", r.section_length},
         {"sections", r.sections},
-        {"rms_curvature_per_mm", r.rms_curvature},
-        {"m0_mm2", r.m0},
-        {"m2", r.m2},
-        {"m4_per_mm2", r.m4},
-        {"bandwidth", r.bandwidth},
         {"version", RUGOSA_VERSION}};
-    for (const Parameter& one : parameters(r, settings.has("lambda-c")))
-        numbers[one.key] = one.value;
+    for (const Parameter& one : r.rows)
+        numbers[one.key()] = one.value;
     if (!shape.lines.empty()) { // exact, over lengths that all waves divide
         double m0 = 0, m2 = 0, m4 = 0;
         for (const auto& [k, power] : shape.lines)
@@ -132,16 +126,6 @@ std::pair<Eigen::VectorXd, Eigen::VectorXd> columns(const std::vector<rough::Spe
         power[i] = lines[static_cast<std::size_t>(i)].power;
     }
     return {k, power};
-}
-
-void tell_roughness(const rough::Roughness& r, bool is_roughness) {
-    std::vector<Parameter> all = parameters(r, is_roughness);
-    all.push_back({"rms curvature", "", r.rms_curvature, false, "1/mm", ""});
-    all.push_back({"m0", "", r.m0, false, "mm²", "spectral moments, from the nodes"});
-    all.push_back({"m2", "", r.m2, false, "", ""});
-    all.push_back({"m4", "", r.m4, false, "1/mm²", ""});
-    all.push_back({"bandwidth", "", r.bandwidth, false, "", "m0 m4/m2²"});
-    tell_parameters(all, r.Rt);
 }
 
 } // namespace
@@ -219,7 +203,7 @@ int profile(const Words& words) {
     say(shape.account);
     if (!shape.jump.empty())
         say(shape.jump);
-    tell_roughness(roughness, is_roughness);
+    tell_parameters(roughness.rows, roughness[is_roughness ? "Rt" : "Pt"]);
     say("written to " + out.path().string());
     return 0;
 }

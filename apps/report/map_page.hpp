@@ -1,12 +1,8 @@
 #pragma once
 
 #include "apps/report/profile_page.hpp"
-#include "domain/profile/areal.hpp"
 
 namespace app {
-
-/// The set of ISO 25178-2 that surface.json holds.
-std::vector<Parameter> parameters(const rough::ArealParameters& areal);
 
 /// What a page about a map shows.
 struct MapShown {

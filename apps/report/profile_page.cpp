@@ -9,40 +9,9 @@
 
 namespace app {
 
-std::vector<Parameter> parameters(const rough::Roughness& r, bool is_roughness) {
-    const std::string letter = is_roughness ? "R" : "P";
-    std::vector<Parameter> all;
-    const auto height = [&](const char* name, double value, const char* meaning) {
-        all.push_back({letter + name, letter + name + "_mm", value, true, "", meaning});
-    };
-    const auto number = [&](const char* name, double value, const char* meaning) {
-        all.push_back({letter + name, letter + name, value, false, "", meaning});
-    };
-    height("a", r.Ra, "arithmetic mean height");
-    height("q", r.Rq, "root mean square height");
-    number("sk", r.Rsk, "skewness");
-    number("ku", r.Rku, "kurtosis");
-    const std::string of = r.sections > 1 ? ", mean of " + std::to_string(r.sections) + " sections" : "";
-    height("p", r.Rp, ("highest peak" + of).c_str());
-    height("v", r.Rv, ("deepest pit" + of).c_str());
-    height("z", r.Rz, ("maximum height" + of).c_str());
-    height("t", r.Rt, "total height");
-    height("c", r.elements.Rc, "mean height of the profile elements");
-    height("Sm", r.elements.RSm, "mean width of the profile elements");
-    number("dq", r.Rdq, "root mean square slope");
-    number("mr", r.Rmr, "material ratio at the mean line");
-    height("k", r.core.Rk, "core height");
-    height("pk", r.core.Rpk, "reduced peak height");
-    height("vk", r.core.Rvk, "reduced valley depth");
-    all.push_back({letter + "mrk1", letter + "mrk1", r.core.Mr1, false, "", "material ratio above the core"});
-    all.push_back(
-        {letter + "mrk2", letter + "mrk2", r.core.Mr2, false, "", "material ratio above the valleys"});
-    return all;
-}
-
 std::string in_words(const Parameter& one) {
-    if (!one.is_height || !std::isfinite(one.value))
-        return readable(one.value) + one.unit;
+    if (one.unit != "mm" || !std::isfinite(one.value))
+        return readable(one.value) + (one.unit.empty() || one.unit == "°" ? "" : " ") + one.unit;
     const Unit unit = length_unit(std::abs(one.value));
     return readable(unit.factor * one.value) + " " + unit.name;
 }
@@ -50,9 +19,10 @@ std::string in_words(const Parameter& one) {
 std::string surface_page(SurfaceShown shown) {
     Page page(shown.title, shown.account);
     std::vector<std::pair<std::string, std::string>> tiles;
-    for (const std::size_t i : {0, 1, 6, 10})
-        tiles.emplace_back(shown.parameters[i].name + ", " + shown.parameters[i].meaning,
-                           in_words(shown.parameters[i]));
+    for (const std::string& name : shown.tiles)
+        for (const Parameter& one : shown.parameters)
+            if (one.name == name)
+                tiles.emplace_back(one.name + ", " + one.meaning, in_words(one));
     page.tiles(tiles);
     page.section("Heights");
     page.figure(std::move(shown.heights));
@@ -62,7 +32,6 @@ std::string surface_page(SurfaceShown shown) {
     Table table{"", {"Parameter", "Value", "What it is"}, {}, {false, true, false}};
     for (const Parameter& one : shown.parameters)
         table.rows.push_back({one.name, in_words(one), one.meaning});
-    table.rows.insert(table.rows.end(), shown.further.begin(), shown.further.end());
     page.table(table);
     page.section("Files");
     page.links(shown.files);
@@ -75,8 +44,8 @@ void tell_parameters(const std::vector<Parameter>& all, double largest) {
         char line[160];
         if (std::isfinite(one.value))
             std::snprintf(line, sizeof line, "  %-14s %12.6g %-5s %s", one.name.c_str(),
-                          one.value * (one.is_height ? height.factor : 1),
-                          one.is_height ? height.name.c_str() : one.unit.c_str(), one.meaning.c_str());
+                          one.value * (one.unit == "mm" ? height.factor : 1),
+                          one.unit == "mm" ? height.name.c_str() : one.unit.c_str(), one.meaning.c_str());
         else
             std::snprintf(line, sizeof line, "  %-14s %12s %-5s %s", one.name.c_str(), "none", "",
                           one.meaning.c_str());
@@ -136,10 +105,12 @@ Plot bearing_plot(const Eigen::VectorXd& heights) {
 
 std::string profile_page(const ProfileShown& shown) {
     const rough::Roughness& r = shown.roughness;
+    const std::string letter = shown.is_roughness ? "R" : "P";
     return surface_page(
         {"Profile: " + shown.name,
          shown.account,
-         parameters(r, shown.is_roughness),
+         r.rows,
+         {letter + "a", letter + "q", letter + "z", letter + "dq"},
          {"profile", "Heights", "Counted from their mean.", {profile_plot(shown.profile)}},
          {"curves",
           "Material ratio and spectrum.",
@@ -152,8 +123,6 @@ std::string profile_page(const ProfileShown& shown) {
                    std::to_string(r.sections) + " sections of " + readable(r.section_length) + " mm."
              : std::string("A primary profile: no long waves are taken off, so its parameters are Pa, Pq and "
                            "so on (ISO 21920-2), over its whole length."),
-         {{"rms curvature", readable(r.rms_curvature) + " 1/mm", "by the seven-point formula"},
-          {"bandwidth", readable(r.bandwidth), "Nayak's alpha, m0 m4/m2²"}},
          shown.files});
 }
 

@@ -6,36 +6,25 @@
 
 namespace app {
 
-/// A parameter of a profile, by the name that its filters allow.
-struct Parameter {
-    std::string name;    ///< "Ra", or "Pa" where no long waves were taken off
-    std::string key;     ///< of profile.json, with its unit
-    double value;        ///< mm where it is a height
-    bool is_height;      ///< shown in a unit of length that suits
-    std::string unit;    ///< of another
-    std::string meaning; ///< in a few words
-};
+using Parameter = rough::SurfaceParameter;
 
 /// A parameter's value with a unit that suits.
 std::string in_words(const Parameter& one);
 /// Parameters as lines of the terminal, heights in the unit that suits the largest, mm.
 void tell_parameters(const std::vector<Parameter>& all, double largest);
 
-/// A page about a surface, HTML: the parameters at 0, 1, 6 and 10 first, then two figures, all of them, and
+/// A page about a surface, HTML: the parameters named `tiles` first, then two figures, all parameters, and
 /// the files.
 struct SurfaceShown {
     std::string title;
     std::string account; ///< what was read and done
     std::vector<Parameter> parameters;
+    std::vector<std::string> tiles;
     Figure heights, curves;
-    std::string by;                              ///< which standard the parameters are of
-    std::vector<std::vector<Html>> further = {}; ///< rows behind the parameters
-    std::vector<std::string> files = {};         ///< beside the page
+    std::string by;                      ///< which standard the parameters are of
+    std::vector<std::string> files = {}; ///< beside the page
 };
 std::string surface_page(SurfaceShown shown);
-
-/// The set of ISO 21920-2 that profile.json holds. `is_roughness`: of a roughness profile.
-std::vector<Parameter> parameters(const rough::Roughness& roughness, bool is_roughness);
 
 /// The material ratio curve: shares of the nodes from 0 to 1, and the heights (mm) that they are higher
 /// than; of more nodes than 1001, that many shares.

@@ -3,7 +3,7 @@
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
-#include "domain/profile/areal.hpp"
+#include "domain/profile/roughness.hpp"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/design/front.hpp"
-#include "domain/profile/difference.hpp"
+#include "domain/profile/profile.hpp"
 #include "ga/run/context.hpp"
 
 #include <atomic>

@@ -6,7 +6,7 @@
 #include "domain/problem/drawn_start.hpp"
 #include "domain/problem/rows.hpp"
 #include "domain/problem/surface_descriptors.hpp"
-#include "domain/profile/difference.hpp"
+#include "domain/profile/profile.hpp"
 #include "domain/target/similarity.hpp"
 #include "domain/target/stiffness_limits.hpp"
 

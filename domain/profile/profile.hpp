@@ -2,6 +2,7 @@
 
 #include "domain/numerics/grid.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace rough {
@@ -23,5 +24,15 @@ struct Profile {
 inline Profile profile_of(const std::vector<double>& heights, double spacing) {
     return {Eigen::Map<const Eigen::VectorXd>(heights.data(), static_cast<Index>(heights.size())), spacing};
 }
+
+/// How much two profiles differ: 1 less the correlation coefficient of their heights, the better one of as
+/// they are and one of them mirrored end to end. 0 to 2; two designs count as different from 0.05 on.
+inline double difference(const Profile& left, const Profile& right) {
+    const Eigen::VectorXd a = left.heights.array() - left.heights.mean(),
+                          b = right.heights.array() - right.heights.mean();
+    const double both = a.norm() * b.norm();
+    return both > 0 ? 1 - std::max(a.dot(b), a.dot(b.reverse())) / both : 0;
+}
+constexpr double different = 0.05; ///< the least difference() of two designs that count as different
 
 } // namespace rough

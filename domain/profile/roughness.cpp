@@ -1,10 +1,12 @@
 #include "domain/profile/roughness.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "domain/profile/derivatives.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rough {
 namespace {
@@ -29,7 +31,123 @@ Profile evaluated(const Profile& profile, double section_length, Roughness& r) {
     return part;
 }
 
+/// A stretch that is a hill or a dale: where it begins on the mean line, in spacings, and its extreme height.
+struct Stretch {
+    double start;
+    double extreme;
+};
+
+/// From left to right: a hill or dale begins where the mean line was crossed last before it counts.
+std::vector<Stretch> stretches(const Eigen::VectorXd& z) {
+    const double hill = z.maxCoeff() / 10, dale = z.minCoeff() / 10;
+    std::vector<Stretch> found;
+    double crossed = 0;
+    int side = 0; // of the last stretch
+    for (Index i = 0; i < z.size(); ++i) {
+        if (i > 0 && (z[i] > 0) != (z[i - 1] > 0))
+            crossed = static_cast<double>(i - 1) + z[i - 1] / (z[i - 1] - z[i]);
+        const int now = z[i] > hill ? 1 : z[i] < dale ? -1 : 0;
+        if (now != 0 && now != side) {
+            found.push_back({crossed, z[i]});
+            side = now;
+        } else if (side * z[i] > 0 && std::abs(z[i]) > std::abs(found.back().extreme)) {
+            found.back().extreme = z[i];
+        }
+    }
+    return found;
+}
+
 } // namespace
+
+std::string SurfaceParameter::key() const {
+    std::string key = name;
+    std::replace(key.begin(), key.end(), ' ', '_');
+    return key + (unit == "mm"      ? "_mm"
+                  : unit == "1/mm"  ? "_per_mm"
+                  : unit == "mm²"   ? "_mm2"
+                  : unit == "1/mm²" ? "_per_mm2"
+                  : unit == "°"     ? "_degrees"
+                                    : "");
+}
+
+const SurfaceParameter& SurfaceParameters::row(std::string_view name) const {
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
+    if (found == rows.end())
+        refuse("surface parameter: ", name, " is not known; use one of those given");
+    return *found;
+}
+
+ProfileElements profile_elements(const Profile& profile) {
+    ProfileElements all;
+    double count = 0;
+    for (const bool backwards : {false, true}) {
+        const auto found = stretches(backwards ? profile.heights.reverse().eval() : profile.heights);
+        // The first may have begun before the profile does, the last may go on after it.
+        for (std::size_t i = 1; i + 2 < found.size(); i += 2) {
+            all.RSm += (found[i + 2].start - found[i].start) * profile.spacing;
+            all.Rc += std::abs(found[i].extreme - found[i + 1].extreme);
+            ++count;
+        }
+    }
+    if (count == 0)
+        count = std::numeric_limits<double>::quiet_NaN();
+    return {all.RSm / count, all.Rc / count};
+}
+
+double material_ratio(const Profile& profile, double level) {
+    const Eigen::VectorXd& z = profile.heights;
+    if (profile.is_2d())
+        return (z.array() > level).cast<double>().mean();
+    double sum = 0;
+    for (Index i = 1; i < z.size(); ++i) {
+        const double low = std::min(z[i], z[i - 1]), high = std::max(z[i], z[i - 1]);
+        sum += level <= low ? 1 : level >= high ? 0 : (high - level) / (high - low);
+    }
+    return sum / static_cast<double>(z.size() - 1);
+}
+
+double material_height(const Eigen::VectorXd& heights, double ratio) {
+    return quantile({heights.begin(), heights.end()}, 1 - ratio);
+}
+
+CoreHeights core_heights(const Eigen::VectorXd& heights) {
+    const Index n = heights.size();
+    if (n < 5)
+        refuse("material ratio curve: ", n, " nodes, expected 5 or more");
+    Eigen::VectorXd z = heights; // node i of the curve stands at (i + 1/2)/n
+    std::sort(z.begin(), z.end(), std::greater<>());
+    const double count = static_cast<double>(n);
+    const Index window = std::clamp<Index>(std::lround(0.4 * count), 2, n);
+    Index first = 0;
+    const double range = z[0] - z[n - 1];
+    for (Index i = 1; i + window <= n; ++i)
+        if (z[i] - z[i + window - 1] < z[first] - z[first + window - 1] - 1e-12 * range)
+            first = i;
+    const Eigen::VectorXd core = z.segment(first, window);
+    const Eigen::ArrayXd t =
+        Eigen::ArrayXd::LinSpaced(window, -1, 1) * (static_cast<double>(window - 1) / 2 / count);
+    const double slope = (t * core.array()).sum() / t.square().sum(); // per unit of share, <= 0
+    const double middle = (static_cast<double>(first) + static_cast<double>(window) / 2) / count;
+    const double upper = core.mean() - slope * middle, lower = upper + slope;
+
+    CoreHeights result;
+    result.Rk = upper - lower;
+    // Where the curve, straight between its nodes, crosses a level; areas beyond it, to the same accuracy.
+    const auto crossing = [&](double level) {
+        const Index above = std::lower_bound(z.begin(), z.end(), level, std::greater<>()) - z.begin();
+        if (above == 0 || above == n)
+            return static_cast<double>(above) / count;
+        const double part = (z[above - 1] - level) / (z[above - 1] - z[above]);
+        return (static_cast<double>(above) - 0.5 + part) / count;
+    };
+    result.Mr1 = crossing(upper), result.Mr2 = crossing(lower);
+    const double peaks = (z.array() - upper).max(0).sum() / count,
+                 valleys = (lower - z.array()).max(0).sum() / count;
+    result.Rpk = result.Mr1 > 0 ? 2 * peaks / result.Mr1 : 0;
+    result.Rvk = result.Mr2 < 1 ? 2 * valleys / (1 - result.Mr2) : 0;
+    return result;
+}
 
 Roughness roughness(const Profile& profile, double section_length) {
     if (profile.nodes() < fewest_nodes)
@@ -40,33 +158,52 @@ Roughness roughness(const Profile& profile, double section_length) {
         refuse("roughness: ", part.nodes(), " nodes in whole sections, expected at least ", fewest_nodes);
     const Eigen::VectorXd& heights = part.heights;
     const Eigen::ArrayXd z = heights.array();
-    r.Ra = z.abs().mean();
-    r.m0 = z.square().mean();
-    r.Rq = std::sqrt(r.m0);
-    if (!(r.Rq > 1e-14 * profile.heights.cwiseAbs().maxCoeff()))
+    const double m0 = z.square().mean(), Rq = std::sqrt(m0);
+    if (!(Rq > 1e-14 * profile.heights.cwiseAbs().maxCoeff()))
         throw InputError("roughness: the profile is constant, expected a rough one");
-    r.Rsk = z.cube().mean() / (r.Rq * r.m0);
-    r.Rku = z.square().square().mean() / (r.m0 * r.m0);
+    double Rp = 0, Rv = 0;
     for (Index s = 0; s < r.sections; ++s) {
         const Index from = heights.size() * s / r.sections, to = heights.size() * (s + 1) / r.sections;
-        r.Rp += heights.segment(from, to - from).maxCoeff() / static_cast<double>(r.sections);
-        r.Rv -= heights.segment(from, to - from).minCoeff() / static_cast<double>(r.sections);
+        Rp += heights.segment(from, to - from).maxCoeff() / static_cast<double>(r.sections);
+        Rv -= heights.segment(from, to - from).minCoeff() / static_cast<double>(r.sections);
     }
-    r.Rz = r.Rp + r.Rv;
-    r.Rt = z.maxCoeff() - z.minCoeff();
-    r.Rmr = material_ratio(part, 0);
-    r.elements = profile_elements(part);
-    r.core = core_heights(heights);
+    const ProfileElements elements = profile_elements(part);
+    const CoreHeights core = core_heights(heights);
     const Derivatives slopes = derivatives(part);
-    r.m2 = slopes.x.square().mean();
-    r.m4 = slopes.xx.square().mean();
-    r.Rdq = std::sqrt(r.m2);
-    r.rms_curvature = std::sqrt(r.m4);
-    r.bandwidth = r.m0 * r.m4 / (r.m2 * r.m2);
-    if (!std::isfinite(r.Rsk + r.Rku + r.m2 + r.m4 + r.bandwidth))
+    const double m2 = slopes.x.square().mean(), m4 = slopes.xx.square().mean(),
+                 bandwidth = m0 * m4 / (m2 * m2);
+    const double Rsk = z.cube().mean() / (Rq * m0), Rku = z.square().square().mean() / (m0 * m0);
+    if (!std::isfinite(Rsk + Rku + m2 + m4 + bandwidth))
         throw InputError(
             "roughness: its parameters do not fit double precision, expected heights and a length "
             "nearer to 1 mm");
+    const std::string of = r.sections > 1 ? ", mean of " + std::to_string(r.sections) + " sections" : "";
+    r.rows = {{"Ra", "mm", "arithmetic mean height", z.abs().mean()},
+              {"Rq", "mm", "root mean square height", Rq},
+              {"Rsk", "", "skewness", Rsk},
+              {"Rku", "", "kurtosis", Rku},
+              {"Rp", "mm", "highest peak" + of, Rp},
+              {"Rv", "mm", "deepest pit" + of, Rv},
+              {"Rz", "mm", "maximum height" + of, Rp + Rv},
+              {"Rt", "mm", "total height", z.maxCoeff() - z.minCoeff()},
+              {"Rc", "mm", "mean height of the profile elements", elements.Rc},
+              {"RSm", "mm", "mean width of the profile elements", elements.RSm},
+              {"Rdq", "", "root mean square slope", std::sqrt(m2)},
+              {"Rmr", "", "material ratio at the mean line", material_ratio(part, 0)},
+              {"Rk", "mm", "core height", core.Rk},
+              {"Rpk", "mm", "reduced peak height", core.Rpk},
+              {"Rvk", "mm", "reduced valley depth", core.Rvk},
+              {"Rmrk1", "", "material ratio above the core", core.Mr1},
+              {"Rmrk2", "", "material ratio above the valleys", core.Mr2}};
+    if (!(section_length > 0))
+        for (SurfaceParameter& row : r.rows)
+            row.name[0] = 'P';
+    r.rows.insert(r.rows.end(),
+                  {{"rms curvature", "1/mm", "root mean square second derivative", std::sqrt(m4)},
+                   {"m0", "mm²", "spectral moments, from the nodes", m0},
+                   {"m2", "", "", m2},
+                   {"m4", "1/mm²", "", m4},
+                   {"bandwidth", "", "Nayak's alpha, m0 m4/m2²", bandwidth}});
     return r;
 }
 

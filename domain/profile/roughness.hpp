@@ -1,39 +1,104 @@
 #pragma once
 
-#include "domain/profile/elements.hpp"
-#include "domain/profile/material_ratio.hpp"
+#include "domain/profile/profile.hpp"
 
+#include <string>
+#include <string_view>
+
+/// @file
+/// Parameters of profiles (ISO 21920-2:2021, ISO 4287) and of areal maps (ISO 25178-2:2021). Integrals are
+/// means over the nodes.
 namespace rough {
 
-/// Parameters of a sampled profile about its mean line (ISO 21920-2:2021, ISO 4287). Their names are those of
-/// a roughness profile, the waves over lambda_c taken off; of a profile without, they are Pa, Pq and so on.
-/// Integrals are means over the nodes.
-struct Roughness {
-    double section_length = 0; ///< mm
-    Index sections = 1;        ///< whole section lengths, which together are the evaluation length
-    double Ra = 0;             ///< arithmetic mean height, mm
-    double Rq = 0;             ///< root mean square height, mm
-    double Rsk = 0;            ///< skewness
-    double Rku = 0;            ///< kurtosis, 3 for Gaussian heights
-    double Rp = 0;             ///< largest height: mean over the sections of the highest peak, mm
-    double Rv = 0;             ///< largest depth: mean over the sections of the deepest pit, mm
-    double Rz = 0;             ///< maximum height: Rp + Rv, mm
-    double Rt = 0;             ///< total height: highest to lowest, mm
-    double Rmr = 0;            ///< material ratio at the mean line, 0 to 1
-    ProfileElements elements;  ///< RSm and Rc
-    CoreHeights core;          ///< Rk, Rpk, Rvk, Mr1, Mr2
-    double Rdq = 0;            ///< root mean square gradient, by the seven-point formula
-    double rms_curvature = 0;  ///< root mean square second derivative, by the seven-point formula, 1/mm
-    double m0 =
-        0; ///< spectral moments: mean squares of height (mm^2), gradient and second derivative (1/mm^2);
-    double m2 = 0; ///< the integral of q^n C(q) over wave numbers q, rad/mm, for n = 0, 2, 4 (Nayak 1971)
-    double m4 = 0; ///< as m0 and m2, n = 4, 1/mm^2
-    double bandwidth = 0; ///< Nayak's alpha = m0 m4/m2^2, at least 1
+/// One parameter of a surface.
+struct SurfaceParameter {
+    std::string name;    ///< "Ra", "Sdq"
+    std::string unit;    ///< "mm", "1/mm", "mm²", "1/mm²", "°" or ""
+    std::string meaning; ///< in a few words
+    double value = 0;    ///< in its unit; NaN if the surface has none
+
+    /// Name and unit as a key of JSON: "Ra_mm", "m4_per_mm2", "Std_degrees".
+    std::string key() const;
 };
 
+/// The parameters of a surface, in the order of the standard.
+struct SurfaceParameters {
+    std::vector<SurfaceParameter> rows; ///< one per parameter
+
+    /// The row of that name. Throws InputError if there is none.
+    const SurfaceParameter& row(std::string_view name) const;
+    /// The value of that name. Throws InputError if there is none.
+    double operator[](std::string_view name) const { return row(name).value; }
+};
+
+/// Parameters of a sampled profile about its mean line: Ra, Rq, Rsk, Rku, Rp, Rv, Rz, Rt, Rc, RSm, Rdq, Rmr,
+/// Rk, Rpk, Rvk, Rmrk1, Rmrk2, or with P in place of R if the whole profile is one section, for then no
+/// wavelengths over lambda_c were removed. Slopes and curvatures by the seven-point formula. Then rms
+/// curvature, the spectral moments m0, m2 and m4 (mean squares of height, slope and second derivative; Nayak
+/// 1971) and the bandwidth alpha = m0 m4/m2^2, at least 1.
+struct Roughness : SurfaceParameters {
+    double section_length = 0; ///< mm
+    Index sections = 1;        ///< whole section lengths, which together are the evaluation length
+};
 /// Of as many whole section lengths (mm: lambda_c of a roughness profile) as the profile has, in its middle;
-/// 0: the whole profile is one section. Throws InputError on fewer than ten nodes, fewer than two a section,
-/// a section longer than the profile, or a constant profile.
+/// 0: the whole profile is one section. Throws InputError on fewer than ten nodes, fewer than two per
+/// section, a section longer than the profile, or a constant profile.
 Roughness roughness(const Profile& profile, double section_length = 0);
+
+/// Rmr(c): the share of the length on which the profile, straight between its nodes, is higher than `level`
+/// (mm, from where the heights are counted). Smr(c) of an area: the share of its nodes.
+double material_ratio(const Profile& profile, double level);
+
+/// Smc(mr) of an area (ISO 25178-2): the height (mm, from where the heights are counted) that a share `ratio`
+/// of the nodes, 0 to 1, exceeds, straight between them: the inverse of Smr(c).
+double material_height(const Eigen::VectorXd& heights, double ratio);
+
+/// Parameters of the material ratio curve (ISO 21920-2; ISO 13565-2): the line of least squares through the
+/// flattest 40 % of the curve parts peaks, core and valleys. Of several equally flat regions the first.
+struct CoreHeights {
+    double Rk = 0;  ///< core height, mm
+    double Rpk = 0; ///< reduced peak height, mm: of a triangle as large as the peaks above the core
+    double Rvk = 0; ///< reduced valley depth, mm
+    double Mr1 = 0; ///< share of material at the core's upper limit, 0 to 1
+    double Mr2 = 0; ///< at its lower limit
+};
+/// From the heights at even nodes, five or more.
+CoreHeights core_heights(const Eigen::VectorXd& heights);
+
+/// Profile elements: a hill that rises above a tenth of the largest height and a dale that falls under a
+/// tenth of the largest depth, one after the other, from one crossing of the mean line to the next but one
+/// (ISO 21920-2: crossing-the-line segmentation, gone through from both ends).
+struct ProfileElements {
+    double RSm = 0; ///< mean width, mm; NaN if there is no whole element
+    double Rc = 0;  ///< mean height, hill to dale, mm
+};
+/// Of a profile about its mean line: heights (mm) whose mean is 0.
+ProfileElements profile_elements(const Profile& profile);
+
+/// How the waves of an area lie (ISO 25178-2).
+struct Texture {
+    /// autocorrelation length, mm: how far away, in the direction of fastest decay, the autocorrelation has
+    /// fallen to 0.2; NaN if it does so nowhere within half of the area
+    double Sal = 0;
+    /// aspect ratio, 0 to 1: Sal over the same length in the direction of slowest decay. Near 0 one direction
+    /// carries the roughness, near 1 all are alike.
+    double Str = 0;
+    /// whether the slowest decay reaches beyond half of the area, so that Str is at most what is given
+    bool Str_is_bound = false;
+    double Std = 0; ///< direction of the lay, degrees from x towards y, 0 to 179: grooves run along it
+};
+/// Of a levelled map. `wraps`: it repeats; otherwise lags are averaged over the nodes that overlap, and the
+/// spectrum is taken under a Hann window. Directions are told apart by one degree. Throws InputError on fewer
+/// than four nodes along a side.
+Texture texture(const Profile& map, bool wraps = false);
+
+/// Parameters of a map about its mean plane: Sa, Sq, Ssk, Sku, Sp, Sv, Sz, Sdq and Sdr (by the seven-point
+/// formula), Sal, Str, Std, Smr (at the mean plane), Smc10 (the height that a tenth of the nodes exceed), Sk,
+/// Spk, Svk, Smrk1, Smrk2.
+struct ArealParameters : SurfaceParameters {
+    bool Str_is_bound = false; ///< as in Texture
+};
+/// Of a map whose form is removed. Throws InputError on fewer than ten nodes along a side and on a flat map.
+ArealParameters areal_parameters(const Profile& map, bool wraps = false);
 
 } // namespace rough

@@ -7,7 +7,6 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/problem/response.hpp"
-#include "domain/profile/areal.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/response/response.hpp"
 #include "domain/target/like.hpp"

@@ -8,7 +8,7 @@
 #include "apps/report/output.hpp"
 #include "apps/report/solids.hpp"
 #include "apps/report/units.hpp"
-#include "domain/profile/areal.hpp"
+#include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "domain/scan/x3p.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -60,15 +60,15 @@ MaterialRatios ratios_of(rough::Profile map, const Settings& settings) {
 
 /// The set that surface.json holds and what was asked for beside it.
 std::vector<Parameter> told(const rough::ArealParameters& areal, const MaterialRatios& ratios) {
-    std::vector<Parameter> all = parameters(areal);
+    std::vector<Parameter> all = areal.rows;
     for (const OnCurve& one : ratios.of_heights) {
         const Unit unit = length_unit(std::abs(one.height));
-        all.push_back({"Smr(" + brief(unit.factor * one.height, 4) + " " + unit.name + ")", "", one.ratio,
-                       false, "", "material ratio at this height over the mean plane"});
+        all.push_back({"Smr(" + brief(unit.factor * one.height, 4) + " " + unit.name + ")", "",
+                       "material ratio at this height over the mean plane", one.ratio});
     }
     for (const OnCurve& one : ratios.of_ratios)
-        all.push_back({"Smc(" + brief(100 * one.ratio, 4) + " %)", "", one.height, true, "",
-                       "height that this share of the area exceeds"});
+        all.push_back({"Smc(" + brief(100 * one.ratio, 4) + " %)", "mm",
+                       "height that this share of the area exceeds", one.height});
     return all;
 }
 
@@ -85,14 +85,12 @@ nlohmann::json numbers_of(const rough::Profile& map, const rough::ArealParameter
     const auto cut_off = [&](const char* name) {
         return settings.has(name) ? nlohmann::json(settings.positive(name)) : nullptr;
     };
-    nlohmann::json numbers{{"nodes", {columns, rows}},
-                           {"spacing_mm", {map.spacing, map.row_spacing}},
-                           {"lambda_s_mm", cut_off("lambda-s")},
-                           {"lambda_c_mm", cut_off("lambda-c")},
-                           {"Str_is_bound", areal.texture.Str_is_bound},
-                           {"version", RUGOSA_VERSION}};
-    for (const Parameter& one : parameters(areal))
-        numbers[one.key] = one.value;
+    nlohmann::json numbers{
+        {"nodes", {columns, rows}},           {"spacing_mm", {map.spacing, map.row_spacing}},
+        {"lambda_s_mm", cut_off("lambda-s")}, {"lambda_c_mm", cut_off("lambda-c")},
+        {"Str_is_bound", areal.Str_is_bound}, {"version", RUGOSA_VERSION}};
+    for (const Parameter& one : areal.rows)
+        numbers[one.key()] = one.value;
     if (settings.has("smr"))
         numbers["Smr_of_heights"] = curve_json(ratios.of_heights);
     if (settings.has("smc"))
@@ -142,7 +140,7 @@ int profile_map(const Settings& settings, const rough::Extrusion& extrusion) {
     }
     write_json(out.path() / "surface.json", numbers_of(map, areal, ratios, settings));
     say(measured ? source.string() + ": " + read.account : read.account);
-    tell_parameters(all, areal.Sz);
+    tell_parameters(all, areal["Sz"]);
     say("written to " + out.path().string());
     return 0;
 }

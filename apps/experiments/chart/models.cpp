@@ -2,7 +2,7 @@
 
 #include "apps/experiments/contact_trial.hpp"
 #include "domain/errors.hpp"
-#include "domain/profile/areal.hpp"
+#include "domain/profile/roughness.hpp"
 #include "domain/theory/realisation.hpp"
 #include "domain/theory/theory.hpp"
 

@@ -6,7 +6,7 @@
 #include "domain/mwm/genome_json.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/problem/pipeline.hpp"
-#include "domain/profile/difference.hpp"
+#include "domain/profile/profile.hpp"
 #include "domain/text/json.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/text/refinement_vocabulary.hpp"

@@ -4,7 +4,7 @@
 #include "apps/experiments/study.hpp"
 #include "apps/report/units.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/profile/difference.hpp"
+#include "domain/profile/profile.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -63,15 +63,15 @@ std::vector<SurfaceFeature> features_of(const rough::Genome& genome, const rough
             "share of the surface above that depth of the height range",
             static_cast<double>((z.array() > highest - depth * range).count()) /
                 static_cast<double>(z.size()));
-    add("mean depth", "of the mean line under the top, over the height range", about.Rp / range);
-    add("Rq", "over the height range", about.Rq / range);
-    add("skewness", "of the heights", about.Rsk);
-    add("kurtosis", "of the heights", about.Rku);
+    add("mean depth", "of the mean line under the top, over the height range", about["Pp"] / range);
+    add("Rq", "over the height range", about["Pq"] / range);
+    add("skewness", "of the heights", about["Psk"]);
+    add("kurtosis", "of the heights", about["Pku"]);
     add("slope", "log10 of the rms slope times L over the height range",
-        std::log10(about.Rdq * model.grid.length / range));
+        std::log10(about["Pdq"] * model.grid.length / range));
     add("curvature", "log10 of the rms curvature times L² over the height range",
-        std::log10(about.rms_curvature * model.grid.length * model.grid.length / range));
-    add("bandwidth", "log10 of Nayak's alpha", std::log10(about.bandwidth));
+        std::log10(about["rms curvature"] * model.grid.length * model.grid.length / range));
+    add("bandwidth", "log10 of Nayak's alpha", std::log10(about["bandwidth"]));
     std::array<double, wave_octaves> power{};
     double all = 0;
     for (const rough::Wave& wave : waves(genome)) {

@@ -1,5 +1,6 @@
 #include "apps/python/module/python.hpp"
-#include "apps/report/map_page.hpp"
+#include "domain/profile/roughness.hpp"
+#include "domain/profile/spectrum.hpp"
 #include "domain/scan/map.hpp"
 
 #include <pybind11/numpy.h>
@@ -54,22 +55,10 @@ py::object as_python(Profile surface) {
 
 namespace {
 
-py::dict in_dictionary(const std::vector<app::Parameter>& parameters) {
+py::dict in_dictionary(const rough::SurfaceParameters& parameters) {
     py::dict all;
-    for (const app::Parameter& one : parameters)
-        all[py::str(one.name)] = one.value;
-    return all;
-}
-
-py::dict parameters_of(const Profile& profile) {
-    const rough::Roughness r = roughness(profile);
-    py::dict all = in_dictionary(app::parameters(r, false));
-    for (const auto& [name, value] : {std::pair{"rms_curvature", r.rms_curvature},
-                                      {"m0", r.m0},
-                                      {"m2", r.m2},
-                                      {"m4", r.m4},
-                                      {"bandwidth", r.bandwidth}})
-        all[name] = value;
+    for (const rough::SurfaceParameter& one : parameters.rows)
+        all[py::str(one.name == "rms curvature" ? "rms_curvature" : one.name)] = one.value;
     return all;
 }
 
@@ -92,8 +81,9 @@ void add_profile(py::module_& module) {
             py::return_value_policy::reference_internal, "N heights, mm: a read-only view.")
         .def_readonly("spacing", &Profile::spacing, "Distance of the nodes, mm.")
         .def_property_readonly("nodes", &Profile::nodes, "How many.")
-        .def("roughness", &parameters_of,
-             "Pa, Pq, Pz, ... (ISO 21920-2; heights in mm), spectral moments and bandwidth.")
+        .def(
+            "roughness", [](const Profile& profile) { return in_dictionary(roughness(profile)); },
+            "Pa, Pq, Pz, ... (ISO 21920-2; heights in mm), spectral moments and bandwidth.")
         .def(
             "spectrum",
             [](const Profile& profile) {
@@ -139,7 +129,7 @@ void add_profile(py::module_& module) {
         .def(
             "roughness",
             [](const Surface& surface, bool wraps) {
-                return in_dictionary(app::parameters(areal_parameters(surface, wraps)));
+                return in_dictionary(areal_parameters(surface, wraps));
             },
             py::arg("wraps") = false,
             "Sa, Sq, Sdq, Sal, Str, ... (ISO 25178-2; lengths in mm) about the mean plane; wraps: it "

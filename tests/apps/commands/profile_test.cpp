@@ -42,9 +42,9 @@ TEST_CASE("a genome's profile comes out as heights, solid, pictures, roughness a
         CHECK(heights[i][1] == profile.heights[rough::Index(i)]);
     }
     const auto numbers = nlohmann::json::parse(rough::read_whole(out / "profile.json"));
-    CHECK(numbers["Pz_mm"].get<double>() == roughness(profile).Rz);
+    CHECK(numbers["Pz_mm"].get<double>() == roughness(profile)["Pz"]);
     CHECK(numbers["PSm_mm"].is_null()); // one long wave has no whole element
-    CHECK(numbers["Pk_mm"].get<double>() == roughness(profile).core.Rk);
+    CHECK(numbers["Pk_mm"].get<double>() == roughness(profile)["Pk"]);
     CHECK_FALSE(numbers.contains("Ra_mm"));
     CHECK(numbers["lambda_c_mm"].is_null());
     CHECK(rough::read_scan(out / "profile.x3p", {.detrend = rough::Detrend::none})
@@ -57,7 +57,7 @@ TEST_CASE("a genome's profile comes out as heights, solid, pictures, roughness a
     for (const char* part : {"href=\"profile.3mf\"", "href=\"profile.json\"",
                              "<td data-label=\"Parameter\">Pa</td>", "A primary profile", "class=\"unseen\""})
         CHECK_THAT(page, Catch::Contains(part));
-    CHECK(numbers["m4_per_mm2"].get<double>() == roughness(profile).m4);
+    CHECK(numbers["m4_per_mm2"].get<double>() == roughness(profile)["m4"]);
     CHECK(numbers["m2"].get<double>() == Approx(numbers["series"]["m2"].get<double>()).epsilon(0.5));
     CHECK(rows_of(out / "lines.csv", "wave_number_rad_per_mm,power_mm2").size() == 3);
     CHECK(rows_of(out / "spectrum.csv", "wave_number_rad_per_mm,density_mm3")[17][1] ==

@@ -2,7 +2,7 @@
 #include "domain/mwm/genome_json.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/problem/problem.hpp"
-#include "domain/profile/difference.hpp"
+#include "domain/profile/profile.hpp"
 #include "tests/apps/experiments/finished.hpp"
 
 #include <numbers>

@@ -1,9 +1,9 @@
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
-#include "domain/profile/areal.hpp"
 #include "domain/profile/derivatives.hpp"
 #include "domain/profile/detrend.hpp"
 #include "domain/profile/filter.hpp"
+#include "domain/profile/roughness.hpp"
 #include "domain/profile/solid.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "tests/domain/contact/maps.hpp"
@@ -32,19 +32,19 @@ Profile wave(int along_x, int along_y, Index n = 128) {
 TEST_CASE("a wave on an area has the heights of textbooks", "[areal]") {
     const ArealParameters s = areal_parameters(wave(4, 0, 160), true);
     const double k = 8 * pi;
-    CHECK(s.Sa == Approx(2 * a / pi).epsilon(4e-3));
-    CHECK(s.Sq == Approx(a / std::sqrt(2)).epsilon(1e-12));
-    CHECK(s.Ssk == Approx(0).margin(1e-10));
-    CHECK(s.Sku == Approx(1.5).epsilon(1e-10));
-    CHECK(s.Sp == Approx(a).epsilon(1e-10));
-    CHECK(s.Sv == Approx(a).epsilon(1e-3));
-    CHECK(s.Sz == s.Sp + s.Sv);
-    CHECK(s.Sdq == Approx(a * k / std::sqrt(2)).epsilon(1e-5));
+    CHECK(s["Sa"] == Approx(2 * a / pi).epsilon(4e-3));
+    CHECK(s["Sq"] == Approx(a / std::sqrt(2)).epsilon(1e-12));
+    CHECK(s["Ssk"] == Approx(0).margin(1e-10));
+    CHECK(s["Sku"] == Approx(1.5).epsilon(1e-10));
+    CHECK(s["Sp"] == Approx(a).epsilon(1e-10));
+    CHECK(s["Sv"] == Approx(a).epsilon(1e-3));
+    CHECK(s["Sz"] == s["Sp"] + s["Sv"]);
+    CHECK(s["Sdq"] == Approx(a * k / std::sqrt(2)).epsilon(1e-5));
     // mean of sqrt(1 + g^2) - 1 for g = a k sin: g^2/4 - 3 g^4/64
     const double g = a * k;
-    CHECK(s.Sdr == Approx(g * g / 4 - 3 * std::pow(g, 4) / 64).epsilon(1e-4));
-    CHECK(s.Smr == Approx(0.5).margin(0.03));
-    CHECK(s.Smc10 == Approx(a * std::cos(pi / 10)).epsilon(2e-2));
+    CHECK(s["Sdr"] == Approx(g * g / 4 - 3 * std::pow(g, 4) / 64).epsilon(1e-4));
+    CHECK(s["Smr"] == Approx(0.5).margin(0.03));
+    CHECK(s["Smc10"] == Approx(a * std::cos(pi / 10)).epsilon(2e-2));
 }
 
 TEST_CASE("heights count upwards from the mean plane, depths downwards, as ISO 25178-2 has them", "[areal]") {
@@ -53,22 +53,22 @@ TEST_CASE("heights count upwards from the mean plane, depths downwards, as ISO 2
     const Profile pits = map_of({20, 20}, 0.1, 0.1,
                                 [](double x, double) { return std::lround(10 * x) % 10 == 3 ? 1 : 1.009; });
     const ArealParameters s = areal_parameters(pits);
-    CHECK(s.Sp == Approx(0.0009).epsilon(1e-9));
-    CHECK(s.Sv == Approx(0.0081).epsilon(1e-9)); // a depth is positive
-    CHECK(s.Sz == Approx(0.009).epsilon(1e-9));
-    CHECK(s.Sa == Approx(2 * 0.9 * 0.0009).epsilon(1e-9));
-    CHECK(s.Sq == Approx(0.009 * 0.3).epsilon(1e-9));
-    CHECK(s.Ssk == Approx((0.1 - 0.9) / 0.3).epsilon(1e-9)); // pits: negative
-    CHECK(s.Sku == Approx((1 - 3 * 0.09) / 0.09).epsilon(1e-9));
-    CHECK(s.Smr == Approx(0.9));
-    CHECK(s.Smc10 == Approx(0.0009).epsilon(1e-9));
+    CHECK(s["Sp"] == Approx(0.0009).epsilon(1e-9));
+    CHECK(s["Sv"] == Approx(0.0081).epsilon(1e-9)); // a depth is positive
+    CHECK(s["Sz"] == Approx(0.009).epsilon(1e-9));
+    CHECK(s["Sa"] == Approx(2 * 0.9 * 0.0009).epsilon(1e-9));
+    CHECK(s["Sq"] == Approx(0.009 * 0.3).epsilon(1e-9));
+    CHECK(s["Ssk"] == Approx((0.1 - 0.9) / 0.3).epsilon(1e-9)); // pits: negative
+    CHECK(s["Sku"] == Approx((1 - 3 * 0.09) / 0.09).epsilon(1e-9));
+    CHECK(s["Smr"] == Approx(0.9));
+    CHECK(s["Smc10"] == Approx(0.0009).epsilon(1e-9));
     Profile peaks = pits; // the same upside down
     peaks.heights *= -1;
     const ArealParameters turned = areal_parameters(peaks);
-    CHECK(turned.Ssk == Approx(-s.Ssk));
-    CHECK(turned.Sp == Approx(s.Sv));
-    CHECK(turned.Sv == Approx(s.Sp));
-    CHECK(turned.Smr == Approx(0.1));
+    CHECK(turned["Ssk"] == Approx(-s["Ssk"]));
+    CHECK(turned["Sp"] == Approx(s["Sv"]));
+    CHECK(turned["Sv"] == Approx(s["Sp"]));
+    CHECK(turned["Smr"] == Approx(0.1));
 }
 
 TEST_CASE("the share that exceeds a height and the height that a share exceeds are each other's inverse",
@@ -95,8 +95,8 @@ TEST_CASE("a plane has its own gradient and area, and is levelled to nothing", "
     CHECK((of.x - 2).abs().maxCoeff() < 1e-11);
     CHECK((of.y + 1).abs().maxCoeff() < 1e-11);
     const ArealParameters s = areal_parameters(plane);
-    CHECK(s.Sdq == Approx(std::sqrt(5)));
-    CHECK(s.Sdr == Approx(std::sqrt(6) - 1));
+    CHECK(s["Sdq"] == Approx(std::sqrt(5)));
+    CHECK(s["Sdr"] == Approx(std::sqrt(6) - 1));
     CHECK(detrended(plane, Detrend::line).cwiseAbs().maxCoeff() < 1e-12);
     CHECK(detrended(plane, Detrend::mean).sum() == Approx(0).margin(1e-10));
 }
