@@ -16,6 +16,7 @@ const std::vector<Command>& commands() {
         {"design", "find a rough profile that answers as a target asks", design},
         {"database", "keep genomes and their responses in a file, and ask it for a target", database},
         {"run", "run an experiment (.ini): design surfaces and report on them", run},
+        {"report", "render the page of a result folder again", report},
         {"optimise", "optimise what a program in any language evaluates", optimise},
         {"compare", "compare pipelines on problems with known answers", compare},
         {"operators", "list what text pipelines are made of", operators},

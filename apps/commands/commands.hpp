@@ -22,6 +22,7 @@ int contact(const Words& words);
 int design(const Words& words);
 int database(const Words& words);
 int profile(const Words& words);
+int report(const Words& words);
 int run(const Words& words);
 int target(const Words& words);
 int stability(const Words& words);

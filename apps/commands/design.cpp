@@ -83,7 +83,7 @@ int design(const Words& words) {
         return 0;
     const Settings settings = read_command_line(words, design_settings());
     DesignRun run = design_from(settings);
-    run.origin = {RUGOSA_VERSION, command_line("design", words), run.options.seed,
+    run.origin = {"design", RUGOSA_VERSION, command_line("design", words), run.options.seed,
                   ga::thread_count(run.options.threads)};
     const bool resume = settings.is_on("resume");
     if (resume && !settings.has("out"))

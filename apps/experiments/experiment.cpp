@@ -3,6 +3,7 @@
 #include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/verbosity.hpp"
 #include "apps/report/output.hpp"
+#include "apps/report/render.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -60,7 +61,8 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
     Findings found;
     {
         Progress progress;
-        const Origin origin{RUGOSA_VERSION, request.command, settings.seed("experiment.seed"),
+        const Origin origin{experiment.kind, RUGOSA_VERSION, request.command,
+                            settings.seed("experiment.seed"),
                             ga::thread_count(settings.threads("experiment.threads"))};
         found = experiment.run(
             settings, {origin, progress, interrupt.flag(), folder, request.resume, in_one(settings)});
@@ -70,7 +72,8 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
         const bool goes_on = interrupt.asked() && experiment.resumes;
         if (found.write && request.pictures && !goes_on) {
             progress.show("report");
-            rough::write_atomically(folder / request.page, found.page());
+            rough::write_atomically(folder / request.page,
+                                    found.page ? found.page() : render(page_source(folder)));
         }
         if (experiment.resumes && !goes_on)
             std::filesystem::remove_all(folder / "checkpoints");

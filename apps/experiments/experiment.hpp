@@ -25,10 +25,10 @@ struct Conditions {
 
 /// What an experiment found, to be written once it has ended.
 struct Findings {
-    std::function<void()> write;       ///< result.json and tables to the folder; none: nothing was found
-    std::function<std::string()> page; ///< the report, other pictures beside it. Needs gnuplot
-    std::string summary = "";          ///< in one line, for the end
-    int code = 0;                      ///< exit code of the program
+    std::function<void()> write;            ///< result.json and tables to the folder; none: nothing was found
+    std::function<std::string()> page = {}; ///< the report; none: the template of the kind renders the folder
+    std::string summary = "";               ///< in one line, for the end
+    int code = 0;                           ///< exit code of the program
 };
 
 /// A kind of experiment.

@@ -14,6 +14,7 @@ namespace app {
 
 /// What it takes to repeat a run.
 struct Origin {
+    std::string kind;             ///< of the result: names the template of its page
     std::string version, command; ///< the command as it was typed
     std::uint64_t seed = 1;
     int threads = 1;

@@ -95,7 +95,8 @@ json target_json(const rough::Target& target) {
 
 json origin_json(const Origin& origin) {
     const rough::Build build = rough::build();
-    return {{"version", origin.version},
+    return {{"kind", origin.kind},
+            {"version", origin.version},
             {"build", {{"compiler", build.compiler}, {"flags", build.flags}, {"vectors", build.vectors}}},
             {"command", origin.command},
             {"seed", origin.seed},

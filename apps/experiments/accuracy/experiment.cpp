@@ -156,8 +156,7 @@ std::vector<Setting> accuracy_study_settings() {
 
 Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
     const auto run = std::make_shared<AccuracyRun>(AccuracyStudy(settings, conditions).run());
-    return {[run, folder = conditions.folder] { write_accuracy_study(*run, folder); },
-            [run] { return accuracy_page(*run); }};
+    return {[run, folder = conditions.folder] { write_accuracy_study(*run, folder); }};
 }
 
 } // namespace
@@ -166,7 +165,7 @@ Experiment accuracy_experiment() {
     return {.kind = "accuracy",
             .summary = "what accuracy costs, and what is gained by modelling no more than an answer needs",
             .settings = accuracy_study_settings(),
-            .files = {"savings.csv", "budget.csv"},
+            .files = {"savings.csv", "medians.csv", "coverage.csv", "budget.csv"},
             .run = run_accuracy};
 }
 

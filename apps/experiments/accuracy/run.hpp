@@ -23,6 +23,7 @@ struct SavingRow {
     std::size_t dropped = 0; ///< chromosomes left out
 
     bool covered() const { return true_error <= estimated_error; }
+    double saving() const { return resolved_seconds / seconds; }
 };
 
 struct AccuracyRun {
@@ -34,10 +35,7 @@ struct AccuracyRun {
     double seconds = 0;
 };
 
-/// Writes result.json, savings.csv and budget.csv.
+/// Writes result.json, savings.csv, medians.csv, coverage.csv and budget.csv.
 void write_accuracy_study(const AccuracyRun& run, const std::filesystem::path& folder);
-
-/// The report as a web page.
-std::string accuracy_page(const AccuracyRun& run);
 
 } // namespace app

@@ -1,0 +1,11 @@
+# Writes the pages' templates and the figures' scripts into a C++ file of RUGOSA_TEMPLATES_SOURCE.
+file(GLOB TEMPLATE_FILES CONFIGURE_DEPENDS apps/report/templates/*.mustache apps/report/figures/*.gp)
+set(RUGOSA_TEMPLATES_SOURCE ${PROJECT_BINARY_DIR}/builtin.cpp)
+set(content "#include \"apps/report/builtin.hpp\"\n\nnamespace app {\nconst std::map<std::string, std::string>& builtin_files() {\n    static const std::map<std::string, std::string> files{\n")
+foreach(file ${TEMPLATE_FILES})
+    get_filename_component(name ${file} NAME)
+    file(READ ${file} text)
+    string(APPEND content "{\"${name}\", R\"~~~~(${text})~~~~\"},\n")
+endforeach()
+file(CONFIGURE OUTPUT ${RUGOSA_TEMPLATES_SOURCE} CONTENT "@content@};\n    return files;\n}\n} // namespace app\n" @ONLY)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${TEMPLATE_FILES})

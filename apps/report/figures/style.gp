@@ -1,0 +1,22 @@
+# The look of all figures. A colour stands for a meaning; the page replaces it by its own.
+# Another height: `eval sized(340)`.
+sized(height) = sprintf("set terminal svg size 480,%d dynamic rounded enhanced font 'Arial,14' name '%s'", height, figure)
+eval sized(300)
+set encoding utf8; set minussign
+set datafile separator comma; set datafile columnheaders; set datafile missing NaN
+set border 3 lc rgb "#010203" lw 0.8; set tics nomirror out scale 0.4; set samples 2
+set grid lc rgb "#808182" lw 0.3
+set key noenhanced tmargin left horizontal Left reverse samplen 1.6 spacing 1.1 width 2
+set xlabel offset 0,0.3
+blue = "#0072b2"; orange = "#e69f00"; green = "#009e73"; purple = "#cc79a7"; sky = "#56b4e9"; red = "#d55e00"
+ink = "#010203"; faint = "#808182"
+set linetype 1 lc rgb blue lw 2 pt 7 ps 0.6;    set linetype 2 lc rgb orange lw 2 pt 5 ps 0.6
+set linetype 3 lc rgb green lw 2 pt 9 ps 0.6;   set linetype 4 lc rgb purple lw 2 pt 13 ps 0.6
+set linetype 5 lc rgb sky lw 2 pt 7 ps 0.6;     set linetype 6 lc rgb red lw 2 pt 5 ps 0.6
+set linetype cycle 6
+set palette defined (0 "#352a87", 0.25 "#0f5cdd", 0.5 "#06a4ca", 0.75 "#b1be59", 1 "#f9fb0e") maxcolors 64
+# The unit in which the largest of some values (MPa, mm) is a number below 1000, and its factor.
+pressure_factor(m) = m < 1e-3 ? 1e6 : m < 1 ? 1e3 : m < 1e3 ? 1 : 1e-3
+pressure_unit(m) = m < 1e-3 ? "Pa" : m < 1 ? "kPa" : m < 1e3 ? "MPa" : "GPa"
+length_factor(m) = m < 1e-3 ? 1e6 : m < 1 ? 1e3 : m < 1e3 ? 1 : 1e-3
+length_unit(m) = m < 1e-3 ? "nm" : m < 1 ? "µm" : m < 1e3 ? "mm" : "m"

@@ -1,0 +1,271 @@
+#include "apps/report/render.hpp"
+
+#include "apps/report/builtin.hpp"
+#include "apps/report/figure.hpp"
+#include "apps/report/units.hpp"
+#include "domain/errors.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "domain/text/json.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <deque>
+#include <kainjow/mustache.hpp>
+
+namespace app {
+
+namespace {
+
+using kainjow::mustache::data;
+using nlohmann::json;
+
+/// Begins the text of a number with a fraction, which `Context` formats.
+constexpr char number_mark = '\x01';
+
+bool holds_objects(const json& value) {
+    return value.is_object() && !value.empty() &&
+           std::all_of(value.begin(), value.end(), [](const json& one) { return one.is_object(); });
+}
+
+/// Mustache's data of a value. An empty text and null are false. An object of objects stands a second time as
+/// the list `items` of its entries.
+data mustache_data(const json& value) {
+    if (value.is_object()) {
+        data object(data::type::object);
+        for (const auto& [key, one] : value.items())
+            object.set(key, mustache_data(one));
+        if (holds_objects(value)) {
+            data items(data::type::list);
+            for (const auto& [key, one] : value.items()) {
+                data item = mustache_data(one);
+                item.set("key", key);
+                items << item;
+            }
+            object.set("|items", items);
+        }
+        return object;
+    }
+    if (value.is_array()) {
+        data list(data::type::list);
+        for (const json& one : value) {
+            data item = mustache_data(one);
+            if (item.is_object() && !item.get("row"))
+                item.set("row", std::to_string(1 + list.list_value().size()));
+            list << item;
+        }
+        return list;
+    }
+    if (value.is_number_float())
+        return number_mark + value.dump();
+    if (value.is_string() && !value.get_ref<const std::string&>().empty())
+        return value.get<std::string>();
+    return value.is_number() ? data(value.dump()) : data(value.is_boolean() && value.get<bool>());
+}
+
+std::optional<double> number_in(const std::string& text) {
+    const char* const begin = text.data() + text.starts_with(number_mark);
+    const char* const end = text.data() + text.size();
+    double value = 0;
+    const auto parsed = std::from_chars(begin, end, value);
+    return parsed.ec == std::errc() && parsed.ptr == end && begin != end ? std::optional(value)
+                                                                         : std::nullopt;
+}
+
+/// The cells of a CSV text as `Csv` writes them, row by row.
+std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
+    std::vector<std::vector<std::string>> rows;
+    bool quoted = false, begins = true;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (begins)
+            rows.push_back({""});
+        begins = !quoted && c == '\n';
+        if (c == '"' && quoted && i + 1 < text.size() && text[i + 1] == '"')
+            rows.back().back() += text[++i];
+        else if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            rows.back().emplace_back();
+        else if (!begins)
+            rows.back().back() += c;
+    }
+    return rows;
+}
+
+/// A table as a list of rows; whole numbers stay as written.
+json table_json(const std::filesystem::path& file) {
+    json table = json::array();
+    const auto rows = csv_rows(rough::read_whole(file));
+    for (std::size_t r = 1; r < rows.size(); ++r) {
+        json row = json::object();
+        for (std::size_t c = 0; c < std::min(rows[0].size(), rows[r].size()); ++c) {
+            const std::string& cell = rows[r][c];
+            const auto number = number_in(cell);
+            const bool whole = cell.find_first_not_of("-0123456789") == std::string::npos;
+            row[rows[0][c]] = number && !whole ? json(*number) : json(cell);
+        }
+        table.push_back(std::move(row));
+    }
+    return table;
+}
+
+/// The text of a template or script: the user's own if the folder has it, else the built-in one.
+std::string file_text(const std::string& name, const Rendering& rendering) {
+    if (!rendering.templates.empty() && std::filesystem::exists(rendering.templates / name))
+        return rough::read_whole(rendering.templates / name);
+    const auto found = builtin_files().find(name);
+    if (found == builtin_files().end())
+        throw rough::InputError("report: there is no " + name +
+                                "; choose a folder of --templates that has it");
+    return found->second;
+}
+
+/// What the tags of a page are looked up in.
+class Context : public kainjow::mustache::context<std::string> {
+  public:
+    Context(const data& values, const PageSource& source, const Rendering& rendering)
+        : kainjow::mustache::context<std::string>(&values), source_(source), rendering_(rendering) {}
+
+    const data* get(const std::string& name) const override {
+        const std::size_t bar = name.find('|');
+        const std::string key = name.substr(0, bar);
+        const std::string filter = bar == std::string::npos ? "" : name.substr(bar + 1);
+        const data* const value = key.starts_with("figures.")  ? figure(key.substr(8))
+                                  : key.starts_with("tables.") ? table(key.substr(7))
+                                                               : plain(key);
+        if (!value)
+            return nullptr;
+        if (filter == "items")
+            return value->get("|items");
+        if (filter == "some")
+            return value->is_false() || value->is_empty_list() ? nullptr : kept(data(true));
+        if (filter == "count")
+            return kept(data(std::to_string(value->is_list() ? value->list_value().size() : 1)));
+        return value->is_string() ? kept(filtered(value->string_value(), filter)) : value;
+    }
+
+    const data* get_partial(const std::string& name) const override {
+        return kept(data(file_text(name + ".mustache", rendering_)));
+    }
+
+  private:
+    const data* kept(data value) const { return &made_.emplace_back(std::move(value)); }
+    const data* plain(const std::string& key) const {
+        return kainjow::mustache::context<std::string>::get(key);
+    }
+
+    const data* table(const std::string& name) const {
+        if (const auto known = tables_.find(name); known != tables_.end())
+            return known->second;
+        const auto file = source_.folder / (source_.prefix + name + ".csv");
+        return tables_[name] =
+                   std::filesystem::exists(file) ? kept(mustache_data(table_json(file))) : nullptr;
+    }
+
+    const data* figure(const std::string& name) const {
+        const std::size_t colon = name.find(':');
+        std::string argument = colon == std::string::npos ? "" : name.substr(colon + 1);
+        if (argument.starts_with('@')) {
+            const data* const value = get(argument.substr(1));
+            argument = value && value->is_string() ? value->string_value() : "";
+        }
+        const std::string script = name.substr(0, colon) + ".gp";
+        return kept(data(figure_svg({.script = file_text(script, rendering_),
+                                     .style = file_text("style.gp", rendering_),
+                                     .tables = (source_.folder / source_.prefix).string(),
+                                     .argument = argument,
+                                     .name = "figure" + std::to_string(++figures_),
+                                     .seconds = rendering_.seconds})));
+    }
+
+    static data filtered(const std::string& text, const std::string& filter) {
+        const std::string word = filter.substr(0, filter.find(':'));
+        const std::string argument = word == filter ? "" : filter.substr(word.size() + 1);
+        if (word == "is")
+            return text == argument;
+        const auto number = number_in(text);
+        if (!number || (filter.empty() && text.front() != number_mark))
+            return text;
+        const auto in_unit = [&](const Unit& unit) {
+            return readable(unit.factor * *number, argument.empty() ? 3 : std::stoi(argument)) + " " +
+                   unit.name;
+        };
+        if (word == "above" || word == "below")
+            return word == "above" ? *number > std::stod(argument) : *number < std::stod(argument);
+        if (word == "length")
+            return in_unit(length_unit(*number));
+        if (word == "pressure")
+            return in_unit(pressure_unit(*number));
+        if (word == "percent")
+            return percent(*number, argument.empty() ? 3 : std::stoi(argument));
+        return word == "brief" ? brief(*number, argument.empty() ? 2 : std::stoi(argument))
+                               : readable(*number, word.empty() ? 3 : std::stoi(word));
+    }
+
+    const PageSource& source_;
+    const Rendering& rendering_;
+    mutable std::deque<data> made_; ///< keeps addresses
+    mutable std::map<std::string, const data*> tables_;
+    mutable int figures_ = 0;
+};
+
+std::string rendered(const std::string& name, kainjow::mustache::basic_context<std::string>& context,
+                     const Rendering& rendering) {
+    kainjow::mustache::mustache page(file_text(name, rendering));
+    const std::string text = page.is_valid() ? page.render(context) : "";
+    if (!page.is_valid())
+        throw rough::InputError(name + ": " + page.error_message() + "; correct the template");
+    return text;
+}
+
+/// The headings of a page that can be linked to, with their ids.
+json sections_of(const std::string& body) {
+    json sections = json::array();
+    const std::string begin = "<h2 id=\"";
+    for (std::size_t at = body.find(begin); at != std::string::npos; at = body.find(begin, at + 1)) {
+        const std::size_t id = at + begin.size(), quote = body.find('"', id),
+                          text = body.find('>', quote) + 1;
+        sections.push_back({{"id", body.substr(id, quote - id)},
+                            {"heading", body.substr(text, body.find("</h2>", text) - text)}});
+    }
+    return sections;
+}
+
+} // namespace
+
+std::string render(const PageSource& source, const Rendering& rendering) {
+    const std::string kind = source.values.value("kind", "");
+    const data values = mustache_data(source.values);
+    Context context(values, source, rendering);
+    const std::string body = rendered(kind + ".mustache", context, rendering);
+    // The contents stand between the head of the page and its first section.
+    const std::size_t title = body.find("<h1>"), first = std::min(body.find("<h2"), body.size());
+    const json sections = sections_of(body);
+    const json layout = {{"title", title == std::string::npos
+                                       ? kind
+                                       : body.substr(title + 4, body.find("</h1>", title) - title - 4)},
+                         {"sections", sections},
+                         {"has_sections", !sections.empty()},
+                         {"head", body.substr(0, first)},
+                         {"body", body.substr(first)}};
+    const data parts = mustache_data(layout);
+    Context around(parts, source, rendering);
+    return rendered("layout.mustache", around, rendering);
+}
+
+PageSource page_source(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / "result.json";
+    PageSource source{rough::parsed_json(rough::read_whole(file), file.string()), folder};
+    const json kind = source.values.is_object() ? source.values.value("kind", json()) : json();
+    if (!kind.is_string() ||
+        kind.get<std::string>().find_first_not_of("abcdefghijklmnopqrstuvwxyz-") != std::string::npos)
+        throw rough::InputError(file.string() +
+                                ": kind is missing or no kind of result; run the experiment again");
+    return source;
+}
+
+std::string page_name(const std::string& kind) {
+    return (kind == "chart" || kind == "stability" ? kind : "report") + ".html";
+}
+
+} // namespace app

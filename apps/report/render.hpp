@@ -1,0 +1,46 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace app {
+
+/// The values of a page and where the rest of it is.
+struct PageSource {
+    nlohmann::json values;        ///< result.json; its `kind` names the template
+    std::filesystem::path folder; ///< of the tables NAME.csv
+    std::string prefix = {};      ///< before the names of the tables, e.g. "curve-"
+};
+
+/// How pages are rendered.
+struct Rendering {
+    std::filesystem::path templates = {}; ///< folder of files used instead of the built-in ones; "": none
+    double seconds = 60;                  ///< for each picture, at most
+};
+
+/// Renders KIND.mustache of apps/report/templates: one self-contained page in light and dark.
+///
+/// A tag is looked up in the values, with these additions:
+/// - `{{#tables.NAME}}` repeats for each row of NAME.csv; a cell is found by the name of its column;
+/// - `{{{figures.NAME}}}` is the picture that apps/report/figures/NAME.gp draws from the tables. Behind a
+/// colon
+///   stands the script's variable `arg`: `figures.NAME:TEXT`, or `figures.NAME:@KEY` for a value;
+/// - `{{KEY|FILTER}}` formats a value. Numbers: `3` (digits, the default), `percent`, `brief`, `length` (from
+///   mm) and `pressure` (from MPa) with the unit that suits. Conditions for sections: `is:TEXT`, `above:X`,
+///   `below:X`. Lists and objects: `count`, `some` (a
+///   condition), and `items`, the entries of an object, each with its `key`. In a loop `row` is its number,
+///   from 1.
+///
+/// Throws rough::InputError if the kind has no template, a template cannot be parsed, or a table cannot be
+/// read.
+std::string render(const PageSource& source, const Rendering& rendering = {});
+
+/// The source of a result folder: result.json and its tables. Throws rough::InputError.
+PageSource page_source(const std::filesystem::path& folder);
+
+/// The name of the page of a result: "chart.html" and "stability.html" of these kinds, else "report.html".
+std::string page_name(const std::string& kind);
+
+} // namespace app
