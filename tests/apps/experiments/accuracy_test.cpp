@@ -1,4 +1,5 @@
 #include "apps/experiments/accuracy/run.hpp"
+#include "apps/report/render.hpp"
 #include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
@@ -57,26 +58,45 @@ TEST_CASE("an error is covered by an estimate that is no smaller, and the page c
         CHECK(row.covered() == (true_error <= 0.008));
         run.savings.push_back(row);
     }
-    const std::string page = accuracy_page(run);
+    run.origin.kind = "accuracy";
+    run.setup.targets.resize(1);
+    const Folder folder;
+    const auto page_of = [&] {
+        write_accuracy_study(run, folder.path());
+        return render(app::page_source(folder.path()));
+    };
+    const std::string page = page_of();
     const auto covered = page.find("60.0 %"), within = page.find("80.0 %"); // three of five, four of five
     CHECK(covered != std::string::npos);
     CHECK(within != std::string::npos);
     CHECK(covered < within);
-    CHECK(page.find(">2.00<") != std::string::npos);                    // the worst error over the accuracy
-    CHECK(page.find(">3.00<") != std::string::npos);                    // the saving
-    CHECK_THAT(page, Catch::Contains("smooth, full load: 0.01, 2000")); // milliseconds, under the pointer
-    CHECK_THAT(page, Catch::Contains("smooth, full load: 0.01, 3<"));   // the saving
-    Outline parts{"# What accuracy costs", "figure figure-1", "figure figure-2",
-                  "table Is the error what it is said to be?"};
+    CHECK(page.find(">2.00<") != std::string::npos); // the largest error over the accuracy
+    CHECK(page.find(">3.00<") != std::string::npos); // the saving
+    CHECK(rough::read_whole(folder / "medians.csv").ends_with("\nfree,smooth,full,0.01,2000,3\n"));
+    Outline parts{"# Time and accuracy of a curve",
+                  "table Accuracy that is requested, and errors that are found", "figure figure-1",
+                  "figure figure-2"};
     CHECK(outline(page) == parts);
     run.design.name = "default";
-    run.setup.targets.resize(1);
     run.budget = {{"model", "a datum", 0.01}, {"numerical", "the grid", 0.001}};
-    for (const char* part : {"# The error budget of a designed surface", "figure figure-3", "table "})
+    for (const char* part : {"# Error budget of a designed surface", "table ", "figure figure-3"})
         parts.push_back(part);
-    const std::string designed = accuracy_page(run);
-    CHECK(outline(designed) == parts);
-    const std::string budget = designed.substr(designed.find("id=\"figure-3\""));
-    for (const char* source : {">1</text>", ">2</text>"}) // by its number in the table
-        CHECK_THAT(budget, Catch::Contains(source));
+    CHECK(outline(page_of()) == parts);
+}
+
+TEST_CASE("a page escapes what a result says, and rendering a folder again gives the same page") {
+    const Folder folder;
+    folder.write("result.json", R"({"kind":"accuracy","command":"rugosa <script>","error_budget":[]})");
+    folder.write("coverage.csv", "accuracy,scenes,covered,within,worst_over_accuracy,median_saving\n");
+    folder.write("medians.csv", "kernel,surface,load,accuracy,milliseconds,saving\n");
+    const std::string page = render(app::page_source(folder.path()));
+    CHECK_THAT(page, Catch::Contains("rugosa &lt;script&gt;") && !Catch::Contains("<script"));
+    const Ended again = rugosa("report .", folder.path());
+    INFO(again.err);
+    CHECK(again.code == 0);
+    CHECK(rough::read_whole(folder / "report.html") == page);
+    folder.write("result.json", R"({"kind":"../accuracy"})");
+    const Ended refused = rugosa("report .", folder.path());
+    CHECK(refused.code == 2);
+    CHECK(refused.error_lines() == 1);
 }
