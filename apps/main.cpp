@@ -1,5 +1,7 @@
-#include "apps/cluster/crew.hpp"
+#include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
+#include "apps/commands/database/parts.hpp"
+#include "apps/experiments/compare/on_ranks.hpp"
 #include "apps/prompt/settings.hpp"
 #include "apps/prompt/verbosity.hpp"
 #include "domain/errors.hpp"
@@ -32,8 +34,7 @@ void print_help() {
            "  rugosa design --like SCAN.txt --seconds 10   a designed surface that behaves like it\n\n"
            "--quiet leaves out remarks and progress, --verbose adds details.\n"
            "mpirun -n R rugosa ... shares the work of design, run, compare and database build among R "
-           "processes "
-           "(where\nbuilt with MPI); --patience S, 10 by itself, is how many seconds one may be silent.\n"
+           "processes\n(where built with MPI).\n"
            "Exit codes: 0 done; 2 wrong use or bad input; 3 asked for more than was found; 130 "
            "interrupted.\n";
 }
@@ -124,7 +125,10 @@ int flushed(int code) {
 
 int run(app::Words words) {
     try {
-        app::crew::join(words);
+        if (app::cluster::join({{"designs", app::designs_under},
+                                {"responses", app::responses_under},
+                                {"races", app::races_under}}))
+            return 0;
         return flushed(dispatch(std::move(words)));
     } catch (...) {
         return told();
@@ -137,5 +141,7 @@ int main(int count, char** values) {
     std::set_terminate(end_at_once);
     std::signal(SIGPIPE, SIG_IGN); // a reader that goes ends no work
     std::signal(SIGXFSZ, SIG_IGN); // nor does a file that may not grow: writing it fails
-    return app::crew::leave(run({values + 1, values + count}));
+    const int code = run({values + 1, values + count});
+    app::cluster::leave(code);
+    return code;
 }

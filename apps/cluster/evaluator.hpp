@@ -1,12 +1,15 @@
 #pragma once
 
+#include "apps/cluster/cluster.hpp"
 #include "domain/problem/problem.hpp"
 #include "ga/run/evaluator.hpp"
 
 namespace app {
 
-/// Who makes the paid calls of designs on so many threads, 0 for all: this rank alone, or all of them. The
-/// bits are the same.
+/// Evaluates designs on so many threads (0: all) of every rank. The bits do not depend on the ranks.
 std::unique_ptr<ga::Evaluator<rough::DesignProblem>> design_evaluator(int threads);
+
+/// What each rank does for it, given a DesignSetup: outcomes of genomes, and derivatives.
+cluster::Work designs_under(const nlohmann::json& setup);
 
 } // namespace app

@@ -1,6 +1,6 @@
 #include "domain/database/build.hpp"
 
-#include "apps/cluster/crew.hpp"
+#include "apps/cluster/cluster.hpp"
 #include "apps/commands/database/parts.hpp"
 #include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/model_settings.hpp"
@@ -94,7 +94,7 @@ int database_build(const Words& words) {
     options.batch = static_cast<std::uint64_t>(settings.whole("batch", 1, 100000));
     options.first = static_cast<std::uint64_t>(settings.whole("first", 0, 1000000000000));
     options.threads = settings.threads("threads");
-    if (!crew::is_alone())
+    if (!cluster::is_alone())
         options.computing = computing_on_ranks(options.threads);
 
     rough::GenomeStore store = opened(settings);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/cluster/cluster.hpp"
 #include "apps/commands/commands.hpp"
 #include "domain/database/build.hpp"
 
@@ -13,5 +14,7 @@ int database_query(const Words& words);
 
 /// Responses computed on so many threads of every rank.
 rough::Computing computing_on_ranks(int threads);
+/// What each rank does for it: from a genome's number to its response.
+cluster::Work responses_under(const nlohmann::json& setting);
 
 } // namespace app

@@ -1,6 +1,6 @@
 #include "apps/experiments/experiment.hpp"
 
-#include "apps/cluster/crew.hpp"
+#include "apps/cluster/cluster.hpp"
 #include "apps/experiments/compare/contest.hpp"
 #include "apps/experiments/compare/on_ranks.hpp"
 #include "apps/prompt/model_settings.hpp"
@@ -187,7 +187,7 @@ void hold(Contest& contest, const Settings& settings, const Conditions& conditio
         conditions.progress.show(bout->problem.name + ": " + bout->variants[variant].first + ", run " +
                                  std::to_string(++ended) + " of " + std::to_string(places.size()));
     };
-    if (crew::is_alone())
+    if (cluster::is_alone())
         ga::parallel_for(places.size(), contest.origin.threads, [&](std::size_t i) {
             if (!conditions.stop)
                 take(i, raced(places[i].bout->problem, race_of(i)));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/cluster/cluster.hpp"
 #include "apps/experiments/compare/benchmarks.hpp"
 
 namespace app {
@@ -22,5 +23,7 @@ Reached raced(const Benchmark& problem, const CompareRun& run);
 void race_on_ranks(const std::optional<rough::DesignSetup>& roughness, int threads, std::size_t count,
                    const std::function<CompareRun(std::size_t)>& run_of,
                    const std::function<void(std::size_t, Reached)>& take);
+/// What each rank does for it: from a race to what it reached.
+cluster::Work races_under(const nlohmann::json& setting);
 
 } // namespace app
