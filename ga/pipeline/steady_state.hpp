@@ -1,0 +1,227 @@
+#pragma once
+
+#include "ga/pipeline/run.hpp"
+#include "ga/pipeline/score.hpp"
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+namespace ga {
+
+/// A steady-state search that never waits for the slowest evaluation (asynchronous master and workers): a
+/// question is bred from the individuals that are known when it is asked, and an answer is worked in when it
+/// is told.
+///
+///     SteadyState<P> search(sample(40), tournament(2, 1) | mutate(0.1), plus(), problem);
+///     search.ask();              // a question for each worker, at any time
+///     search.tell(id, outcome);  // in any order
+///     search.result();
+///
+/// The order of questions and answers decides the result, so it is logged; the same log, replayed with the
+/// same outcomes, gives the same bits. Not safe to be used from several threads; `run_steady` is.
+template <Problem P>
+class SteadyState {
+  public:
+    using Genome = typename P::Genome;   ///< of the problem
+    using Outcome = typename P::Outcome; ///< what is told
+
+    /// A genome whose outcome is wanted.
+    struct Question {
+        std::size_t id; ///< counts the questions of the run, from 0
+        Genome genome;  ///< to be evaluated
+    };
+    /// A question that was asked, or its answer.
+    struct Event {
+        std::size_t id;      ///< of the question
+        bool asked = true;   ///< otherwise told, or failed
+        Reason failure = {}; ///< why there was no outcome
+    };
+
+    /// `start` makes the first population, of the size that stays. `breed` makes children of those known so
+    /// far, unscored. `replace` reads the population as the generation's start and gets one scored child
+    /// (`plus`, `steady`, `crowding`); it gives the next population. Scores are by the problem's first
+    /// objective; of the options, seconds count from here on. Throws UsageError if a stage cannot work.
+    SteadyState(Stage<P> start, Stage<P> breed, Stage<P> replace, P problem, RunOptions options = {})
+        : problem_(std::move(problem)), breed_(std::move(breed)), replace_(Stage<P>(score()) | replace),
+          ledger_(problem_, evaluator_, options.memory_bytes, options.budget),
+          context_(ledger_, StagePosition<Genome>(options.variant, options.seed), 0,
+                   {{}, nullptr, options.population_bytes}) {
+        check(start | score(), problem_, {});
+        CheckState known;
+        for (const auto& objective : problem_.objectives())
+            known.objectives.push_back(objective.name);
+        known.scored = known.start_scored = known.objectives.front();
+        known.in_generation = true;
+        breed_.check(known);
+        replace_.check(known);
+        replace_.check_end(known);
+        context_.state.loops.push_back(&states_);
+        for (auto& individual : start({}, context_))
+            ready_.push_back(std::move(individual));
+        size_ = ready_.size();
+    }
+    SteadyState(const SteadyState&) = delete;
+
+    /// The next question; a child whose outcome is known is worked in at once. None if nothing is known yet
+    /// to breed from, until an answer is told, or if the budget has no room for more than what is open.
+    /// Throws NothingLeft where breeding makes nothing new.
+    std::optional<Question> ask() {
+        for (int known = 0;;) {
+            if (ledger_.watch().expired() || ledger_.spent(static_cast<long>(open_.size())) || !breed())
+                return std::nullopt;
+            Individual<Genome> next = std::move(ready_.front());
+            ready_.pop_front();
+            if (ledger_.memory().find(identify(problem_, next.genome)) && known++ < max_vain) {
+                work_in(std::move(next));
+                continue;
+            }
+            log_.push_back({asked_});
+            Question question{asked_++, next.genome};
+            open_.emplace(question.id, std::move(next));
+            return question;
+        }
+    }
+    /// Works in an answer. Throws UsageError if the question is not open.
+    void tell(std::size_t id, Outcome outcome) { answer({id, false}, std::move(outcome)); }
+    /// Works in that a question has no answer, and why.
+    void fail(std::size_t id, std::string why) {
+        const Reason failure = reason(std::move(why));
+        answer({id, false, failure}, failure);
+    }
+
+    std::size_t open() const { return open_.size(); }          ///< questions without an answer
+    const std::vector<Event>& log() const { return log_; }     ///< what was asked and told, in order
+    bool stopped() const { return ledger_.watch().expired(); } ///< whether the run has to end
+
+    /// Does again what a log says, with outcomes of the problem's own `evaluate`.
+    void replay(const std::vector<Event>& log) {
+        std::map<std::size_t, Genome> asked;
+        for (const Event& event : log)
+            if (event.asked) {
+                auto question = ask();
+                if (!question || question->id != event.id)
+                    throw UsageError("the log asks question " + std::to_string(event.id) +
+                                     ", which this search does not; expected the log of the same search");
+                asked.emplace(event.id, std::move(question->genome));
+            } else if (event.failure) {
+                fail(event.id, *event.failure);
+            } else {
+                tell(event.id, problem_.evaluate(asked.at(event.id)));
+            }
+    }
+
+    /// What the search has found so far: the population, best first, without what is open.
+    Result<Genome> result() const {
+        Result<Genome> result;
+        result.population = best_of(population_, everyone);
+        result.front = front_of(result.population);
+        result.best = context_.best();
+        result.counters = ledger_.counters;
+        result.notes = context_.state.notes();
+        result.seconds = ledger_.watch().seconds();
+        if (stopped())
+            result.stopped = ledger_.watch().reason();
+        return result;
+    }
+
+  private:
+    static constexpr int max_vain = 1000; ///< children in succession that are known or unchanged
+
+    /// Whether there is a child to ask for.
+    bool breed() {
+        for (int vain = 0; ready_.empty(); ++vain) {
+            if (population_.empty())
+                return false;
+            if (vain == max_vain)
+                throw NothingLeft("breeding made no new individual; expected cross or mutate in it");
+            const typename Context<P>::Generation generation(context_.position, bred_++, population_);
+            for (auto& child : breed_(population_, context_))
+                if (!child.fitness.known())
+                    ready_.push_back(std::move(child));
+        }
+        return true;
+    }
+    void answer(const Event& event, Evaluation<Outcome> evaluation) {
+        const auto asked = open_.find(event.id);
+        if (asked == open_.end())
+            throw UsageError("question " + std::to_string(event.id) +
+                             " is not open; expected one that ask gave");
+        ledger_.prepay(identify(problem_, asked->second.genome), std::move(evaluation));
+        Individual<Genome> individual = std::move(asked->second);
+        open_.erase(asked);
+        log_.push_back(event);
+        work_in(std::move(individual));
+    }
+    void work_in(Individual<Genome> individual) {
+        Population<Genome> child;
+        child.push_back(std::move(individual));
+        const typename Context<P>::Scope scope(context_.position, Name("told"), 0);
+        const typename Context<P>::Generation generation(context_.position, told_++, population_);
+        if (population_.size() < size_) {
+            context_.score(child, "", Patience::finish);
+            population_.push_back(std::move(child.front()));
+        } else {
+            population_ = replace_(std::move(child), context_);
+        }
+        ledger_.forget_old();
+    }
+
+    P problem_;
+    Serial<P> evaluator_; ///< asked for nothing: what is told is paid
+    Stage<P> breed_, replace_;
+    Ledger<P> ledger_;
+    Context<P> context_;
+    Frame<Genome> states_;
+    std::deque<Individual<Genome>> ready_;           ///< bred and not asked yet
+    std::map<std::size_t, Individual<Genome>> open_; ///< asked and not told yet
+    Population<Genome> population_;
+    std::size_t size_ = 0, bred_ = 0, asked_ = 0, told_ = 0;
+    std::vector<Event> log_;
+};
+
+/// Runs the search on threads, each of which asks, evaluates and tells until the budget is spent.
+template <Problem P>
+void run_steady(SteadyState<P>& search, const P& problem, int threads = 0) {
+    std::mutex guard;
+    std::condition_variable told;
+    std::exception_ptr error;
+    const auto work = [&] {
+        std::unique_lock lock(guard);
+        try {
+            while (!error) {
+                const auto question = search.ask();
+                if (!question && search.open() == 0)
+                    break;
+                if (!question) { // spent, or nothing is known yet to breed from
+                    told.wait(lock);
+                    continue;
+                }
+                lock.unlock();
+                Evaluation<typename P::Outcome> found = evaluated(problem, question->genome);
+                lock.lock();
+                if (auto* outcome = std::get_if<typename P::Outcome>(&found))
+                    search.tell(question->id, std::move(*outcome));
+                else if (const auto* why = std::get_if<Reason>(&found))
+                    search.fail(question->id, **why);
+                else
+                    throw Stopped{*std::get<Pending>(found).why};
+                told.notify_all();
+            }
+        } catch (...) {
+            error = error ? error : std::current_exception();
+        }
+        told.notify_all();
+    };
+    std::vector<std::thread> workers;
+    for (int i = 1; i < thread_count(threads); ++i)
+        workers.emplace_back(work);
+    work();
+    for (auto& worker : workers)
+        worker.join();
+    if (error)
+        std::rethrow_exception(error);
+}
+
+} // namespace ga
