@@ -51,8 +51,11 @@ Words with_minimise_of_all(Words words) {
 
 json solution_json(const Solution& solution) {
     json result = {{"genes", json::parse(solution.genes)}, {"objectives", solution.answer.objectives}};
-    if (solution.answer.violation != 0)
-        result["violation"] = solution.answer.violation;
+    const auto& violation = solution.answer.violation;
+    if (violation.size() > 1)
+        result["violation"] = violation;
+    else if (!violation.empty() && violation.front() != 0)
+        result["violation"] = violation.front();
     return result;
 }
 
@@ -118,8 +121,10 @@ int optimise(const Words& words) {
             "shell; it reads a line {\"id\":1,\"genes\":[0.5,1]} a genome from its standard input and writes "
             "a line {\"id\":1,\"objectives\":[3.2]} to its standard output, flushed. Greater is better "
             "unless "
-            "--minimise says otherwise. \"violation\":V, above 0 where constraints are broken, puts a genome "
-            "behind those that hold them. The same genome must have the same answer; then the same seed "
+            "--minimise says otherwise. \"violation\":V or [V1,V2,...], above 0 for a constraint that is "
+            "broken, "
+            "puts a genome behind those that hold all. The same genome must have the same answer; then the "
+            "same seed "
             "gives "
             "the same bits on any number of threads. Writes result.json. Exit codes: 0 done; 2 wrong use, or "
             "a child that ended, was silent too long or answered nonsense; 130 interrupted. The best so far "

@@ -58,8 +58,10 @@ struct OutsideProblem {
         else
             return genes_text(genome);
     }
-    double violation(const Answer& answer) const { return answer.violation; }
-    std::size_t bytes(const Answer& answer) const { return answer.objectives.size() * sizeof(double); }
+    const std::vector<double>& violation(const Answer& answer) const { return answer.violation; }
+    std::size_t bytes(const Answer& answer) const {
+        return (answer.objectives.size() + answer.violation.size()) * sizeof(double);
+    }
     const std::vector<ga::Variable>& bounds(const G&) const requires std::same_as<G, std::vector<double>> {
         return range;
     }

@@ -29,9 +29,19 @@ void from_json(const json& j, BestKnown& record) {
     j.at(2).get_to(record.front_);
 }
 
-namespace {
-double violated(const Answer& answer) { return std::max(0.0, answer.violation); }
-} // namespace
+std::vector<double> violation_from(const json& answer) {
+    if (!answer.contains("violation"))
+        return {};
+    const json& violation = answer.at("violation");
+    return violation.is_array() ? violation.get<std::vector<double>>() : std::vector{violation.get<double>()};
+}
+
+double violated(const Answer& answer) {
+    double sum = 0;
+    for (const double each : answer.violation)
+        sum += std::max(0.0, each);
+    return sum;
+}
 
 bool BestKnown::is_better(const Solution& a, const Solution& b) const {
     if (violated(a.answer) != violated(b.answer))

@@ -10,9 +10,15 @@ namespace app {
 
 /// What is said of a genome from outside.
 struct Answer {
-    std::vector<double> objectives; ///< as they were given
-    double violation = 0;           ///< of all constraints together; 0 or less where they hold
+    std::vector<double> objectives;     ///< as they were given
+    std::vector<double> violation = {}; ///< one number per constraint; 0 or less if it holds
 };
+
+/// The answer's "violation": a number or an array, none if there is none. Throws nlohmann's exceptions on
+/// anything else.
+std::vector<double> violation_from(const nlohmann::json& answer);
+/// Sum of what is violated, 0 or more.
+double violated(const Answer& answer);
 
 /// A genome that was evaluated.
 struct Solution {

@@ -80,7 +80,7 @@ struct Islands : Operator {
                 throw;
             }
         }
-        return joined(frame->kept);
+        return strict(joined(frame->kept));
     }
 
     /// One generation of every island, each on a thread of its own.
@@ -104,7 +104,7 @@ struct Islands : Operator {
                     Context<P>& own = islands[i].emplace(context, door, i, n);
                     own.state.loops.push_back(&loops[i]);
                     Population<G>& population = frame.kept[i];
-                    const auto start = start_of_generation(population, body.reads_of_start());
+                    auto start = start_of_generation(population, body.reads_of_start());
                     const typename Context<P>::Generation generation(own.position, frame.next, start);
                     const typename Context<P>::Scope scope(own.position, Name(name_of(i)), 0);
                     try {

@@ -88,7 +88,7 @@ class GenerationsStep {
                 in_hand = joined_with(frame->kept[0], std::move(*in_hand));
             throw;
         }
-        return std::move(frame->population);
+        return strict(std::move(frame->population));
     }
 
     /// Whether nothing has moved for so long that nothing will; evaluations move what waits for them

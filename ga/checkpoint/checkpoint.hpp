@@ -30,9 +30,10 @@ void to_json(json& j, const Individual<G>& individual) {
     if (fitness.has_failed())
         scored = {fitness.objective(), fitness.reason()};
     else if (fitness.several())
-        scored = {fitness.objective(), fitness.values(), fitness.violation()};
+        scored = {fitness.objective(), fitness.values(), fitness.violation(), fitness.violations()};
     else if (fitness.known())
-        scored = {fitness.objective(), fitness.value(), fitness.violation(), fitness.minimises()};
+        scored = {fitness.objective(),  fitness.value(),     fitness.violation(),
+                  fitness.violations(), fitness.minimises(), fitness.replicates()};
     j = {individual.genome, individual.identity,
          std::vector<Identity>(individual.parents.begin(), individual.parents.end()), std::move(scored),
          individual.origin ? json(*individual.origin) : json()};
@@ -50,11 +51,13 @@ void from_json(const json& j, Individual<G>& individual) {
         const Name policy(scored.at(0).get<std::string>());
         if (scored.size() == 2)
             individual.fitness = Fitness::failed(policy, reason(scored.at(1).get<std::string>()));
-        else if (scored.size() == 3)
-            individual.fitness = Fitness(policy, scored.at(1).get<Point>(), scored.at(2).get<double>());
+        else if (scored.size() == 4)
+            individual.fitness = Fitness(policy, scored.at(1).get<Point>())
+                                     .constrained(scored.at(3), scored.at(2).get<double>());
         else
-            individual.fitness = Fitness(policy, scored.at(1).get<double>(), scored.at(3).get<bool>(),
-                                         scored.at(2).get<double>());
+            individual.fitness = Fitness(policy, scored.at(1).get<double>(), scored.at(4).get<bool>())
+                                     .constrained(scored.at(3), scored.at(2).get<double>())
+                                     .averaged(scored.at(5));
     }
     individual.origin.reset();
     if (!j.at(4).is_null())
@@ -224,7 +227,7 @@ class Checkpoints : public Checkpointer<P> {
     }
 
   private:
-    static constexpr int version = 2;
+    static constexpr int version = 3;
 
     struct Kept {
         std::string name;

@@ -48,7 +48,7 @@ struct Pareto : Operator {
         const Name name(text_of(*this)), first = context.objective_name(0);
         context.evaluate(population, [&](auto& individual, const auto& evaluation) {
             Point point;
-            double violation = 0;
+            std::vector<double> violations;
             for (const auto* objective : read) {
                 const Fitness one = fitness_of(context.problem(), evaluation, *objective, name);
                 if (one.has_failed()) {
@@ -56,14 +56,14 @@ struct Pareto : Operator {
                     return;
                 }
                 point.push_back(one.merit());
-                violation = one.violation();
+                violations = one.violations();
             }
             if (with_first) {
                 individual.fitness =
                     fitness_of(context.problem(), evaluation, context.problem().objectives()[0], first);
                 context.offer(individual);
             }
-            individual.fitness = Fitness(name, std::move(point), violation);
+            individual.fitness = Fitness(name, std::move(point)).constrained(std::move(violations));
         });
         return population;
     }

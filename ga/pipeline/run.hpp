@@ -75,7 +75,7 @@ template <class G>
         if (policy.empty() || count > policies[policy])
             policy = name;
     std::erase_if(in_hand, [&](const auto& individual) { return individual.fitness.objective() != policy; });
-    return best_of(in_hand, everyone);
+    return best_of(strict(std::move(in_hand)), everyone);
 }
 
 /// Throws UsageError on numbers that are not 0 to n - 1, each once.

@@ -125,6 +125,15 @@ Population<G> start_of_generation(const Population<G>& population, std::size_t r
     return reads == 0 ? Population<G>() : reads == everyone ? population : best_of(population, reads);
 }
 
+/// The population with constraints that count as held at no violation again, after `epsilon`.
+template <class G>
+Population<G> strict(Population<G> population) {
+    for (auto& individual : population)
+        if (!individual.fitness.violations().empty())
+            individual.fitness = individual.fitness.relaxed({});
+    return population;
+}
+
 /// Ascending.
 template <class G>
 std::vector<Identity> identities_of(const Population<G>& population) {

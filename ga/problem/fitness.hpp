@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -58,15 +59,48 @@ class Fitness {
     Fitness() = default;
     /// `value` under one objective, as the objective states it.
     Fitness(Name objective, double value, bool minimise = false, double violation = 0)
-        : value_(value), violation_(violation), policy_(objective), minimise_(minimise) {}
+        : value_(value), policy_(objective), minimise_(minimise) {
+        if (violation > 0)
+            *this = constrained({violation});
+    }
     /// Under several objectives at once; `values` are turned so that greater is better.
     Fitness(Name policy, Point values, double violation = 0)
-        : violation_(violation), policy_(policy),
-          detail_(std::make_shared<const Detail>(Detail{std::move(values), nullptr})) {}
+        : policy_(policy), detail_(std::make_shared<const Detail>(Detail{std::move(values), nullptr, {}})) {
+        if (violation > 0)
+            *this = constrained({violation});
+    }
     /// Scored under a policy, but without a value.
     static Fitness failed(Name policy, Reason why) {
         Fitness fitness(policy, -std::numeric_limits<double>::infinity());
-        fitness.detail_ = std::make_shared<const Detail>(Detail{{}, std::move(why)});
+        fitness.detail_ = std::make_shared<const Detail>(Detail{{}, std::move(why), {}});
+        return fitness;
+    }
+    /// The same under constraints that are violated by so much each; 0 or less if one holds. `sum` is what
+    /// exceeds their levels, if it was computed before.
+    Fitness constrained(std::vector<double> violations, std::optional<double> sum = {}) const {
+        Fitness fitness = *this;
+        if (std::any_of(violations.begin(), violations.end(), [](double each) { return each > 0; })) {
+            for (double& each : violations)
+                each = std::max(each, 0.0);
+            fitness.detail_ = std::make_shared<const Detail>(
+                Detail{several() ? detail_->values : Point(), nullptr, std::move(violations)});
+        }
+        fitness = fitness.relaxed({});
+        fitness.violation_ = sum.value_or(fitness.violation_);
+        return fitness;
+    }
+    /// The same as the mean of so many replicates.
+    Fitness averaged(std::size_t replicates) const {
+        Fitness fitness = *this;
+        fitness.replicates_ = static_cast<std::uint32_t>(replicates);
+        return fitness;
+    }
+    /// The same if each constraint counts as held up to its level; levels that are not given are 0.
+    Fitness relaxed(const std::vector<double>& levels) const {
+        Fitness fitness = *this;
+        fitness.violation_ = 0;
+        for (std::size_t k = 0; k < violations().size(); ++k)
+            fitness.violation_ += std::max(0.0, violations()[k] - (k < levels.size() ? levels[k] : 0));
         return fitness;
     }
 
@@ -76,8 +110,15 @@ class Fitness {
     bool has_failed() const { return detail_ && detail_->failure; }      ///< whether the evaluation failed
     bool several() const { return detail_ && !detail_->values.empty(); } ///< under several objectives
     bool feasible() const { return !(violation_ > 0); }                  ///< no constraint is violated
-    double violation() const { return violation_; } ///< of all constraints together, 0 or more
-    bool minimises() const { return minimise_; }    ///< whether less is better
+    /// Sum over the constraints, beyond the levels up to which they count as held; 0 or more.
+    double violation() const { return violation_; }
+    /// Of each constraint, 0 or more, whatever its level; empty if all hold.
+    const std::vector<double>& violations() const {
+        static const std::vector<double> none;
+        return detail_ ? detail_->violations : none;
+    }
+    bool minimises() const { return minimise_; }           ///< whether less is better
+    std::size_t replicates() const { return replicates_; } ///< of which it is the mean, 1 or more
 
     /// Under one objective, as the objective states it; minus infinity when the evaluation failed. Throws
     /// UsageError when unscored, or scored under several objectives.
@@ -109,6 +150,7 @@ class Fitness {
     struct Detail {
         Point values;
         Reason failure;
+        std::vector<double> violations;
     };
 
     void need(bool one) const {
@@ -124,6 +166,7 @@ class Fitness {
     double value_ = 0, violation_ = 0;
     Name policy_;
     std::shared_ptr<const Detail> detail_;
+    std::uint32_t replicates_ = 1;
     bool minimise_ = false;
 };
 

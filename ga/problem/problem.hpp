@@ -102,13 +102,23 @@ concept Differentiable = HasGenes<P> &&
     { problem.gradient(genome, objective) } -> std::same_as<std::vector<double>>;
 };
 
-/// Optional: by how much an outcome violates the problem's constraints, all together; 0 or less where it
-/// holds them. Individuals are then compared by Deb's rules (2000): one that holds them before one that does
-/// not, less violation before more, then the fitness.
+/// Optional: by how much an outcome violates the problem's constraints, a number or one per constraint; 0 or
+/// less if it holds them. Individuals are then compared by Deb's rules (2000): one that holds them before one
+/// that does not, a smaller sum of violations before a greater, then the fitness.
 template <class P>
 concept Constrained = requires(const P& problem, const typename P::Outcome& outcome) {
-    { problem.violation(outcome) } -> std::convertible_to<double>;
+    requires std::convertible_to<decltype(problem.violation(outcome)), double> ||
+        std::convertible_to<decltype(problem.violation(outcome)), std::vector<double>>;
 };
+
+/// One violation per constraint.
+template <Constrained P>
+std::vector<double> violations_of(const P& problem, const typename P::Outcome& outcome) {
+    if constexpr (std::convertible_to<decltype(problem.violation(outcome)), double>)
+        return {static_cast<double>(problem.violation(outcome))};
+    else
+        return problem.violation(outcome);
+}
 
 /// Optional: the bytes an outcome takes in memory, where it owns more than itself.
 template <class P>

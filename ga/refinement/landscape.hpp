@@ -19,6 +19,10 @@ struct Landscape {
     /// Fitness at x, turned so that greater is better; minus infinity where the evaluation fails or a
     /// constraint is violated.
     std::function<double(const Eigen::VectorXd&)> fitness;
+    /// Fitness at x whatever the constraints, turned so that greater is better, and one violation per
+    /// constraint, above 0 if it is violated; minus infinity and of size zero where the evaluation fails.
+    /// Empty where the problem has no constraint.
+    std::function<std::pair<double, Eigen::VectorXd>(const Eigen::VectorXd&)> constrained;
     /// Gradient of that fitness at x; empty where the problem has none, of size zero when the evaluation
     /// fails.
     std::function<Eigen::VectorXd(const Eigen::VectorXd&)> gradient;
@@ -55,16 +59,18 @@ auto method_of(V values) {
     return method;
 }
 
-/// The best point a search has seen, by a merit that is greater for the better.
+/// The best point a search has seen: of the smallest violation, and of these of the greatest merit.
 struct BestPoint {
-    Eigen::VectorXd x;        ///< none before the first offer
-    double merit = -HUGE_VAL; ///< of x; -HUGE_VAL before the first offer
+    Eigen::VectorXd x;           ///< none before the first offer
+    double merit = -HUGE_VAL;    ///< of x; -HUGE_VAL before the first offer
+    double violation = HUGE_VAL; ///< of x, summed over the constraints; 0 if there is none
 
-    /// Takes the point where its merit is greater; of equal ones the first.
-    void offer(const Eigen::VectorXd& point, double value) {
-        if (value > merit) {
+    /// Takes the point where it is better; of equal ones the first.
+    void offer(const Eigen::VectorXd& point, double value, double violated = 0) {
+        if (value > -HUGE_VAL && std::pair(violated, -value) < std::pair(violation, -merit)) {
             x = point;
             merit = value;
+            violation = violated;
         }
     }
 };

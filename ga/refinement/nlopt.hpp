@@ -28,7 +28,6 @@ class NloptSearch {
     NloptSearch(const NloptSearch&) = delete;
 
     /// NLopt's own object, for settings of the method.
-    /// NLopt's own object, for settings of the method.
     nlopt::opt* operator->() { return &search_; }
 
     /// Minimises value(x, gradient), where gradient is null or to be filled.
@@ -108,7 +107,8 @@ inline int algorithm_number(const std::string& name) {
     return found;
 }
 
-/// Any NLopt algorithm that works alone in a box, maximising the fitness.
+/// Any NLopt algorithm that works alone in a box, maximising the fitness; those that take inequality
+/// constraints without gradients (`takes_constraints`) get the problem's.
 struct Nlopt {
     static constexpr bool on_residuals = false; ///< it sees the fitness
 
@@ -124,17 +124,37 @@ struct Nlopt {
     }
     void validate() const { algorithm_number(algorithm); }
     bool needs_gradient() const { return algorithm[1] == 'D'; }
+    /// Whether the algorithm gets the problem's constraints; to others a point that violates one has no
+    /// fitness. Those of its algorithms with gradients would need gradients of the constraints.
+    bool takes_constraints() const {
+        return algorithm == "LN_COBYLA" || algorithm == "GN_ISRES" || algorithm.starts_with("GN_ORIG_DIRECT");
+    }
 
     Eigen::VectorXd improve(const Landscape& land) const {
         nlopt::srand(static_cast<unsigned long>(land.seed));
         NloptSearch search(static_cast<nlopt::algorithm>(algorithm_number(algorithm)), land.lower, land.upper,
                            evaluations + 1);
-        BestPoint best{land.start, -HUGE_VAL};
+        BestPoint best{land.start};
+        Eigen::VectorXd violations; // of the last point whose evaluation did not fail
+        if (land.constrained && takes_constraints() && !land.exhausted())
+            violations = land.constrained(land.start).second;
+        const Eigen::Index rows = violations.size();
+        if (rows > 0)
+            search.constrain(static_cast<unsigned>(rows), [&](const Eigen::VectorXd& x, double* c, double*) {
+                if (const Eigen::VectorXd there = land.constrained(x).second; there.size() == rows)
+                    violations = there;
+                Eigen::Map<Eigen::VectorXd>(c, rows) = violations;
+            });
         int used = 0; // not every algorithm keeps to its limit
         search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
             if (used++ > evaluations || land.exhausted()) {
                 search->force_stop();
                 return HUGE_VAL;
+            }
+            if (rows > 0) {
+                const auto [fitness, there] = land.constrained(x);
+                best.offer(x, fitness, there.cwiseMax(0).sum());
+                return -fitness;
             }
             double fitness = land.fitness(x);
             if (gradient) {

@@ -46,7 +46,18 @@ class Search {
             land.start[i] = std::clamp(genes_[variable.gene], variable.lower, variable.upper);
         }
         land.exhausted = [this] { return stopped_ || asked_ >= limit_ || watch_.expired(); };
-        land.fitness = [this](const Eigen::VectorXd& x) { return fitness(x); };
+        land.fitness = [this](const Eigen::VectorXd& x) {
+            const Fitness found = fitness(x);
+            return found.known() && found.feasible() ? found.merit() : -HUGE_VAL;
+        };
+        if constexpr (Constrained<P>)
+            land.constrained = [this](const Eigen::VectorXd& x) {
+                if (seen_at_.size() != x.size() || seen_at_ != x) { // asked for the fitness, then again
+                    seen_fitness_ = fitness(x);
+                    seen_at_ = x;
+                }
+                return std::pair(seen_fitness_.known() ? seen_fitness_.merit() : -HUGE_VAL, violations_);
+            };
         if constexpr (Differentiable<P>)
             land.gradient = [this](const Eigen::VectorXd& x) { return gradient(x); };
         if constexpr (Sensitive<P>)
@@ -77,22 +88,28 @@ class Search {
         }
     }
 
-    double fitness(const Eigen::VectorXd& x) {
+    /// The fitness at a point and, of constraints, the violations there; unknown if it was not evaluated.
+    Fitness fitness(const Eigen::VectorXd& x) {
         const Genome genome = at(x);
-        double merit = -HUGE_VAL;
+        Fitness found;
+        violations_.resize(0);
         EvaluationRequest<P> inquiry;
         inquiry.questions.push_back({&genome});
         inquiry.use = [&] {
             const auto* answer = inquiry.questions.front().answer;
             if (!answer || std::holds_alternative<Pending>(*answer))
                 return;
-            const Fitness found =
-                fitness_of(problem_, *answer, objective(), individual_.fitness.objective_name());
-            if (found.feasible())
-                merit = found.merit();
+            found = fitness_of(problem_, *answer, objective(), individual_.fitness.objective_name());
+            if constexpr (Constrained<P>)
+                if (!found.has_failed()) {
+                    const std::vector<double> each =
+                        violations_of(problem_, std::get<typename P::Outcome>(*answer));
+                    violations_ = Eigen::Map<const Eigen::VectorXd>(each.data(),
+                                                                    static_cast<Eigen::Index>(each.size()));
+                }
         };
         ask(inquiry);
-        return merit;
+        return found;
     }
     /// The slope at a point; what it has not was not found.
     Slope<P> slope(const Eigen::VectorXd& x, bool of_residuals) {
@@ -136,6 +153,9 @@ class Search {
     std::vector<double> genes_;
     std::size_t objective_ = 0;
     bool stopped_ = false;
+    Eigen::VectorXd violations_; ///< where the fitness was asked last
+    Eigen::VectorXd seen_at_;    ///< the point that `constrained` was asked last
+    Fitness seen_fitness_;       ///< there
 };
 
 /// Moves the chosen genes of every individual by a local method, individuals side by side (`Rounds`), and

@@ -78,7 +78,7 @@ class Context {
     Stream stream(std::size_t index) const { return position.stream(index); } ///< see StagePosition
     std::string path() const { return position.path(); }                      ///< see StagePosition
     /// See StagePosition.
-    const Population<Genome>& generation_start() const { return position.generation_start(); }
+    Population<Genome>& generation_start() const { return position.generation_start(); }
 
     /// The identity of a new individual.
     Identity new_identity() {
@@ -130,25 +130,41 @@ class Context {
             population, [](const auto&) { return true; }, assign, Patience::none);
     }
 
-    /// Gives every individual the mean fitness of n replicates of a noisy evaluation; what is known of them
-    /// is not evaluated again. One failure fails the individual.
-    void average(Population<Genome>& population, const std::string& objective_name, std::size_t n) {
+    /// Gives every individual the mean fitness of n more replicates of a noisy evaluation than it had, but of
+    /// no more than `limit`; replicates that are known are not evaluated again. One failure fails the
+    /// individual.
+    void average(Population<Genome>& population, const std::string& objective_name, std::size_t n,
+                 std::size_t limit) {
         const std::size_t which = objective_index(objective_name);
         inquiry_.questions.clear();
-        for (auto& individual : population)
-            for (std::size_t r = 0; r < n; ++r)
-                inquiry_.questions.push_back({&individual.genome, r > 0 || !individual.fitness.known(), r});
+        asked_.clear();
+        std::vector<std::size_t> firsts;
+        for (auto& individual : population) {
+            const Fitness& known = individual.fitness;
+            const std::size_t had = known.known(names_[which]) ? known.replicates() : 0;
+            if (had >= std::max(n, limit) || known.has_failed())
+                continue;
+            firsts.push_back(inquiry_.questions.size());
+            asked_.push_back(&individual);
+            for (std::size_t r = 0; r < std::min(had + n, std::max(n, limit)); ++r)
+                inquiry_.questions.push_back({&individual.genome, r > 0 ? r >= had : !known.known(), r});
+        }
+        firsts.push_back(inquiry_.questions.size());
         inquiry_.patience = Patience::none;
         inquiry_.use = [&] {
-            for (std::size_t i = 0; i < population.size(); ++i) {
-                const auto mean = mean_of(i * n, n, which);
+            auto& best = root_.state.best;
+            for (std::size_t i = 0; i < asked_.size(); ++i) {
+                const auto mean = mean_of(firsts[i], firsts[i + 1] - firsts[i], which);
                 if (!mean)
                     continue;
-                population[i].fitness = *mean;
+                asked_[i]->fitness = *mean;
                 ledger_.note(*mean);
                 counters().failures += mean->has_failed() ? 1 : 0;
-                offer(population[i]);
+                if (best && best->identity == asked_[i]->identity && mean->known(names_[0]))
+                    best = *asked_[i]; // with more replicates it may be worse than it seemed
             }
+            for (const auto& individual : population)
+                offer(individual);
         };
         serve(population);
     }
@@ -309,7 +325,8 @@ class Context {
     /// Of n answers from one on; none where one is missing.
     std::optional<Fitness> mean_of(std::size_t from, std::size_t n, std::size_t which) const {
         const auto& objective = problem().objectives()[which];
-        double value = 0, violation = 0;
+        double value = 0;
+        std::vector<double> violations;
         for (std::size_t i = from; i < from + n; ++i) {
             const Evaluation<Outcome>* answer = inquiry_.questions[i].answer;
             if (!answer || std::holds_alternative<Pending>(*answer))
@@ -318,9 +335,13 @@ class Context {
             if (one.has_failed())
                 return one;
             value += one.value() / static_cast<double>(n);
-            violation += one.violation() / static_cast<double>(n);
+            violations.resize(std::max(violations.size(), one.violations().size()), 0);
+            for (std::size_t k = 0; k < one.violations().size(); ++k)
+                violations[k] += one.violations()[k] / static_cast<double>(n);
         }
-        return Fitness(names_[which], value, objective.minimise, violation);
+        return Fitness(names_[which], value, objective.minimise)
+            .constrained(std::move(violations))
+            .averaged(n);
     }
 
     Ledger<P>& ledger_;

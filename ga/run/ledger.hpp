@@ -262,14 +262,19 @@ Fitness fitness_of(const P& problem, const Evaluation<typename P::Outcome>& eval
     const auto& outcome = std::get<typename P::Outcome>(evaluation);
     try {
         const double value = objective.fitness(outcome);
-        double violation = 0;
-        if constexpr (Constrained<P>)
-            violation = std::max(0.0, static_cast<double>(problem.violation(outcome)));
-        if (std::isfinite(value) && std::isfinite(violation))
-            return Fitness(name, value, objective.minimise, violation);
-        return Fitness::failed(name, std::isfinite(value) ? reason("the constraints' violation is not finite")
-                                                          : reason("fitness " + objective.name + " is " +
-                                                                   std::to_string(value)));
+        if (!std::isfinite(value))
+            return Fitness::failed(name,
+                                   reason("fitness " + objective.name + " is " + std::to_string(value)));
+        const Fitness fitness(name, value, objective.minimise);
+        if constexpr (!Constrained<P>) {
+            return fitness;
+        } else {
+            std::vector<double> violations = violations_of(problem, outcome);
+            for (const double each : violations)
+                if (!std::isfinite(each))
+                    return Fitness::failed(name, reason("the constraints' violation is not finite"));
+            return fitness.constrained(std::move(violations));
+        }
     } catch (...) {
         return Fitness::failed(name, reason_caught());
     }

@@ -52,8 +52,8 @@ class StagePosition {
         return 0;
     }
     /// The best of the population at the start of the innermost generation, as many as `elite` and `plus`
-    /// read.
-    const Population<G>& generation_start() const { return *starts_.back(); }
+    /// read; `epsilon` changes their fitness.
+    Population<G>& generation_start() const { return *starts_.back(); }
 
     /// Stands on a place of the pipeline while it lives. Ordinal 0 is not shown.
     class Scope {
@@ -92,7 +92,7 @@ class StagePosition {
     class Generation : Round {
       public:
         /// `start`, which must outlive it, is what stages may read.
-        Generation(StagePosition& where, std::size_t number, const Population<G>& start)
+        Generation(StagePosition& where, std::size_t number, Population<G>& start)
             : Round(where, number), where_(where) {
             where.starts_.push_back(&start);
         }
@@ -112,7 +112,7 @@ class StagePosition {
     };
 
     std::vector<Place> places_;
-    std::vector<const Population<G>*> starts_;
+    std::vector<Population<G>*> starts_;
 };
 
 /// The state of an operator, whatever its type, as checkpoints and copies of a run handle it.

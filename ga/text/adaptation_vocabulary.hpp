@@ -15,6 +15,7 @@ Registry<P> with_adaptation(Registry<P> registry) {
     registry.template add_if<HasGenes<P>, LShade>(words::real_genes);
     registry.template add_if<HasGenes<P>, SelfAdaptive>(words::real_genes);
     registry.template add<Duel>();
+    registry.template add_if<Constrained<P>, Epsilon>("constraints: violation(outcome)");
     registry.template add_if<HasDistance<P>, Proportional<Sharing>>(no_distance);
     registry.template add_if<HasDistance<P>, Clearing>(no_distance);
     registry.template add_if<HasDistance<P>, Crowding>(no_distance);

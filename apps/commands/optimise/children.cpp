@@ -154,12 +154,17 @@ std::optional<Answer> Children::read(const std::string& line, long id, std::stri
             fault = "another id";
             return std::nullopt;
         }
-        Answer answer{j["objectives"].get<std::vector<double>>(), j.value("violation", 0.0)};
+        Answer answer{j["objectives"].get<std::vector<double>>(), violation_from(j)};
+        const auto finite = [](const std::vector<double>& values) {
+            return std::all_of(values.begin(), values.end(),
+                               [](double value) { return std::isfinite(value); });
+        };
         if (answer.objectives.empty() || (objectives() != 0 && answer.objectives.size() != objectives()))
             fault = std::to_string(answer.objectives.size()) + " objectives";
-        else if (!std::isfinite(answer.violation) ||
-                 !std::all_of(answer.objectives.begin(), answer.objectives.end(),
-                              [](double value) { return std::isfinite(value); }))
+        else if (!first_.genes.empty() && answer.violation.size() != first_.answer.violation.size())
+            fault = std::to_string(answer.violation.size()) + " violations, " +
+                    std::to_string(first_.answer.violation.size()) + " in the first answer";
+        else if (!finite(answer.objectives) || !finite(answer.violation))
             fault = "not finite";
         else
             return answer;

@@ -69,9 +69,9 @@ Optimisation asked_for(const py::object& problem, const std::optional<Eigen::Vec
 /// Calls with a genome of the kind that is asked for.
 template <class Call>
 auto by_kind(const Optimisation& asked, Call call) {
-    return asked.genes.kind == Genes::Kind::numbers   ? call(std::vector<double>())
-           : asked.genes.kind == Genes::Kind::bits ? call(std::vector<bool>())
-                                                   : call(ga::Permutation());
+    return asked.genes.kind == Genes::Kind::numbers ? call(std::vector<double>())
+           : asked.genes.kind == Genes::Kind::bits  ? call(std::vector<bool>())
+                                                    : call(ga::Permutation());
 }
 
 /// A search in a loop of the caller's: stays where it is, as its engine points at what was asked.
@@ -177,8 +177,9 @@ void add_engine(py::module_& module) {
         "Runs a genetic algorithm on a problem of one's own.\n\n"
         "problem: a function of genes, or an object with evaluate(genes) or evaluate_batch(genes of many, a\n"
         "row each), and perhaps gradient(genes). evaluate returns a number, `objectives` many, or (numbers,\n"
-        "violation), a violation above 0 where constraints are broken. genes: real between lower and upper,\n"
-        "`bits` many, or a `permutation` of 0 .. n-1. minimise: for all objectives, or one bool each.\n"
+        "violation), a violation (a number, or one per constraint) above 0 for a constraint that is broken.\n"
+        "genes: real between lower and upper, `bits` many, or a `permutation` of 0 .. n-1. minimise: for all "
+        "objectives, or one bool each.\n"
         "pipeline: text (rugosa operators lists the stages; objectives are called f1, f2, ...).\n"
         "operators: objects with a name, which is a stage of the pipeline, called with (genes, fitness,\n"
         "random) of the population; they return new genes, or positions of those who stay. observers: "

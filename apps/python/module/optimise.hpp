@@ -36,7 +36,8 @@ G genome_of(const py::object& row, std::size_t count) {
         return G(values.begin(), values.end());
 }
 
-/// The answer that an `evaluate` returned: a number, several, or (numbers, violation).
+/// The answer that an `evaluate` returned: a number, several, or (numbers, violation), the violation a number
+/// or one per constraint.
 inline app::Answer answer_of(const py::handle& given, std::size_t objectives) {
     app::Answer answer;
     py::object values = py::reinterpret_borrow<py::object>(given);
@@ -44,7 +45,8 @@ inline app::Answer answer_of(const py::handle& given, std::size_t objectives) {
         py::hasattr(py::reinterpret_borrow<py::tuple>(given)[0], "__len__")) {
         const auto pair = py::reinterpret_borrow<py::tuple>(given);
         values = pair[0];
-        answer.violation = pair[1].cast<double>();
+        answer.violation = py::hasattr(pair[1], "__len__") ? pair[1].cast<std::vector<double>>()
+                                                           : std::vector<double>{pair[1].cast<double>()};
     }
     answer.objectives = py::hasattr(values, "__len__") ? values.cast<std::vector<double>>()
                                                        : std::vector<double>{values.cast<double>()};

@@ -54,7 +54,7 @@ BitsInstance knapsack_instance(std::size_t things, std::uint64_t seed) {
                 value += knapsack.values[i];
             }
         return Answer{{static_cast<double>(-value)},
-                      static_cast<double>(std::max(0, weight - knapsack.capacity))};
+                      {static_cast<double>(std::max(0, weight - knapsack.capacity))}};
     };
     return instance;
 }

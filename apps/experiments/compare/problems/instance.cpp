@@ -6,7 +6,7 @@
 namespace app {
 
 double Nearness::after(const Answer& value) {
-    if (value.violation > 0)
+    if (violated(value) > 0)
         return nearest_;
     if (!front_)
         return nearest_ = std::min(nearest_, (value.objectives[0] - best_) / scale_);

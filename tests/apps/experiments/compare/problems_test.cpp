@@ -92,9 +92,9 @@ TEST_CASE("what breaks its constraints comes no nearer") {
     instance.best = -10;
     instance.scale = 10;
     Nearness nearness(instance);
-    CHECK(nearness.after({{-10}, 1}) == HUGE_VAL);
-    CHECK(nearness.after({{-9}, 0}) == Approx(0.1));
-    CHECK(nearness.after({{-3}, 0}) == Approx(0.1));
+    CHECK(nearness.after({{-10}, {1}}) == HUGE_VAL);
+    CHECK(nearness.after({{-9}, {0}}) == Approx(0.1));
+    CHECK(nearness.after({{-3}, {0}}) == Approx(0.1));
 }
 
 TEST_CASE("the knapsack's optimum is that of all its packings") {
@@ -106,7 +106,7 @@ TEST_CASE("the knapsack's optimum is that of all its packings") {
             for (unsigned i = 0; i < 14; ++i)
                 taken[i] = set >> i & 1;
             const Answer value = instance.evaluate(taken);
-            if (value.violation == 0)
+            if (violated(value) == 0)
                 least = std::min(least, value.objectives[0]);
         }
         CHECK(instance.best == least);

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "ga/pipeline/stage.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace ga {
+
+/// The epsilon-constrained method (Takahama and Sakai 2006): behind `score`, each constraint counts as held
+/// up to a level, for the population and the generation's start alike, so that good individuals just outside
+/// what is feasible may lead across it. In generation t the level is e (1 - t/generations)^power, and 0 from
+/// `generations` on; e is the violation that the share `share` of the first population stays below. Other
+/// than in the source, every constraint has a level of its own, so that their units do not matter. The levels
+/// end with the block, and the best of the run never sees them.
+struct Epsilon : Operator {
+    std::size_t generations = 1; ///< until the levels are 0
+    double share = 0.2;          ///< of the first population, 0 to 1
+    double power = 5;            ///< how fast the levels sink, > 0
+
+    /// What it goes by.
+    struct State {
+        std::vector<double> first;  ///< levels of the first generation, one per constraint
+        std::size_t generation = 0; ///< the next
+    };
+
+    ///@{
+    /// What every operator has (Operator).
+    static Words words() {
+        return {"epsilon", "adaptation", "constraints count as held up to a level that sinks to 0"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.generations, whole("generations", std::nullopt, 1, "until the levels are 0"));
+        visit(self.share, number("share", "0.2", 0, 1, "of the first population that is within the levels")
+                              .keyed()
+                              .quiet());
+        visit(self.power,
+              number("power", "5", above_zero, no_limit, "how fast the levels sink").keyed().quiet());
+    }
+    void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
+
+    template <Problem P>
+    requires Constrained<P> PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
+        if (state.generation == 0)
+            state.first = first_levels(population);
+        const double past = static_cast<double>(state.generation++) / static_cast<double>(generations);
+        std::vector<double> levels = state.first;
+        for (double& level : levels)
+            level *= std::pow(std::max(0.0, 1 - past), power);
+        for (auto* part : {&population, &context.generation_start()})
+            for (auto& individual : *part)
+                if (!individual.fitness.violations().empty())
+                    individual.fitness = individual.fitness.relaxed(levels);
+        return population;
+    }
+    ///@}
+
+  private:
+    template <class G>
+    std::vector<double> first_levels(const Population<G>& population) const {
+        std::size_t constraints = 0;
+        for (const auto& individual : population)
+            constraints = std::max(constraints, individual.fitness.violations().size());
+        std::vector<double> levels;
+        for (std::size_t k = 0; k < constraints; ++k) {
+            std::vector<double> each;
+            for (const auto& individual : population)
+                if (const auto& of = individual.fitness.violations(); !individual.fitness.has_failed())
+                    each.push_back(k < of.size() ? of[k] : 0);
+            std::sort(each.begin(), each.end());
+            const auto within = static_cast<std::size_t>(share * static_cast<double>(each.size()));
+            levels.push_back(each[std::min(within, each.size() - 1)]);
+        }
+        return levels;
+    }
+};
+
+///@{
+/// What checkpoints hold, and back without loss.
+inline void to_json(nlohmann::json& j, const Epsilon::State& s) { j = {s.first, s.generation}; }
+inline void from_json(const nlohmann::json& j, Epsilon::State& s) {
+    j.at(0).get_to(s.first);
+    j.at(1).get_to(s.generation);
+}
+///@}
+
+/// The stage `epsilon generations`.
+inline Epsilon epsilon(std::size_t generations) { return checked(Epsilon{{}, generations}); }
+
+} // namespace ga
