@@ -67,7 +67,10 @@ class NloptSearch {
         } catch (const std::runtime_error&) {
             // "nlopt failure": the points seen until then still count
         } catch (const std::invalid_argument& error) {
-            throw UsageError(std::string("refine ") + search_.get_algorithm_name() + ": " + error.what());
+            throw UsageError(
+                std::string("refine nlopt ") +
+                nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(search_.get_algorithm())) + ": " +
+                error.what());
         }
         if (error_)
             std::rethrow_exception(error_);
