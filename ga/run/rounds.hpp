@@ -15,7 +15,8 @@ namespace ga {
 /// jobs' order and from the caller's thread. So searches that ask one thing at a time fill every thread of
 /// the evaluator, what two of them ask is paid once, and no bit depends on which of them was quicker. `after`
 /// is called after every round. An exception ends no other job; that of the smallest i is thrown when all are
-/// done.
+/// done. At most `room` jobs run at the same time, and as many again in all rounds that these jobs run inside
+/// them, so that nested islands do not use up the system's threads.
 template <Problem P>
 class Rounds {
   public:
@@ -26,10 +27,13 @@ class Rounds {
         if (n == 1)
             return job(std::size_t{0}, through);
         std::exception_ptr first;
+        const std::size_t at_once = room();
         for (std::size_t from = 0; from < n; from += at_once) {
-            Rounds rounds(std::min(at_once, n - from));
             try {
-                rounds.go(from, through, job, after);
+                if (at_once == 1)
+                    job(from, through);
+                else
+                    Rounds(std::min(at_once, n - from)).go(from, through, job, after);
             } catch (...) {
                 first = first ? first : std::current_exception();
             }
@@ -39,7 +43,11 @@ class Rounds {
     }
 
   private:
-    static constexpr std::size_t at_once = 64; ///< threads that wait at the same time
+    /// Jobs that may run at the same time in rounds that this thread begins.
+    static std::size_t& room() {
+        thread_local std::size_t room = 64;
+        return room;
+    }
 
     class Seat : public EvaluationQueue<P> {
       public:
@@ -71,8 +79,10 @@ class Rounds {
     template <class Job>
     void go(std::size_t from, EvaluationQueue<P>& through, Job& job, const std::function<void()>& after) {
         std::vector<std::thread> threads;
+        const std::size_t inside = std::max<std::size_t>(1, room() / seats_.size());
         const auto work = [&](std::size_t i) {
             return [&, i] {
+                room() = inside;
                 Seat& seat = seats_[i];
                 try {
                     job(from + i, static_cast<EvaluationQueue<P>&>(seat));
