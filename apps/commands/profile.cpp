@@ -14,7 +14,7 @@
 #include "domain/mwm/discrete_spectrum.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"
-#include "domain/scan/x3p.hpp"
+#include "domain/scan/map.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <nlohmann/json.hpp>

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace rough {
 namespace {
 
-constexpr Index side = 7, fewest_aside = 3, fewest = 16, around = 12;
+constexpr Index fewest = 16, around = 12;
+constexpr std::size_t side = 7; ///< nodes that predict, on either side
+constexpr Index fewest_aside = 3;
 
 template <class Iterator>
 double middle(Iterator first, Iterator end) {
@@ -16,23 +19,30 @@ double middle(Iterator first, Iterator end) {
     return *half;
 }
 
-/// The range of what the nodes on one side foretell of a node: `step` is -1 for the left, 1 for the right.
-std::pair<double, double> foretold(const Eigen::VectorXd& heights, Index node, Index step) {
-    const Index count = std::min(side, step < 0 ? node : heights.size() - 1 - node);
-    std::array<double, side> z;
+/// The range of the heights that the nodes on one side predict for a node, by their median and by their line
+/// of median slope; nothing if fewer than three of them are no outliers. `step` is -1 for the left, 1 for the
+/// right.
+std::optional<std::pair<double, double>> predicted(const Eigen::VectorXd& heights, Index node, Index step,
+                                                   const std::vector<bool>& is_outlier) {
+    std::array<double, side> z, line, distance;
     std::array<double, side*(side - 1) / 2> slopes;
     auto slope = slopes.begin();
-    for (Index i = 0; i < count; ++i) {
-        z[static_cast<std::size_t>(i)] = heights[node + step * (i + 1)];
-        for (Index j = 0; j < i; ++j)
-            *slope++ = (z[static_cast<std::size_t>(i)] - z[static_cast<std::size_t>(j)]) /
-                       static_cast<double>(i - j);
+    std::size_t count = 0;
+    for (Index at = node + step; at >= 0 && at < heights.size() && count < side; at += step) {
+        if (is_outlier[static_cast<std::size_t>(at)])
+            continue;
+        z[count] = heights[at], distance[count] = static_cast<double>(std::abs(at - node));
+        for (std::size_t j = 0; j < count; ++j)
+            *slope++ = (z[count] - z[j]) / (distance[count] - distance[j]);
+        ++count;
     }
+    if (count < static_cast<std::size_t>(fewest_aside))
+        return std::nullopt;
     const double steepness = middle(slopes.begin(), slope);
-    std::array<double, side> line;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
-        line[i] = z[i] - steepness * static_cast<double>(i + 1);
-    return std::minmax({middle(z.begin(), z.begin() + count), middle(line.begin(), line.begin() + count)});
+    for (std::size_t i = 0; i < count; ++i)
+        line[i] = z[i] - steepness * distance[i];
+    const auto end = static_cast<std::ptrdiff_t>(count);
+    return std::minmax({middle(z.begin(), z.begin() + end), middle(line.begin(), line.begin() + end)});
 }
 
 /// The median step between neighbours around a node.
@@ -60,14 +70,34 @@ std::vector<Index> outliers(const Eigen::VectorXd& heights) {
         if (step > 1e-9 * range)
             resolved = std::min(resolved, step);
 
+    std::vector<bool> is_outlier(static_cast<std::size_t>(nodes), false);
+    const auto stands_out = [&](Index i) {
+        const auto left = predicted(heights, i, -1, is_outlier), right = predicted(heights, i, 1, is_outlier);
+        if (!left || !right)
+            return false;
+        const double beyond = std::max(heights[i] - std::max(left->second, right->second),
+                                       std::min(left->first, right->first) - heights[i]);
+        return beyond > 6 * usual && beyond > 3 * resolved && beyond > 6 * usual_step(steps, i);
+    };
     std::vector<Index> found;
-    for (Index i = fewest_aside; i < nodes - fewest_aside; ++i) {
-        const auto left = foretold(heights, i, -1), right = foretold(heights, i, 1);
-        const double beyond = std::max(heights[i] - std::max(left.second, right.second),
-                                       std::min(left.first, right.first) - heights[i]);
-        if (beyond > 6 * usual && beyond > 3 * resolved && beyond > 6 * usual_step(steps, i))
+    for (Index i = fewest_aside; i < nodes - fewest_aside; ++i)
+        if (stands_out(i))
             found.push_back(i);
-    }
+    // The outer nodes of a particle look like a step until its inner nodes no longer predict their heights.
+    const std::vector<Index> inner = found;
+    for (const Index node : inner)
+        is_outlier[static_cast<std::size_t>(node)] = true;
+    for (const Index node : inner)
+        for (const Index step : {-1, 1})
+            for (Index i = node + step; i >= fewest_aside && i < nodes - fewest_aside; i += step) {
+                if (is_outlier[static_cast<std::size_t>(i)])
+                    continue;
+                if (!stands_out(i))
+                    break;
+                is_outlier[static_cast<std::size_t>(i)] = true;
+                found.push_back(i);
+            }
+    std::sort(found.begin(), found.end());
     return found;
 }
 

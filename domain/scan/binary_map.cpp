@@ -1,14 +1,50 @@
 #include "domain/errors.hpp"
-#include "domain/scan/stored_heights.hpp"
-#include "domain/scan/x3p.hpp"
-#include "domain/text/cells.hpp"
+#include "domain/scan/height_map.hpp"
+#include "domain/text/bytes.hpp"
+#include "domain/text/words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace rough {
 namespace {
+
+double stored(std::string_view bytes, std::size_t at, int type) {
+    switch (type) {
+    case 0:
+        return little_endian<std::uint8_t>(bytes, at);
+    case 1:
+        return little_endian<std::uint16_t>(bytes, at);
+    case 2:
+        return little_endian<std::uint32_t>(bytes, at);
+    case 3:
+        return static_cast<double>(little_endian<float>(bytes, at));
+    case 4:
+        return little_endian<std::int8_t>(bytes, at);
+    case 5:
+        return little_endian<std::int16_t>(bytes, at);
+    case 6:
+        return little_endian<std::int32_t>(bytes, at);
+    default:
+        return little_endian<double>(bytes, at);
+    }
+}
+
+/// The numbers that stand row after row from a place of some bytes on.
+void take_heights(HeightMap& map, std::string_view bytes, std::size_t at, std::int64_t columns, int type,
+                  double missing, const std::string& file) {
+    expect_points(columns, map.rows, file);
+    StoredNumbers numbers(columns * map.rows, type, missing, file);
+    const auto there = static_cast<std::int64_t>(bytes.size()) - static_cast<std::int64_t>(at);
+    if (there < numbers.bytes())
+        refuse(file, ": ends early, expected ", numbers.bytes(), " bytes of heights, ", there < 0 ? 0 : there,
+               " are there");
+    numbers.take(bytes.substr(at));
+    map.heights = numbers.numbers();
+}
 
 void expect_spacing(double spacing, const std::string& what, const std::string& file) {
     if (!(spacing > 0) || !std::isfinite(spacing))
@@ -38,7 +74,7 @@ HeightMap surface_data_file(const std::string& bytes, const std::string& file) {
     if (bytes[78] != 0)
         refuse(file, ": compressed, expected a file without compression");
     const int type = static_cast<unsigned char>(bytes[79]);
-    map.heights = stored_heights(bytes, header, columns, map.rows, type, missing_mark(type), file);
+    take_heights(map, bytes, header, columns, type, missing_mark(type), file);
     return map;
 }
 
@@ -80,7 +116,7 @@ HeightMap digital_surf(const std::string& bytes, const std::string& file) {
     const double missing = half(86) != 0 ? whole(100) - 2. : std::nan(""); // two below the least
     const std::size_t data =
         header + little_endian<std::uint16_t>(bytes, 334) + little_endian<std::uint16_t>(bytes, 336);
-    map.heights = stored_heights(bytes, data, columns, map.rows, half(98) == 16 ? 5 : 6, missing, file);
+    take_heights(map, bytes, data, columns, half(98) == 16 ? 5 : 6, missing, file);
     return map;
 }
 
@@ -120,33 +156,67 @@ HeightMap simple_field(const std::string& bytes, const std::string& file) {
         else if (key == "zunits")
             map.height_unit = length_unit_named(value, file);
     }
-    constexpr double most = 1e9;
-    if (!(columns >= 1 && rows >= 1 && columns < most && rows < most) || columns != std::floor(columns) ||
-        rows != std::floor(rows))
+    constexpr double max_points = 1e9;
+    if (!(columns >= 1 && rows >= 1 && columns < max_points && rows < max_points) ||
+        columns != std::floor(columns) || rows != std::floor(rows))
         refuse(file, ": ", columns, " x ", rows, " points, expected XRes and YRes");
     map.rows = static_cast<Index>(rows);
     map.spacing = (width > 0 ? width : columns) / columns * unit;
     map.row_spacing = (height > 0 ? height : rows) / rows * unit;
-    map.heights = stored_heights(bytes, end + 4 - end % 4, static_cast<std::int64_t>(columns), map.rows, 3,
-                                 std::nan(""), file);
+    take_heights(map, bytes, end + 4 - end % 4, static_cast<std::int64_t>(columns), 3, std::nan(""), file);
     return map;
 }
 
 } // namespace
 
+void expect_points(std::int64_t columns, std::int64_t rows, const std::string& file) {
+    const std::int64_t max_points = rows == 1 ? 10'000'000 : 20'000'000;
+    if (columns < 1 || rows < 1 || columns > max_points / rows)
+        refuse(file, ": ", rows, " rows of ", columns, " heights, expected 1 to ", max_points, " in all");
+}
+
 double missing_mark(int type) {
-    switch (type) {
-    case 1:
-        return 65535;
-    case 2:
-        return 4294967295;
-    case 5:
-        return -32768;
-    case 6:
-        return -2147483648.;
-    default:
-        return std::nan("");
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    constexpr std::array<double, 8> marks{none, 65535, 4294967295, none, none, -32768, -2147483648., none};
+    return type < 0 || type > 7 ? none : marks[static_cast<std::size_t>(type)];
+}
+
+StoredNumbers::StoredNumbers(std::int64_t count, int type, double missing, const std::string& file)
+    : count_(count), type_(type), missing_(missing), file_(file) {
+    constexpr std::array<std::int64_t, 8> sizes{1, 2, 4, 4, 1, 2, 4, 8};
+    if (type < 0 || type > 7)
+        refuse(file, ": numbers of type ", type, ", expected 0 to 7");
+    size_ = sizes[static_cast<std::size_t>(type)];
+}
+
+void StoredNumbers::take(std::string_view piece) {
+    if (numbers_.size() == 0)
+        numbers_.resize(count_);
+    const auto size = static_cast<std::size_t>(size_);
+    const auto add = [&](std::string_view bytes, std::size_t at) {
+        const double number = stored(bytes, at, type_);
+        // The largest float marks what was not measured, too.
+        const bool measured = number != missing_ && std::abs(number) < std::numeric_limits<float>::max();
+        numbers_[taken_++] = measured ? number : std::nan("");
+    };
+    while (!part_.empty() && !piece.empty() && taken_ < count_) {
+        part_ += piece.front();
+        piece.remove_prefix(1);
+        if (part_.size() == size)
+            add(part_, 0), part_.clear();
     }
+    std::size_t at = 0;
+    for (; taken_ < count_ && at + size <= piece.size(); at += size)
+        add(piece, at);
+    if (taken_ < count_)
+        part_ += piece.substr(at);
+}
+
+Eigen::VectorXd StoredNumbers::numbers() {
+    if (taken_ < count_)
+        refuse(file_, ": ends early, expected ", bytes(), " bytes of heights, ",
+               taken_ * size_ + static_cast<std::int64_t>(part_.size()), " are there");
+    return std::move(numbers_);
 }
 
 namespace {

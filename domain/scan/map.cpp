@@ -1,16 +1,14 @@
 #include "domain/scan/map.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/scan/exports.hpp"
+#include "domain/scan/height_map.hpp"
 #include "domain/scan/table.hpp"
-#include "domain/scan/unit.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/bytes.hpp"
 #include "domain/text/lines.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace rough {
 namespace {
@@ -33,36 +31,37 @@ void expect_size(Extent shape, const std::string& file) {
                      std::to_string(columns) + " numbers a row");
 }
 
-Map map_of(const HeightMap& read, const MapLayout& layout, double unit, const std::string& file) {
+Map map_of(HeightMap read, const MapLayout& layout, double unit, const std::string& file) {
     const Extent shape{read.columns(), read.rows};
     expect_size(shape, file);
     if (!layout.unit.empty() && unit != read.height_unit.in_mm)
         refuse(file, ": its heights are in ", read.height_unit.name, ", but the unit given is ", layout.unit);
     agree(read.spacing, unit * layout.spacing, "x", file);
     agree(read.row_spacing, unit * layout.row_spacing, "y", file);
-    Map map{{Eigen::VectorXd(shape.nodes()), read.spacing, shape.rows, read.row_spacing},
-            read.format + ", heights in " + read.height_unit.name};
     for (Index k = 0; k < shape.nodes(); ++k) {
-        const double height = read.heights[static_cast<std::size_t>(k)];
+        double& height = read.heights[k];
         if (!std::isfinite(height))
             miss(file + ": row " + std::to_string(k / shape.columns + 1), k % shape.columns, shape.columns);
-        map.heights.heights[k] = height * read.height_factor * read.height_unit.in_mm;
+        height = height * read.height_factor * read.height_unit.in_mm;
     }
-    return map;
+    return {{std::move(read.heights), read.spacing, shape.rows, read.row_spacing},
+            read.format + ", heights in " + read.height_unit.name};
 }
 
 /// Columns x, y and height: of a whole grid, in any order.
 Map map_of_points(const Table& table, double unit, const std::string& file) {
-    const auto value = [&](std::size_t column, std::size_t row) { return table.column[column][row].value; };
+    const auto value = [&](std::size_t column, std::size_t row) { return table.at(row, column).value; };
     const auto refuse_points = [&](const std::string& why) {
         throw InputError(file + ": " + why + "; or, of a matrix of three columns, its spacing with it",
                          "spacing");
     };
     const auto axis = [&](std::size_t column) {
-        std::set<double> places;
+        std::vector<double> places;
         for (std::size_t k = 0; k < table.rows(); ++k)
-            places.insert(value(column, k));
-        return std::vector<double>(places.begin(), places.end());
+            places.push_back(value(column, k));
+        std::sort(places.begin(), places.end());
+        places.erase(std::unique(places.begin(), places.end()), places.end());
+        return places;
     };
     const std::vector<double> x = axis(0), y = axis(1);
     const Extent shape{static_cast<Index>(x.size()), static_cast<Index>(y.size())};
@@ -75,6 +74,9 @@ Map map_of_points(const Table& table, double unit, const std::string& file) {
         return unit * mean;
     };
     expect_size(shape, file);
+    if (shape.columns > (2 * static_cast<Index>(table.rows()) + 2) / shape.rows) // before room is made for it
+        refuse_points(line_of(table.rows(), " points at ", shape.columns, " x and ", shape.rows,
+                              " y, expected a whole grid"));
     Map map{{Eigen::VectorXd::Constant(shape.nodes(), std::nan("")), step(x, "x"), shape.rows, step(y, "y")},
             "points x, y and height"};
     const auto place = [](const std::vector<double>& places, double at) {
@@ -106,7 +108,7 @@ Map map_of_matrix(const Table& table, const MapLayout& layout, double unit, cons
     for (Index j = 0; j < shape.rows; ++j)
         for (Index i = 0; i < shape.columns; ++i) {
             const double height =
-                unit * table.column[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].value;
+                unit * table.at(static_cast<std::size_t>(j), static_cast<std::size_t>(i)).value;
             if (!std::isfinite(height))
                 miss(at(file, table.line[static_cast<std::size_t>(j)]), i, shape.columns);
             map.heights.heights[j * shape.columns + i] = height;
@@ -118,12 +120,13 @@ Map map_of_matrix(const Table& table, const MapLayout& layout, double unit, cons
 
 Map read_map(const std::filesystem::path& path, const MapLayout& layout) {
     const double unit = layout.unit.empty() ? 1 : length_unit_named(layout.unit, "unit").in_mm;
-    const std::string file = path.string(), bytes = read_whole(path);
-    if (const auto read = binary_map(bytes, file))
-        return map_of(*read, layout, unit, file);
-    const std::vector<std::string> lines = text_lines(bytes, file);
-    if (const auto read = named_map(lines, file))
-        return map_of(*read, layout, unit, file);
+    const std::string file = path.string();
+    std::string bytes = read_whole(path);
+    if (auto read = binary_map(bytes, file))
+        return map_of(std::move(*read), layout, unit, file);
+    const std::vector<std::string_view> lines = text_lines(bytes, file);
+    if (auto read = text_map(lines, file))
+        return map_of(std::move(*read), layout, unit, file);
     const Table table = read_table(lines, file, false);
     constexpr std::size_t points = 3;
     return table.columns == points && !(layout.spacing > 0) ? map_of_points(table, unit, file)

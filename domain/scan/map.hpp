@@ -22,11 +22,15 @@ struct Map {
 
 /// Reads an area's heights: a text matrix, of which a line is a row along x and y grows from line to line;
 /// three columns x, y and height of a whole grid in any order, without a spacing; or a format that says all
-/// itself (height_map.hpp, exports.hpp: X3P, SDF, SUR, GSF and others). Heights stay as they are. Throws
+/// itself (X3P, SDF, SUR, GSF and others). Heights stay as they are. Throws
 /// InputError with one line that names the file, the place and what was expected: fewer than 2 x 2 heights,
 /// rows of different lengths, a height that is missing or no number, a spacing or unit that contradicts the
 /// file's.
 Map read_map(const std::filesystem::path& path, const MapLayout& layout);
+
+/// A profile or a map (mm) as the bytes of an X3P file (ISO 25178-72): double precision, metres, with the
+/// standard's check sums.
+std::string x3p(const Profile& surface);
 
 /// A map as a legacy VTK file's bytes (version 3.0, binary): a structured grid of points (x, y, z) in mm with
 /// the scalar `height_mm`, which viewers show as a relief.

@@ -1,7 +1,7 @@
 #include "domain/scan/unit.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/text/cells.hpp"
+#include "domain/text/words.hpp"
 
 #include <algorithm>
 #include <array>

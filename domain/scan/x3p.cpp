@@ -1,12 +1,13 @@
-#include "domain/scan/x3p.hpp"
-
 #include "domain/errors.hpp"
-#include "domain/scan/stored_heights.hpp"
-#include "domain/text/cells.hpp"
+#include "domain/scan/height_map.hpp"
+#include "domain/scan/map.hpp"
+#include "domain/text/bytes.hpp"
+#include "domain/text/words.hpp"
 #include "domain/text/zip.hpp"
 
 #include <boost/uuid/detail/md5.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <pugixml.hpp>
@@ -14,7 +15,8 @@
 namespace rough {
 namespace {
 
-constexpr std::size_t most_xml = 50'000'000;
+constexpr std::size_t max_xml_bytes = 50'000'000;
+constexpr std::ptrdiff_t max_xml_nodes = 1'000'000; // an element of text is two
 
 /// A child by its name without the prefix of a name space.
 pugi::xml_node child(const pugi::xml_node& of, std::string_view name) {
@@ -43,9 +45,10 @@ double value(const pugi::xml_node& of, std::string_view name, double otherwise, 
 
 std::int64_t size(const pugi::xml_node& of, std::string_view name, double otherwise,
                   const std::string& file) {
+    constexpr double max_size = 20'000'000;
     const double count = value(of, name, otherwise, file);
-    if (!(count >= 1 && count <= static_cast<double>(most_points)) || count != std::floor(count))
-        refuse(file, ": main.xml has ", name, " ", count, ", expected 1 to ", most_points);
+    if (!(count >= 1 && count <= max_size) || count != std::floor(count))
+        refuse(file, ": main.xml has ", name, " ", count, ", expected 1 to ", max_size);
     return static_cast<std::int64_t>(count);
 }
 
@@ -71,34 +74,53 @@ double increment(const pugi::xml_node& axes, std::string_view name, const std::s
     return step;
 }
 
-/// "x;y;z" or "z", a line a point; nothing in between where none was measured.
-std::vector<double> listed(const pugi::xml_node& list, std::size_t count, const std::string& file) {
-    std::vector<double> heights;
+/// "x;y;z" or "z", a line per point; nothing in between if none was measured.
+Eigen::VectorXd listed(const pugi::xml_node& list, Index count, const std::string& file) {
+    Eigen::VectorXd heights(count);
+    Index found = 0;
     for (const pugi::xml_node& datum : list.children()) {
         std::string_view word = trim(datum.child_value());
         word = trim(word.substr(word.rfind(';') + 1)); // npos + 1 is 0
         const auto height = number(word, Dialect{});
         if (!height)
             refuse(file, ": main.xml has '", word.substr(0, 60), "' among its heights");
-        heights.push_back(height->value);
-        if (heights.size() > count)
-            break;
+        if (found++ < count)
+            heights[found - 1] = height->value;
     }
-    if (heights.size() != count)
+    if (found != count)
         refuse(file, ": main.xml lists other than ", count, " heights");
     return heights;
 }
 
-std::string hexadecimal_md5(const std::string& bytes) {
-    boost::uuids::detail::md5 hash;
-    hash.process_bytes(bytes.data(), bytes.size());
-    boost::uuids::detail::md5::digest_type digest;
-    hash.get_digest(digest);
-    std::string text;
-    for (const auto word : digest) // of 4 bytes or, from Boost 1.86 on, of one
-        for (int shift = 8 * static_cast<int>(sizeof word) - 4; shift >= 0; shift -= 4)
-            text += "0123456789abcdef"[word >> shift & 15];
-    return text;
+/// MD5 of bytes that arrive in pieces, as X3P demands it.
+class Md5 {
+  public:
+    void take(std::string_view bytes) { hash_.process_bytes(bytes.data(), bytes.size()); }
+    std::string hexadecimal() {
+        boost::uuids::detail::md5::digest_type digest;
+        hash_.get_digest(digest);
+        std::string text;
+        for (const auto word : digest) // of 4 bytes or, from Boost 1.86 on, of one
+            for (int shift = 8 * static_cast<int>(sizeof word) - 4; shift >= 0; shift -= 4)
+                text += "0123456789abcdef"[word >> shift & 15];
+        return text;
+    }
+
+  private:
+    boost::uuids::detail::md5 hash_;
+};
+
+std::string md5_of(std::string_view bytes) {
+    Md5 hash;
+    hash.take(bytes);
+    return hash.hexadecimal();
+}
+
+void expect_checksum(std::string_view given, const std::string& found, const std::string& what,
+                     const std::string& file) {
+    if (!given.empty() && lower(given) != found)
+        refuse(file, ": its ", what, " has the MD5 ", found, ", expected ", given.substr(0, 60),
+               " as the archive says; export it again");
 }
 
 std::string written(double number) {
@@ -108,13 +130,12 @@ std::string written(double number) {
 
 } // namespace
 
-HeightMap read_x3p_description(
-    const std::string& xml,
-    const std::function<std::optional<std::string>(const std::string& name, std::size_t most)>& entry,
-    const std::string& file) {
+HeightMap read_x3p_description(std::string xml, const ReadEntry& read, const std::string& file) {
+    if (std::count(xml.begin(), xml.end(), '<') > max_xml_nodes)
+        refuse(file, ": its main.xml has more than ", max_xml_nodes, " elements, expected fewer");
     pugi::xml_document document;
-    if (const auto read = document.load_buffer(xml.data(), xml.size()); !read)
-        refuse(file, ": its main.xml is no XML (", read.description(), ")");
+    if (const auto parsed = document.load_buffer_inplace(xml.data(), xml.size()); !parsed)
+        refuse(file, ": its main.xml is no XML (", parsed.description(), ")");
     const pugi::xml_node root = document.document_element(), axes = child(child(root, "Record1"), "Axes"),
                          heights = child(axes, "CZ"), record = child(root, "Record3"),
                          matrix = child(record, "MatrixDimension");
@@ -127,8 +148,7 @@ HeightMap read_x3p_description(
     map.rows = matrix ? size(matrix, "SizeY", 1, file) : 1;
     if (matrix && size(matrix, "SizeZ", 1, file) != 1)
         refuse(file, ": main.xml has several layers, expected SizeZ 1");
-    if (columns > most_points / map.rows)
-        refuse(file, ": ", map.rows, " rows of ", columns, " heights, expected at most ", most_points);
+    expect_points(columns, map.rows, file);
     map.spacing = 1e3 * increment(axes, "CX", file);
     if (map.rows > 1)
         map.row_spacing = 1e3 * increment(axes, "CY", file);
@@ -136,38 +156,59 @@ HeightMap read_x3p_description(
     if (!(map.height_factor > 0))
         refuse(file, ": main.xml has the increment ", map.height_factor, " of heights, expected one above 0");
 
-    const auto count = static_cast<std::size_t>(columns * map.rows);
+    const std::int64_t count = columns * map.rows;
     const pugi::xml_node link = child(record, "DataLink");
-    const auto linked = [&](std::string_view name, std::size_t most) -> std::optional<std::string> {
-        std::string path(text(link, name));
-        if (path.starts_with("./"))
-            path.erase(0, 2);
-        return path.empty() ? std::nullopt : entry(path, most);
-    };
     if (!link) {
         map.heights = listed(child(record, "DataList"), count, file);
         return map;
     }
-    const int type = type_of(text(heights, "DataType"), file);
-    const auto data = linked("PointDataLink", 8 * count);
-    if (!data)
-        refuse(file, ": the heights that main.xml names are not in the archive");
-    map.heights = stored_heights(*data, 0, columns, map.rows, type, std::nan(""), file);
-    if (const auto valid = linked("ValidPointsLink", count / 8 + 1))
-        for (std::size_t i = 0; i < count; ++i)
-            if (i / 8 >= valid->size() || !(static_cast<unsigned char>((*valid)[i / 8]) >> i % 8 & 1))
-                map.heights[i] = std::nan("");
+    const auto read_linked = [&](std::string_view name, std::string_view checksum, std::int64_t max_size,
+                                 const auto& take) {
+        std::string path(text(link, name));
+        if (path.starts_with("./"))
+            path.erase(0, 2);
+        if (path.empty())
+            return false;
+        Md5 hash;
+        const auto take_hashed = [&](std::string_view piece) { hash.take(piece), take(piece); };
+        if (!read(path, static_cast<std::size_t>(max_size), take_hashed))
+            refuse(file, ": main.xml names '", path.substr(0, 60), "', which is not in the archive");
+        expect_checksum(text(link, checksum), hash.hexadecimal(), path, file);
+        return true;
+    };
+    StoredNumbers numbers(count, type_of(text(heights, "DataType"), file), std::nan(""), file);
+    if (!read_linked("PointDataLink", "MD5ChecksumPointData", 8 * count,
+                     [&](std::string_view piece) { numbers.take(piece); }))
+        refuse(file, ": main.xml names no heights, expected a PointDataLink");
+    map.heights = numbers.numbers();
+    Index at = 0;
+    const bool masked =
+        read_linked("ValidPointsLink", "MD5ChecksumValidPoints", count / 8 + 1, [&](std::string_view mask) {
+            for (const char byte : mask)
+                for (int bit = 0; bit < 8 && at < count; ++bit, ++at)
+                    if (!(static_cast<unsigned char>(byte) >> bit & 1))
+                        map.heights[at] = std::nan("");
+        });
+    if (masked && at < count)
+        refuse(file, ": its valid points end early, expected ", count, " bits");
     return map;
 }
 
 HeightMap read_x3p(const std::string& bytes, const std::string& file) {
     const Zip archive(bytes, file);
-    const auto xml = archive.entry("main.xml", most_xml);
+    auto xml = archive.entry("main.xml", max_xml_bytes);
     if (!xml)
         refuse(file, ": a zip archive without main.xml, expected X3P, or of an Excel workbook its table "
                      "exported as CSV");
+    if (const auto checksum = archive.entry("md5checksum.hex", 1000))
+        expect_checksum(std::string_view(*checksum).substr(0, checksum->find_first_of(" \t\r\n*")),
+                        md5_of(*xml), "main.xml", file);
     return read_x3p_description(
-        *xml, [&](const std::string& name, std::size_t most) { return archive.entry(name, most); }, file);
+        std::move(*xml),
+        [&](const auto& name, std::size_t max_size, const auto& take) {
+            return archive.read(name, max_size, take);
+        },
+        file);
 }
 
 std::string x3p(const Profile& surface) {
@@ -196,12 +237,11 @@ std::string x3p(const Profile& surface) {
         std::to_string(surface.shape().columns) + "</SizeX><SizeY>" + std::to_string(surface.rows) +
         "</SizeY><SizeZ>1</SizeZ></MatrixDimension>\n"
         "    <DataLink><PointDataLink>bindata/data.bin</PointDataLink><MD5ChecksumPointData>" +
-        hexadecimal_md5(data) +
+        md5_of(data) +
         "</MD5ChecksumPointData></DataLink>\n  </Record3>\n"
         "  <Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4>\n</p:ISO5436_2>\n";
-    return zipped({{"main.xml", xml},
-                   {"bindata/data.bin", data},
-                   {"md5checksum.hex", hexadecimal_md5(xml) + " *main.xml\n"}});
+    return zipped(
+        {{"main.xml", xml}, {"bindata/data.bin", data}, {"md5checksum.hex", md5_of(xml) + " *main.xml\n"}});
 }
 
 } // namespace rough

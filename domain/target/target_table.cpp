@@ -2,7 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "domain/text/cells.hpp"
+#include "domain/text/words.hpp"
 #include "domain/text/lines.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace rough {
 
 namespace {
 
-constexpr std::size_t most_target_bytes = 16'000'000;
+constexpr std::size_t max_bytes = 16'000'000;
 
 using Separator = Dialect::Separator;
 
@@ -56,7 +56,8 @@ TargetTable read_target_table(const std::filesystem::path& file) {
     TargetTable table;
     Separator separator = Separator::comma;
     int number = 0;
-    for (const std::string& whole : text_lines(read_whole(file, most_target_bytes), file.string())) {
+    std::string bytes = read_whole(file, max_bytes);
+    for (const std::string_view whole : text_lines(bytes, file.string())) {
         ++number;
         const std::string line(trim(whole));
         if (line.empty())

@@ -10,7 +10,7 @@
 namespace rough {
 namespace {
 
-constexpr std::size_t most_lines = 12'000'000; // a table of 1e7 rows and its header
+constexpr std::size_t max_lines = 12'000'000; // a table of 1e7 rows and its header
 
 void append_utf8(std::string& text, std::uint32_t code) {
     if (code == 0xA0 || code == 0x202F)
@@ -79,9 +79,11 @@ bool is_utf16(std::string_view bytes) {
     return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
 }
 
-std::string to_utf8(const std::string& bytes) {
+std::string to_utf8(std::string bytes) {
     if (is_utf16(bytes))
         return from_utf16(bytes, bytes[0] == '\xFE');
+    if (std::all_of(bytes.begin(), bytes.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }))
+        return bytes;
     std::string text;
     text.reserve(bytes.size());
     for (std::size_t i = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < bytes.size();) {
@@ -124,21 +126,20 @@ void expect_text(std::string_view head, const std::string& file) {
         refuse_binary(head, file);
 }
 
-std::vector<std::string> text_lines(const std::string& bytes, const std::string& file) {
-    std::string text = to_utf8(bytes);
-    if (text.starts_with("ISO 5436")) // softgauges end their fields with it
-        std::replace(text.begin(), text.end(), '\0', ' ');
-    if (text.find('\0') != std::string::npos)
+std::vector<std::string_view> text_lines(std::string& bytes, const std::string& file) {
+    bytes = to_utf8(std::move(bytes));
+    if (bytes.starts_with("ISO 5436")) // softgauges end their fields with it
+        std::replace(bytes.begin(), bytes.end(), '\0', ' ');
+    if (bytes.find('\0') != std::string::npos)
         refuse_binary(bytes, file);
-    std::vector<std::string> lines;
+    const std::string_view text = bytes;
+    std::vector<std::string_view> lines;
     for (std::size_t start = 0; start < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());
-        if (lines.size() == most_lines)
-            throw InputError(file + ": more than " + std::to_string(most_lines) + " lines, expected fewer");
+        if (lines.size() == max_lines)
+            throw InputError(file + ": more than " + std::to_string(max_lines) + " lines, expected fewer");
         lines.push_back(text.substr(start, end - start));
-        std::size_t next = end;
-        while (next < text.size() && text[next] == '\r')
-            ++next;
+        const std::size_t next = std::min(text.find_first_not_of('\r', end), text.size());
         const bool carriage_returns_end_with_line_feed = next < text.size() && text[next] == '\n';
         start = carriage_returns_end_with_line_feed ? next + 1 : end + 1;
     }

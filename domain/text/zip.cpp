@@ -40,20 +40,34 @@ Zip::Zip(const std::string& bytes, std::string file)
 
 Zip::~Zip() = default;
 
-std::optional<std::string> Zip::entry(const std::string& name, std::size_t most) const {
+bool Zip::read(const std::string& name, std::size_t max_size,
+               const std::function<void(std::string_view)>& take) const {
     zip_t* const zip = archive_->zip.get();
     zip_stat_t found;
     if (zip_stat(zip, name.c_str(), ZIP_FL_NOCASE, &found) != 0)
-        return std::nullopt;
-    if (found.size > most)
+        return false;
+    if (found.size > max_size)
         throw InputError(file_ + ": its entry " + name + " is too large, expected at most " +
-                         std::to_string(most) + " bytes");
-    if (found.size / 1100 > found.comp_size) // deflate packs 1032 to 1 at best
-        throw InputError(file_ + ": its entry " + name + " is damaged");
+                         std::to_string(max_size) + " bytes");
     const Owned<zip_file_t> opened(zip_fopen_index(zip, found.index, 0));
-    std::string bytes(found.size, '\0');
-    if (!opened || zip_fread(opened.get(), bytes.data(), found.size) != static_cast<zip_int64_t>(found.size))
+    std::vector<char> piece(65536);
+    std::size_t got = 0;
+    while (opened && got < found.size) {
+        const zip_int64_t count = zip_fread(opened.get(), piece.data(), piece.size());
+        if (count <= 0)
+            break;
+        got += static_cast<std::size_t>(count);
+        take({piece.data(), static_cast<std::size_t>(count)});
+    }
+    if (!opened || got != found.size)
         throw InputError(file_ + ": its entry " + name + " is damaged");
+    return true;
+}
+
+std::optional<std::string> Zip::entry(const std::string& name, std::size_t max_size) const {
+    std::string bytes;
+    if (!read(name, max_size, [&](std::string_view piece) { bytes += piece; }))
+        return std::nullopt;
     return bytes;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,9 +19,12 @@ class Zip {
     Zip(const Zip&) = delete;
     Zip& operator=(const Zip&) = delete;
 
-    /// An entry's bytes; nothing where there is no such entry. Throws InputError on one of more than `most`
-    /// bytes, before they are unpacked, and on one that is damaged.
-    std::optional<std::string> entry(const std::string& name, std::size_t most) const;
+    /// Hands an entry's bytes to `take`, piece by piece; false if there is no such entry. Throws InputError
+    /// on an entry of more than `max_size` bytes, before it is unpacked, and on a damaged one.
+    bool read(const std::string& name, std::size_t max_size,
+              const std::function<void(std::string_view)>& take) const;
+    /// An entry's bytes, or nothing, as read().
+    std::optional<std::string> entry(const std::string& name, std::size_t max_size) const;
 
   private:
     struct Archive;

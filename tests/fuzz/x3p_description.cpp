@@ -1,10 +1,10 @@
-#include "domain/scan/x3p.hpp"
+#include "domain/scan/height_map.hpp"
 #include "tests/fuzz/reader.hpp"
 
 /// main.xml alone: altered, it would not pass its archive's check sum.
 FUZZ(x3p_description) {
-    const auto entry = [&](const std::string&, std::size_t most) {
-        return std::optional<std::string>(std::string(bytes.substr(0, most)));
+    const auto read = [&](const std::string&, std::size_t max_size, const auto& take) {
+        return take(bytes.substr(0, max_size)), true;
     };
-    rough::read_x3p_description(std::string(bytes), entry, "map");
+    rough::read_x3p_description(std::string(bytes), read, "map");
 }

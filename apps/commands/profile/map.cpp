@@ -10,7 +10,7 @@
 #include "apps/report/units.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"
-#include "domain/scan/x3p.hpp"
+#include "domain/scan/map.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
 

@@ -2,7 +2,7 @@
 #include "apps/report/units.hpp"
 #include "domain/design/statistical.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/scan/x3p.hpp"
+#include "domain/scan/map.hpp"
 #include "domain/target/names.hpp"
 
 namespace app {

@@ -80,6 +80,36 @@ TEST_CASE("spikes put into scans of workshops are found, and the scans have none
     CHECK(beside <= nodes / 20000);
 }
 
+TEST_CASE("a particle on a scan is found whole: none of its nodes stays and none beside it goes") {
+    int particles = 0, whole = 0, cut = 0;
+    for (unsigned seed = 9300; seed < 9360; ++seed) {
+        std::mt19937_64 random(seed);
+        Eigen::VectorXd z =
+            testing::random_scan(random, std::array{0, 1, 2, 3, 6}[seed % 5], 500, 3000).profile.heights;
+        const double step = (z.tail(z.size() - 1) - z.head(z.size() - 1)).cwiseAbs().mean(),
+                     height = 60 * step + z.maxCoeff() - z.minCoeff();
+        std::vector<std::pair<Index, Index>> at;
+        for (Index i = 60; i + 60 < z.size(); i += 97) {
+            const Index width = 1 + i % 4;
+            z.segment(i, width).array() += height; // its top follows the surface under it
+            at.emplace_back(i, width);
+        }
+        const auto found = outliers(z);
+        for (const auto& [first, width] : at) {
+            const auto is_found = [&](Index i) { return std::binary_search(found.begin(), found.end(), i); };
+            Index inside = 0;
+            for (Index i = first; i < first + width; ++i)
+                inside += is_found(i);
+            ++particles;
+            whole += inside == width && !is_found(first - 1) && !is_found(first + width);
+            cut += inside > 0 && inside < width;
+        }
+    }
+    INFO(whole << " of " << particles << " found whole, " << cut << " cut");
+    CHECK(whole >= 0.98 * particles);
+    CHECK(cut == 0);
+}
+
 TEST_CASE("outliers at the ends take their only neighbour's height, and a short profile has none") {
     const Eigen::VectorXd z = made(20, [](double i) { return i; });
     CHECK(interpolated(z, {0, 1, 10, 19}) == [&] {

@@ -1,5 +1,5 @@
 #include "domain/errors.hpp"
-#include "domain/scan/x3p.hpp"
+#include "domain/scan/map.hpp"
 #include "tests/domain/scan/instrument_files.hpp"
 #include "tests/folder.hpp"
 
@@ -113,6 +113,35 @@ TEST_CASE("a profile written as X3P is read back to the last bit") {
               ("cd '" + folder.path().string() + "' && md5sum --status -c md5checksum.hex").c_str()) == 0);
 }
 
+TEST_CASE("an X3P whose check sum or mask is not the one it speaks of is refused") {
+    const std::string xml = testing::x3p_xml(), data = testing::x3p_data(), valid(3, '\xFF');
+    const auto refused = [&](const std::string& description,
+                             std::vector<std::pair<std::string, std::string>> more) {
+        more.insert(more.begin(), {{"main.xml", description}, {"bindata/data.bin", data}});
+        return refusal(zipped(more));
+    };
+    const auto with_sum = [&](const std::string& name, const std::string& sum) {
+        return changed(xml, "</DataLink>", "<" + name + ">" + sum + "</" + name + "></DataLink>");
+    };
+    const std::string zeros(32, '0');
+    CHECK_THAT(refused(with_sum("MD5ChecksumPointData", zeros), {{"bindata/valid.bin", valid}}),
+               Catch::Contains("its bindata/data.bin has the MD5 "));
+    CHECK_THAT(refused(with_sum("MD5ChecksumValidPoints", zeros), {{"bindata/valid.bin", valid}}),
+               Catch::Contains("its bindata/valid.bin has the MD5 "));
+    CHECK_THAT(refused(xml, {{"bindata/valid.bin", valid}, {"md5checksum.hex", zeros + " *main.xml"}}),
+               Catch::Contains("its main.xml has the MD5 "));
+    CHECK_THAT(refused(xml, {}), Catch::Contains("'bindata/valid.bin', which is not in the archive"));
+    CHECK_THAT(refused(xml, {{"bindata/valid.bin", "\xFF"}}), Catch::Contains("valid points end early"));
+    const std::string written = x3p({1e-3 * Eigen::VectorXd::Random(20), 0.1});
+    const Zip zip(written, "x");
+    std::string other = zip.entry("bindata/data.bin", 1000).value();
+    other[3] ^= 1;
+    CHECK_THAT(
+        refusal(zipped({{"main.xml", zip.entry("main.xml", 10000).value()}, {"bindata/data.bin", other}}),
+                {}),
+        Catch::Contains("as the archive says"));
+}
+
 TEST_CASE("X3P lists heights in its XML, too, and names of spaces do not matter") {
     std::string list =
         "<q:Record3 xmlns:q='u'><q:ListDimension>4</q:ListDimension><q:DataList><q:Datum>1;0;3</q:Datum>"
@@ -144,7 +173,8 @@ TEST_CASE("a damaged file of an instrument is refused in one line that says what
     CHECK_THAT(refusal(with(sdf, 79, '\x9')), Catch::Contains("type 9"));
     CHECK_THAT(refusal(with(sdf, 42, std::uint16_t(0))), Catch::Contains("rows of 0 heights"));
     CHECK_THAT(refusal(with(sur, 108, 2'000'000'000)), Catch::Contains("2000000000 heights"));
-    CHECK_THAT(refusal(with(sur, 108, 20'000'000)), Catch::Contains("ends early"));
+    CHECK_THAT(refusal(with(sur, 108, 2'000'000)), Catch::Contains("ends early"));
+    CHECK_THAT(refusal(with(sur, 108, 20'000'000)), Catch::Contains("20000000 heights, expected 1 to"));
     CHECK_THAT(refusal(with(sur, 112, -2)), Catch::Contains("-2 rows"));
     CHECK_THAT(refusal(with(sur, 98, std::int16_t(24))), Catch::Contains("24 bits"));
     CHECK_THAT(refusal(with(sur, 18, std::int16_t(12))), Catch::Contains("type 12"));
@@ -166,7 +196,9 @@ TEST_CASE("a damaged file of an instrument is refused in one line that says what
     CHECK_THAT(refusal(x3p_of(changed(xml, "data.bin", "none.bin"))), Catch::Contains("not in the archive"));
     CHECK_THAT(refusal(x3p_of(changed(xml, "1e-8", "0"))), Catch::Contains("increment 0 of heights"));
     CHECK_THAT(refusal(x3p_of(changed(changed(xml, "<SizeX>9", "<SizeX>1e6"), "<SizeY>2", "<SizeY>1e6"))),
-               Catch::Contains("1000000 rows of 1000000 heights, expected at most"));
+               Catch::Contains("1000000 rows of 1000000 heights, expected 1 to"));
+    CHECK_THAT(refusal(x3p_of(changed(changed(xml, "<SizeX>9", "<SizeX>1.5e7"), "<SizeY>2", "<SizeY>1"))),
+               Catch::Contains("1 rows of 15000000 heights"));
     CHECK_THAT(refusal("GWYP" + std::string(8, '\0')), Catch::Contains("(a Gwyddion file)"));
     CHECK_THAT(refusal("\x89HDF\r\n" + std::string(8, '\0')), Catch::Contains("(an HDF5 file)"));
     CHECK_THAT(refusal(x3p_of(xml, "short")), Catch::Contains("ends early"));

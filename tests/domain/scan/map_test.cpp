@@ -1,6 +1,5 @@
 #include "domain/errors.hpp"
 #include "domain/scan/map.hpp"
-#include "domain/scan/x3p.hpp"
 #include "domain/text/bytes.hpp"
 #include "tests/domain/contact/maps.hpp"
 #include "tests/domain/scan/instrument_files.hpp"

@@ -1,8 +1,12 @@
 #include "domain/errors.hpp"
+#include "domain/scan/map.hpp"
 #include "domain/scan/scan.hpp"
+#include "domain/text/zip.hpp"
 #include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <fstream>
 
 using namespace rough;
 using tests::Folder;
@@ -41,9 +45,72 @@ TEST_CASE("empty quotes in a header, half a pair of UTF-16 and a tiny exponent l
     CHECK(read_scan(folder.write("scan.txt", wide), {}).profile.nodes() == 4);
 }
 
+namespace {
+
+/// Bytes that this process holds beyond those it held before, at most, while it reads; none where /proc
+/// cannot tell.
+std::size_t peak_while(const std::function<void()>& read) {
+    const auto kilobytes = [](const std::string& key) {
+        std::ifstream status("/proc/self/status");
+        for (std::string word; status >> word;)
+            if (word == key)
+                return status >> word, std::stoul(word);
+        return 0UL;
+    };
+    std::ofstream("/proc/self/clear_refs") << "5"; // the peak is counted from here
+    const std::size_t before = kilobytes("VmRSS:");
+    read();
+    const std::size_t peak = kilobytes("VmHWM:");
+    return 1000 * (peak > before ? peak - before : 0);
+}
+
+void check_frugal(const std::string& name, const std::string& content, const std::string& part) {
+    INFO(name);
+    const Folder folder;
+    const auto file = folder.write(name, content);
+    for (const bool as_map : {false, true}) {
+        std::string said = "read";
+        const std::size_t peak = peak_while([&] {
+            try {
+                if (as_map)
+                    read_map(file, {.spacing = 1, .row_spacing = 1});
+                else
+                    read_scan(file, {.row = 1});
+            } catch (const InputError& error) {
+                said = error.what();
+            }
+        });
+        CHECK_THAT(said, Catch::Contains(part));
+        CHECK(peak < std::max<std::size_t>(20 * content.size(), 200'000'000));
+    }
+}
+
+std::string repeated(const std::string& part, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i)
+        all += part;
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("a small file never takes much memory, whatever it claims") {
+    check_frugal("one long row among short ones",
+                 repeated("1 2 3 4\n", 100'000) + repeated("1 ", 1'000'000) + "\n", "columns, expected");
+    std::string widths = repeated("1 ", 1'000'000) + "\n"; // the widest is as common as any other
+    for (int i = 1; i < 1000; ++i)
+        widths += repeated("1 ", i) + "\n";
+    check_frugal("rows of all widths", widths, "columns, expected 1000000 as in the other rows");
+    std::string places; // no two points share an x or a y
+    for (int i = 0; i < 200'000; ++i)
+        places += std::to_string(i) + " " + std::to_string(i) + ".5 1\n";
+    const Folder folder;
+    CHECK_THROWS_WITH(read_map(folder.write("grid.txt", places), {}),
+                      Catch::Contains("expected a whole grid"));
+    check_frugal("nodes of XML", zipped({{"main.xml", "<p>" + repeated("<a/>x", 3'000'000) + "</p>"}}),
+                 "more than 1000000 elements");
+}
+
 TEST_CASE("a line of more numbers than a scan may have points is refused") {
-    std::string line;
-    for (int i = 0; i < 10'000'002; ++i)
-        line += "1 ";
-    check_refused(line, "more than 1e7 numbers");
+    check_refused(repeated("1 ", 10'000'002), "more than 1e7 numbers");
 }

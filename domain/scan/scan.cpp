@@ -1,12 +1,10 @@
+#include "domain/scan/scan.hpp"
+
 #include "domain/errors.hpp"
 #include "domain/profile/detrend.hpp"
 #include "domain/profile/filter.hpp"
 #include "domain/profile/outliers.hpp"
-#include "domain/scan/even.hpp"
-#include "domain/scan/exports.hpp"
-#include "domain/scan/header.hpp"
-#include "domain/scan/points.hpp"
-#include "domain/scan/scan.hpp"
+#include "domain/scan/height_map.hpp"
 #include "domain/scan/table.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/lines.hpp"
@@ -19,6 +17,130 @@ namespace rough {
 namespace {
 
 constexpr std::size_t no_column = static_cast<std::size_t>(-1);
+
+/// A scan's points as the file gives them; NaN if a value is missing.
+struct Points {
+    double spacing = 0;    ///< mm; above 0: point i lies at i times that, and x and last_digit are empty
+    std::vector<double> x; ///< mm
+    std::vector<double> last_digit; ///< one unit in x's last written digit, mm
+    std::vector<double> heights;    ///< mm
+    std::vector<int> line;          ///< of the file; empty for a binary one
+
+    std::size_t size() const { return heights.size(); } ///< points, missing ones too
+    double at(std::size_t i) const {
+        return spacing > 0 ? static_cast<double>(i) * spacing : x[i];
+    }                                                                       ///< x, mm
+    int line_of(std::size_t i) const { return line.empty() ? 0 : line[i]; } ///< 0: none
+};
+
+void refuse_missing(const Points& points, const std::string& file) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (std::isnan(points.at(i)) || std::isnan(points.heights[i]))
+            throw InputError(at(file, points.line_of(i)) + ": a missing value, expected " +
+                                 (std::isnan(points.at(i)) ? "an x" : "a height") +
+                                 ", or to fill it by interpolation",
+                             "fill");
+}
+
+template <class Keep>
+void keep_only(Points& points, Keep keep) {
+    std::size_t kept = 0;
+    const auto in_each_list = [&](auto change) {
+        change(points.x), change(points.last_digit), change(points.heights), change(points.line);
+    };
+    for (std::size_t i = 0, all = points.size(); i < all; ++i)
+        if (keep(i)) {
+            in_each_list([&](auto& list) {
+                if (!list.empty())
+                    list[kept] = list[i];
+            });
+            ++kept;
+        }
+    in_each_list([&](auto& list) { list.resize(std::min(list.size(), kept)); });
+}
+
+/// Fills heights that are missing between two others, and removes points without x and those without height
+/// at either end. Gives how many were filled.
+std::size_t fill(Points& points) {
+    const auto whole = [&](std::size_t i) {
+        return !std::isnan(points.at(i)) && !std::isnan(points.heights[i]);
+    };
+    std::size_t first = 0, end = points.size();
+    while (first < end && !whole(first))
+        ++first;
+    while (end > first && !whole(end - 1))
+        --end;
+    keep_only(points, [&](std::size_t i) { return first <= i && i < end && !std::isnan(points.at(i)); });
+    std::size_t filled = 0;
+    const auto measured = [&](std::size_t i) { return !std::isnan(points.heights[i]); };
+    for (std::size_t left = 0, right = 1; right < points.size(); left = right++) {
+        while (!measured(right))
+            ++right;
+        const double run = points.at(right) - points.at(left);
+        for (std::size_t i = left + 1; i < right; ++i, ++filled) {
+            const double share = run != 0 ? (points.at(i) - points.at(left)) / run : 0.5;
+            points.heights[i] = points.heights[left] + share * (points.heights[right] - points.heights[left]);
+        }
+    }
+    return filled;
+}
+
+/// How far points lie from even spacing, and the even spacing nearest to them.
+struct Evenness {
+    double first = 0;     ///< where the fitted even nodes start, in the unit of x
+    double spacing = 0;   ///< least-squares spacing, > 0
+    double deviation = 0; ///< largest distance of a point from its even node, in the unit of x
+    bool even = false; ///< every point is within 1e-3 spacings, or within its last written digit, of its node
+};
+
+/// Whether the points are multiples of a spacing to the last bit, as those of a column of heights are: then
+/// it is the spacing that was given, which a fit finds but for rounding.
+bool are_multiples(const std::vector<double>& x) {
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (x[i] != static_cast<double>(i) * x[1])
+            return false;
+    return x[1] > 0;
+}
+
+/// Fits even nodes to x (increasing, two points or more) by least squares over the index. last_digit: the
+/// value of one unit in each point's last written digit, 0 if unknown.
+Evenness evenness(const std::vector<double>& x, const std::vector<double>& last_digit) {
+    if (are_multiples(x))
+        return {0, x[1], 0, true};
+    const double n = static_cast<double>(x.size());
+    const double middle = (n - 1) / 2;
+    double mean = 0, slope = 0;
+    for (const double value : x)
+        mean += value / n;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        slope += (static_cast<double>(i) - middle) * (x[i] - mean);
+    slope /= n * (n * n - 1) / 12;
+
+    Evenness fit{mean - slope * middle, slope, 0, slope > 0};
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double error = std::abs(x[i] - (fit.first + slope * static_cast<double>(i)));
+        fit.deviation = std::max(fit.deviation, error);
+        // Rounding moves a point by half its last digit; the fit itself is moved by less than half as much
+        // again.
+        fit.even = fit.even && error <= std::max(0.75 * last_digit[i], 1e-3 * slope);
+    }
+    return fit;
+}
+
+/// Heights at `nodes` even nodes from the first to the last x, linear between the points; x strictly
+/// increasing.
+Profile resampled(const std::vector<double>& x, const std::vector<double>& heights, Index nodes) {
+    Profile profile{Eigen::VectorXd(nodes), (x.back() - x.front()) / static_cast<double>(nodes - 1)};
+    std::size_t right = 1;
+    for (Index i = 0; i < nodes; ++i) {
+        const double at = std::min(x.front() + static_cast<double>(i) * profile.spacing, x.back());
+        while (right + 1 < x.size() && x[right] < at)
+            ++right;
+        const double share = (at - x[right - 1]) / (x[right] - x[right - 1]);
+        profile.heights[i] = heights[right - 1] + share * (heights[right] - heights[right - 1]);
+    }
+    return profile;
+}
 
 /// What was read and done, told in one line.
 struct Account {
@@ -36,11 +158,13 @@ std::string points_text(std::size_t count) {
     return std::to_string(count) + (count == 1 ? " point" : " points");
 }
 
-bool running_index(const std::vector<Number>& column) {
-    for (std::size_t i = 0; i < column.size(); ++i)
-        if (column[i].value != column[0].value + static_cast<double>(i) || column[i].last_digit != 1)
+/// Whether the first column counts the rows.
+bool has_running_index(const Table& table) {
+    for (std::size_t i = 0; i < table.rows(); ++i)
+        if (table.at(i, 0).value != table.at(0, 0).value + static_cast<double>(i) ||
+            table.at(i, 0).last_digit != 1)
             return false;
-    return column.size() > 1;
+    return table.rows() > 1;
 }
 
 /// Which columns hold what.
@@ -49,14 +173,16 @@ struct Layout {
 };
 
 Layout layout_of(const Table& table, const Header& header, bool spacing_given, const std::string& file) {
-    const auto only_0_and_1 = [&](std::size_t c) {
-        return std::all_of(table.column[c].begin(), table.column[c].end(),
-                           [](const Number& cell) { return cell.value == 0 || cell.value == 1; });
+    const auto only_0_and_1 = [&](std::size_t column) {
+        for (std::size_t i = 0; i < table.rows(); ++i)
+            if (table.at(i, column).value != 0 && table.at(i, column).value != 1)
+                return false;
+        return true;
     };
     if (table.columns == 1)
         return {no_column, 0, no_column};
     if (table.columns == 2) {
-        if (spacing_given && running_index(table.column[0]))
+        if (spacing_given && has_running_index(table))
             return {no_column, 1, no_column};
         if (spacing_given)
             throw InputError(file + ": two columns, x and height; a spacing is for one column of heights");
@@ -64,7 +190,7 @@ Layout layout_of(const Table& table, const Header& header, bool spacing_given, c
     }
     if (table.columns == 3 && header.validity_column && only_0_and_1(2))
         return {0, 1, 2};
-    if (table.columns == 3 && running_index(table.column[0]))
+    if (table.columns == 3 && has_running_index(table))
         return {1, 2, no_column};
     throw InputError(
         at(file, table.line[0]) + ": " + std::to_string(table.columns) +
@@ -75,25 +201,23 @@ Layout layout_of(const Table& table, const Header& header, bool spacing_given, c
         "row");
 }
 
-/// A row of many heights as one column: the only one, or the one that is asked for (1 the first).
-void stand_up(Table& table, Index asked, const std::string& file, Account& account) {
-    if (asked == 0 && !(table.columns > 3 && table.rows() == 1))
+/// A row of many heights as one column: the only one, or the one that is requested (1 the first).
+void take_row(Table& table, Index requested, const std::string& file, Account& account) {
+    if (requested == 0 && !(table.columns > 3 && table.rows() == 1))
         return;
-    const auto row = static_cast<std::size_t>(std::max<Index>(asked, 1)) - 1;
-    if (asked > 0) {
+    const auto row = static_cast<std::size_t>(std::max<Index>(requested, 1)) - 1;
+    if (requested > 0) {
         const std::string size =
             std::to_string(table.rows()) + " rows of " + std::to_string(table.columns) + " heights";
         if (table.columns < 3 || row >= table.rows())
-            throw InputError(file + ": row " + std::to_string(asked) + " given of " + size +
+            throw InputError(file + ": row " + std::to_string(requested) + " given of " + size +
                                  ", expected one of an areal matrix",
                              "row");
-        account.say("row " + std::to_string(asked) + " of " + size);
+        account.say("row " + std::to_string(requested) + " of " + size);
     }
-    std::vector<Number> heights;
-    for (const auto& column : table.column)
-        heights.push_back(column[row]);
+    const auto first = table.cells.begin() + static_cast<std::ptrdiff_t>(row * table.columns);
+    table.cells = {first, first + static_cast<std::ptrdiff_t>(table.columns)};
     table.line.assign(table.columns, table.line[row]);
-    table.column = {std::move(heights)};
     table.columns = 1;
 }
 
@@ -185,15 +309,19 @@ Points points_in_mm(const Table& table, const Header& header, const Layout& layo
                     double spacing) {
     Points points;
     points.line = table.line;
+    const bool even = layout.x == no_column;
+    points.spacing = even ? spacing : 0;
+    points.heights.reserve(table.rows());
+    for (auto* list : {&points.x, &points.last_digit})
+        list->reserve(even ? 0 : table.rows());
     for (std::size_t i = 0; i < table.rows(); ++i) {
-        const Number x =
-            layout.x != no_column ? table.column[layout.x][i] : Number{static_cast<double>(i), 0};
-        const double scale = layout.x != no_column ? units.x.in_mm : spacing;
-        points.x.push_back(x.value * scale);
-        points.last_digit.push_back(x.last_digit * scale);
-        const double height = table.column[layout.height][i].value;
-        const bool valid = layout.validity == no_column || table.column[layout.validity][i].value == 1;
+        const double height = table.at(i, layout.height).value;
+        const bool valid = layout.validity == no_column || table.at(i, layout.validity).value == 1;
         points.heights.push_back(valid ? height * header.height_factor * units.height.in_mm : std::nan(""));
+        if (even)
+            continue;
+        points.x.push_back(table.at(i, layout.x).value * units.x.in_mm);
+        points.last_digit.push_back(table.at(i, layout.x).last_digit * units.x.in_mm);
     }
     return points;
 }
@@ -219,24 +347,23 @@ Points points_of(const HeightMap& map, const ScanOptions& options, const std::st
                          "row");
     account.say(map.format + ", heights in " + map.height_unit.name +
                 (map.rows > 1 ? "; row " + std::to_string(options.row) + " of " + size : ""));
-    const std::size_t first = static_cast<std::size_t>(map.columns() * std::max<Index>(options.row - 1, 0));
+    const Index first = map.columns() * std::max<Index>(options.row - 1, 0);
     Points points;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(map.columns()); ++i) {
-        points.x.push_back(static_cast<double>(i) * map.spacing);
-        points.heights.push_back(map.heights[first + i] * map.height_factor * map.height_unit.in_mm);
-        points.line.push_back(map.line.empty() ? 0 : map.line[first + i]);
-    }
-    points.last_digit.assign(points.size(), 0);
+    points.spacing = map.spacing;
+    for (Index i = first; i < first + map.columns(); ++i)
+        points.heights.push_back(map.heights[i] * map.height_factor * map.height_unit.in_mm);
+    if (!map.line.empty())
+        points.line.assign(map.line.begin() + first, map.line.begin() + first + map.columns());
     say_announced(map.announced, points.size(), account);
     return points;
 }
 
-Points points_of(const std::vector<std::string>& lines, const ScanOptions& options, const std::string& file,
-                 Account& account) {
+Points points_of(const std::vector<std::string_view>& lines, const ScanOptions& options,
+                 const std::string& file, Account& account) {
     const bool spacing_named = std::any_of(lines.begin(), lines.end(), names_spacing);
     Table table = read_table(lines, file, options.spacing > 0 || spacing_named);
-    const Header header = read_header(table.header, table.dialect, table.columns, file);
-    stand_up(table, options.row, file, account);
+    const Header header = read_header(table, file);
+    take_row(table, options.row, file, account);
     const Layout layout = layout_of(table, header, options.spacing > 0, file);
     const Units units = units_of(header, layout, options, file, account);
     const double spacing = layout.x == no_column ? spacing_of(header, options, table.rows(),
@@ -250,26 +377,28 @@ Points points_of(const std::vector<std::string>& lines, const ScanOptions& optio
 }
 
 /// The points without gaps, x growing from the first to the last.
-Points in_order(Points points, bool fill, const std::string& file, Account& account) {
-    if (!fill)
+Points in_order(Points points, bool fills, const std::string& file, Account& account) {
+    if (!fills)
         refuse_missing(points, file);
-    Filled whole = filled(points);
-    if (whole.filled)
-        account.say(std::to_string(whole.filled) + " missing height" + (whole.filled > 1 ? "s" : "") +
+    const std::size_t all = points.size(), filled = fill(points), left_out = all - points.size();
+    if (filled)
+        account.say(std::to_string(filled) + " missing height" + (filled > 1 ? "s" : "") +
                     " filled linearly");
-    if (whole.left_out)
-        account.say(std::to_string(whole.left_out) + " incomplete point" + (whole.left_out > 1 ? "s" : "") +
-                    " left out");
-    if (whole.points.size() < 2)
-        throw InputError(file + ": " + points_text(whole.points.size()) + ", expected 2 or more");
-    if (whole.points.x.front() <= whole.points.x.back())
-        return std::move(whole.points);
+    if (left_out)
+        account.say(std::to_string(left_out) + " incomplete point" + (left_out > 1 ? "s" : "") + " left out");
+    if (points.size() < 2)
+        throw InputError(file + ": " + points_text(points.size()) + ", expected 2 or more");
+    if (points.at(0) <= points.at(points.size() - 1))
+        return points;
     account.say("x runs backwards, reversed");
-    return reversed(std::move(whole.points));
+    const auto reverse = [](auto& list) { std::reverse(list.begin(), list.end()); };
+    reverse(points.x), reverse(points.heights), reverse(points.last_digit), reverse(points.line);
+    return points;
 }
 
 Profile evenly_spaced(const Points& points, Index nodes, const std::string& file, Account& account) {
-    const Evenness fit = evenness(points.x, points.last_digit);
+    const Evenness fit =
+        points.spacing > 0 ? Evenness{0, points.spacing, 0, true} : evenness(points.x, points.last_digit);
     const Index all = static_cast<Index>(points.size());
     if (fit.even && (nodes == 0 || nodes == all)) {
         if (fit.deviation > 1e-9 * fit.spacing)
@@ -278,12 +407,13 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
         return {Eigen::Map<const Eigen::VectorXd>(points.heights.data(), all), fit.spacing};
     }
     std::vector<double> x = points.x;
+    x.resize(points.size());
     if (fit.even)
         for (std::size_t i = 0; i < x.size(); ++i)
             x[i] = fit.first + fit.spacing * static_cast<double>(i);
     for (std::size_t i = 1; i < x.size(); ++i)
         if (!(x[i] > x[i - 1]))
-            throw InputError(at(file, points.line[i]) + ": x does not grow (" + short_number(x[i]) +
+            throw InputError(at(file, points.line_of(i)) + ": x does not grow (" + short_number(x[i]) +
                              " mm after " + short_number(x[i - 1]) + " mm), expected x in order");
     if (!fit.even) {
         double shortest = x.back() - x.front(), longest = 0;
@@ -350,7 +480,7 @@ void check(const ScanOptions& options) {
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
     check(options);
     const std::string file = path.string();
-    const std::string bytes = read_whole(path, most_bytes, [&](std::string_view head) {
+    std::string bytes = read_whole(path, most_bytes, [&](std::string_view head) {
         if (!is_binary_map(head))
             expect_text(head, file);
     });
@@ -360,7 +490,7 @@ Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
         points = points_of(*map, options, file, account);
     } else {
         const auto lines = text_lines(bytes, file);
-        const auto named = named_map(lines, file);
+        const auto named = text_map(lines, file);
         points = named ? points_of(*named, options, file, account) : points_of(lines, options, file, account);
     }
     const std::size_t read = points.size();

@@ -1,8 +1,7 @@
-#include "domain/scan/exports.hpp"
-
 #include "domain/errors.hpp"
-#include "domain/text/cells.hpp"
+#include "domain/scan/height_map.hpp"
 #include "domain/text/lines.hpp"
+#include "domain/text/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +12,14 @@ namespace {
 /// The lines of a file, one after another; blank ones and the control characters of record ends are skipped.
 class Reader {
   public:
-    Reader(const std::vector<std::string>& lines, const std::string& file) : lines_(lines), file_(file) {
-        settle();
+    Reader(const std::vector<std::string_view>& lines, const std::string& file) : lines_(lines), file_(file) {
+        skip_blank();
     }
     bool done() const { return at_ == lines_.size(); }
     const std::string& text() const { return text_; }
+    const std::string& file() const { return file_; }
     int line() const { return static_cast<int>(at_) + 1; }
-    void next() { at_ += !done(), settle(); }
+    void next() { at_ += !done(), skip_blank(); }
     std::vector<std::string_view> words() const { return split(text_, Dialect::Separator::blanks); }
     bool starts(std::string_view start) const { return !done() && text_.starts_with(start); }
 
@@ -35,9 +35,9 @@ class Reader {
         return value->value;
     }
     long count(std::string_view word) const {
-        constexpr double most = 1e9;
+        constexpr double max_count = 1e9;
         const double value = positive(word, "a count");
-        if (value > most)
+        if (value > max_count)
             refuse("a count up to 1e9");
         return std::lround(value);
     }
@@ -49,7 +49,7 @@ class Reader {
     }
 
   private:
-    void settle() {
+    void skip_blank() {
         text_.clear();
         for (; !done(); ++at_) {
             text_ = lines_[at_];
@@ -60,7 +60,7 @@ class Reader {
                 return;
         }
     }
-    const std::vector<std::string>& lines_;
+    const std::vector<std::string_view>& lines_;
     const std::string& file_;
     std::size_t at_ = 0;
     std::string text_;
@@ -72,16 +72,20 @@ std::string_view after(std::string_view text, char mark) {
 
 /// Numbers until a line that begins with `end`.
 void read_heights(HeightMap& profile, Reader& in, std::string_view end) {
+    std::vector<double> heights;
     for (; !in.done() && !(in.starts(end) && !end.empty()); in.next())
-        for (const std::string_view word : in.words()) {
+        for_each_cell(in.text(), Dialect::Separator::blanks, [&](std::string_view word) {
             const auto height = number(word, Dialect{});
             if (!height)
                 in.refuse("a height");
-            profile.heights.push_back(height->value);
+            expect_points(static_cast<std::int64_t>(heights.size()) + 1, 2, in.file());
+            heights.push_back(height->value);
             profile.line.push_back(in.line());
-        }
+            return true;
+        });
     if (!end.empty() && in.done())
         in.refuse(end == "\x03" ? "an end of record (ETX)" : "'" + std::string(end) + "' after the heights");
+    profile.heights = Eigen::Map<const Eigen::VectorXd>(heights.data(), static_cast<Index>(heights.size()));
 }
 
 /// Notes up to a line that begins with `start`, which give the spacing, then the heights up to `end`.
@@ -121,8 +125,7 @@ HeightMap surface_data_file(Reader in, const std::string& file) {
             missing = missing_mark(value[0] - '0');
     });
     std::replace(profile.heights.begin(), profile.heights.end(), missing, std::nan(""));
-    if (profile.rows > 1 &&
-        static_cast<Index>(profile.heights.size()) != profile.rows * std::max<Index>(profile.announced, 1))
+    if (profile.rows > 1 && profile.heights.size() != profile.rows * std::max<Index>(profile.announced, 1))
         throw InputError(file + ": " + std::to_string(profile.heights.size()) +
                          " heights, expected NumProfiles times NumPoints");
     profile.announced = profile.rows > 1 ? -1 : profile.announced;
@@ -233,7 +236,7 @@ HeightMap sigma_surf(Reader in) {
 
 } // namespace
 
-std::optional<HeightMap> named_map(const std::vector<std::string>& lines, const std::string& file) {
+std::optional<HeightMap> text_map(const std::vector<std::string_view>& lines, const std::string& file) {
     const Reader in(lines, file);
     if (in.done())
         return std::nullopt;
@@ -241,7 +244,7 @@ std::optional<HeightMap> named_map(const std::vector<std::string>& lines, const 
         return softgauge(in);
     if (in.starts("SigmaSurf_Data"))
         return sigma_surf(in);
-    const auto is_x_scale = [](const std::string& line) { return lower(trim(line)).starts_with("xscale"); };
+    const auto is_x_scale = [](std::string_view line) { return lower(trim(line)).starts_with("xscale"); };
     const std::size_t head = std::min<std::size_t>(lines.size(), 30);
     if (in.starts("a") && std::any_of(lines.begin(), lines.begin() + static_cast<long>(head), is_x_scale))
         return surface_data_file(in, file);
