@@ -1,4 +1,5 @@
 #include "domain/errors.hpp"
+#include "domain/scan/height_map.hpp"
 #include "domain/scan/map.hpp"
 #include "tests/domain/scan/instrument_files.hpp"
 #include "tests/folder.hpp"
@@ -56,13 +57,13 @@ TEST_CASE("every instrument's format holds the same map, in millimetres, rows al
         CHECK(map->columns() == 9);
         CHECK(map->spacing == Approx(2e-3));
         CHECK(map->row_spacing == Approx(3e-3));
-        for (std::size_t i = 0; i < map->heights.size(); ++i) {
+        for (Index i = 0; i < map->heights.size(); ++i) {
             INFO(i);
             const double height = map->heights[i] * map->height_factor * map->height_unit.in_mm;
-            if (i == testing::map_gap)
+            if (std::size_t(i) == testing::map_gap)
                 CHECK(std::isnan(height));
             else
-                CHECK(height == Approx(1e-5 * testing::map_heights[i]).epsilon(1e-6));
+                CHECK(height == Approx(1e-5 * testing::map_heights[std::size_t(i)]).epsilon(1e-6));
         }
         const Scan scan = read(bytes, {.row = 1});
         CHECK(scan.profile.nodes() == 9);
@@ -79,9 +80,9 @@ TEST_CASE("every instrument's format holds the same map, in millimetres, rows al
 TEST_CASE("an SDF of bytes has heights of its whole range") {
     const auto map = binary_map(testing::sdf_file(4), "map");
     REQUIRE(map);
-    for (std::size_t i = 0; i < map->heights.size(); ++i)
+    for (Index i = 0; i < map->heights.size(); ++i)
         CHECK(map->heights[i] * map->height_factor * map->height_unit.in_mm ==
-              Approx(1e-5 * testing::map_heights[i]));
+              Approx(1e-5 * testing::map_heights[std::size_t(i)]));
 }
 
 TEST_CASE("an ASCII surface data file of several profiles is a map as well") {
