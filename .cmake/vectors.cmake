@@ -18,5 +18,5 @@ endif()
 if(RUGOSA_SANITIZE)
     string(APPEND flags " -fsanitize=${RUGOSA_SANITIZE}")
 endif()
-set_source_files_properties(domain/numerics/build.cpp PROPERTIES COMPILE_DEFINITIONS
+set_source_files_properties(domain/numerics/vector_loops.cpp PROPERTIES COMPILE_DEFINITIONS
     "RUGOSA_COMPILER=\"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\";RUGOSA_FLAGS=\"${flags}\"")

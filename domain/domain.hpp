@@ -23,9 +23,8 @@
 #include "domain/design/trust.hpp"
 #include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/discrete_spectrum.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/mwm/genome_json.hpp"
-#include "domain/mwm/length_scales.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/mwm/test_surfaces.hpp"
@@ -47,13 +46,11 @@
 #include "domain/scan/source.hpp"
 #include "domain/scan/unit.hpp"
 #include "domain/target/like.hpp"
-#include "domain/target/names.hpp"
+#include "domain/target/target.hpp"
 #include "domain/target/out_of_reach.hpp"
 #include "domain/target/recorded.hpp"
-#include "domain/theory/asperities.hpp"
-#include "domain/theory/persson.hpp"
-#include "domain/theory/realisation.hpp"
 #include "domain/theory/theory.hpp"
+#include "domain/theory/random_surface.hpp"
 
 /// Rough profiles, their contact, and the design of profiles with a given contact behaviour.
 namespace rough {}

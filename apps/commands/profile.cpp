@@ -11,7 +11,7 @@
 #include "apps/report/solids.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/discrete_spectrum.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "domain/scan/map.hpp"

@@ -8,7 +8,7 @@
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/target/like.hpp"
-#include "domain/target/names.hpp"
+#include "domain/target/target.hpp"
 #include "domain/target/out_of_reach.hpp"
 #include "domain/target/recorded.hpp"
 #include "domain/text/atomic_file.hpp"

@@ -1,7 +1,7 @@
 #include "apps/report/shape_notes.hpp"
 
 #include "apps/report/units.hpp"
-#include "domain/mwm/discrete_spectrum.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/mwm/sampling.hpp"
 
 #include <cmath>

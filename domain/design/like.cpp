@@ -2,7 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/target/like.hpp"
-#include "domain/target/names.hpp"
+#include "domain/target/target.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "domain/design/scan_waves.hpp"
 #include "domain/design/target_dominance.hpp"
-#include "domain/mwm/length_scales.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/paper/variants.hpp"
 #include "ga/base/number.hpp"
 #include "ga/blocks/derived.hpp"

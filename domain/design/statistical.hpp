@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/target/target.hpp"
-#include "domain/theory/realisation.hpp"
+#include "domain/theory/random_surface.hpp"
 #include "domain/theory/theory.hpp"
 
 #include <atomic>

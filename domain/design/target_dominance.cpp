@@ -1,7 +1,7 @@
 #include "domain/design/target_dominance.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/mwm/length_scales.hpp"
+#include "domain/mwm/waves.hpp"
 
 #include <algorithm>
 

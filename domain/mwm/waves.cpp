@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
 
@@ -64,6 +65,42 @@ int last_chromosome(double lambda, double gamma, double shortest) {
     while (lambda * std::pow(gamma, -n) >= shortest * (1 - 1e-12))
         ++n;
     return n;
+}
+
+std::vector<LengthScale> length_scales(const Genome& genome) {
+    std::vector<LengthScale> scales;
+    for (std::size_t s = 0; s < genome.series.size(); ++s)
+        for (std::size_t c = 0; c < genome.series[s].chromosomes.size(); ++c) {
+            const double k = wave_number(genome.series[s], genome.series[s].chromosomes[c].n);
+            auto known = std::find_if(scales.begin(), scales.end(), [&](const LengthScale& scale) {
+                return std::abs(scale.wave_number - k) <= 1e-12 * k;
+            });
+            if (known == scales.end())
+                known = scales.insert(scales.end(), LengthScale{k, {}});
+            known->members.emplace_back(s, c);
+        }
+    return scales;
+}
+
+Genome only(const Genome& genome, const LengthScale& scale) {
+    return filtered(genome, [&](std::size_t s, std::size_t c) {
+        return std::find(scale.members.begin(), scale.members.end(), std::pair(s, c)) != scale.members.end();
+    });
+}
+
+std::vector<SpectralLine> discrete_spectrum(const Genome& genome) {
+    std::vector<Wave> all = waves(genome);
+    std::sort(all.begin(), all.end(),
+              [](const Wave& a, const Wave& b) { return a.wave_number < b.wave_number; });
+    std::vector<SpectralLine> lines;
+    for (auto wave = all.begin(); wave != all.end();) {
+        const double k = wave->wave_number;
+        std::complex<double> sum = 0;
+        for (; wave != all.end() && wave->wave_number <= k * (1 + 1e-12); ++wave)
+            sum += std::polar(1.0, wave->phase) * wave->amplitude;
+        lines.push_back({k, std::norm(sum) / 2});
+    }
+    return lines;
 }
 
 } // namespace rough

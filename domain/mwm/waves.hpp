@@ -58,4 +58,27 @@ Genome filtered(const Genome& genome, Keep keep) {
     return result;
 }
 
+/// Chromosomes of one wave number, of any series: one length scale of the profile.
+struct LengthScale {
+    double wave_number;                                       ///< rad/mm
+    std::vector<std::pair<std::size_t, std::size_t>> members; ///< series, chromosome
+};
+
+/// All of a genome, each once.
+std::vector<LengthScale> length_scales(const Genome& genome);
+
+/// The genome without its other length scales.
+Genome only(const Genome& genome, const LengthScale& scale);
+
+/// One cosine of a profile, as power: half its squared amplitude.
+struct SpectralLine {
+    double wave_number; ///< k, rad/mm
+    double power;       ///< a^2/2, mm^2
+};
+
+/// The discrete power spectrum of a cosine series, exact: one line for each wave number, in increasing order;
+/// waves of equal wave number (from several series) are added as waves, with their phases. The powers' sum is
+/// the mean square height over a length that all wave lengths divide.
+std::vector<SpectralLine> discrete_spectrum(const Genome& genome);
+
 } // namespace rough

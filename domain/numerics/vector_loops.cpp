@@ -1,4 +1,6 @@
-#include "domain/numerics/vectors/kinds.hpp"
+#include "domain/numerics/vector_loops.hpp"
+
+#include "domain/numerics/build.hpp"
 
 #include <cstdlib>
 #include <cstring>
@@ -26,9 +28,9 @@ std::vector<const VectorLoops*> available() {
 
 const VectorLoops& chosen() {
     const auto all = available();
-    const char* asked = std::getenv("RUGOSA_VECTORS");
-    const VectorLoops* least_wide = asked ? vector_loops(asked) : nullptr;
-    return least_wide ? *least_wide : *all.front();
+    const char* requested = std::getenv("RUGOSA_VECTORS");
+    const VectorLoops* narrower = requested ? vector_loops(requested) : nullptr;
+    return narrower ? *narrower : *all.front();
 }
 
 } // namespace
@@ -44,5 +46,7 @@ const VectorLoops& vector_loops() {
     static const VectorLoops& loops = chosen();
     return loops;
 }
+
+Build build() { return {RUGOSA_COMPILER, RUGOSA_FLAGS, vector_loops().vectors}; }
 
 } // namespace rough

@@ -1,6 +1,6 @@
 #include "domain/paper/dominance.hpp"
 
-#include "domain/mwm/length_scales.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
 
 #include <algorithm>

@@ -1,11 +1,21 @@
 #pragma once
 
 #include "domain/mwm/stored.hpp"
-#include "domain/numerics/stored.hpp"
 #include "domain/problem/problem.hpp"
 
 /// What checkpoints hold of a design: outcomes without loss, and the set-up that a run belongs to.
 namespace rough {
+
+///@{
+/// Vectors as checkpoints hold them, without loss.
+inline std::vector<double> numbers_of(const Eigen::VectorXd& vector) {
+    return {vector.begin(), vector.end()};
+}
+inline Eigen::VectorXd vector_from(const nlohmann::json& j) {
+    const auto numbers = j.get<std::vector<double>>();
+    return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Index>(numbers.size()));
+}
+///@}
 
 /// As checkpoints hold it, without loss.
 inline void to_json(nlohmann::json& j, const DesignOutcome& outcome) {

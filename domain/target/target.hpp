@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace rough {
 
@@ -16,6 +17,13 @@ enum class Quantity {
     load_at_displacement, ///< mean pressure (MPa) against displacement (mm)
     interface_stiffness,  ///< K_i (MPa/mm; response/interface.hpp) against mean pressure (MPa)
 };
+
+/// In the order of Quantity: stiffness, area, area-displacement, load, interface_stiffness.
+const std::vector<std::string>& quantity_names();
+/// The name of a quantity.
+const std::string& name_of(Quantity quantity);
+/// The quantity of that name. Throws InputError on another word.
+Quantity quantity_named(const std::string& name);
 
 /// Whether it is of contact fractions.
 inline bool is_contact_fraction(Quantity quantity) {

@@ -2,8 +2,8 @@
 
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "domain/text/words.hpp"
 #include "domain/text/lines.hpp"
+#include "domain/text/words.hpp"
 
 #include <algorithm>
 #include <cmath>

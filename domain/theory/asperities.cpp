@@ -1,6 +1,5 @@
-#include "domain/theory/asperities.hpp"
-
 #include "domain/errors.hpp"
+#include "domain/theory/theory.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>

@@ -1,4 +1,4 @@
-#include "domain/theory/persson.hpp"
+#include "domain/theory/theory.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/expint.hpp>

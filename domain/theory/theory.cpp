@@ -1,8 +1,6 @@
 #include "domain/theory/theory.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/theory/asperities.hpp"
-#include "domain/theory/persson.hpp"
 
 namespace rough {
 

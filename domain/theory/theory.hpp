@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/theory/spectral_moments.hpp"
+#include "domain/theory/random_surface.hpp"
 
 #include <string>
 
@@ -30,5 +30,55 @@ bool holds_for(Theory theory, bool is_area);
 /// InputError on moments that no Gaussian surface has and on a profile for a theory of areas.
 TheoryCurve foretold_curve(Theory theory, const RandomSurface& surface, double effective_modulus,
                            const Eigen::VectorXd& pressures);
+
+/// int_t^inf (s - t)^n phi(s) ds, phi the standard normal density, for n = 1/2, 1 and 3/2.
+struct Exceedances {
+    double half;         ///< n = 1/2
+    double one;          ///< n = 1
+    double three_halves; ///< n = 3/2
+};
+/// Of t of any size, to about ten digits.
+Exceedances exceedances(double t);
+
+/// Summits as Greenwood & Williamson (1966, Proc. R. Soc. A 295, 300) take them: spheres of one radius,
+/// heights normal. Their parameters from a surface's moments after McCool (1986, Wear 107, 37).
+struct Summits {
+    double density;   ///< eta, 1/mm^2: (m4/m2)/(6 pi sqrt 3)
+    double radius;    ///< R, mm: 3 sqrt(pi)/(8 sqrt m4)
+    double deviation; ///< sigma_s, mm, of their heights: sigma_s^2 = (1 - 0.8968/alpha) m0
+    double mean;      ///< of their heights above the mean plane, mm: 4 sqrt(m0/(pi alpha))
+};
+/// Throws InputError on moments that are not above 0 or whose alpha is under 1.5, the least of an isotropic
+/// Gaussian surface (Nayak 1971).
+Summits summits(const SpectralMoments& moments);
+
+/// Greenwood & Williamson's curve: each summit a Hertz contact of its own, which feels no other. A/A0 = pi
+/// eta R int_d (s - d) phi, P = 4/3 eta E* sqrt(R) int_d (s - d)^(3/2) phi. Holds at light load, a few
+/// percent in contact; no number where the plane of the mean summit is passed (d < 0).
+TheoryCurve greenwood_williamson(const SpectralMoments& moments, double effective_modulus,
+                                 const Eigen::VectorXd& pressures);
+
+/// Bush, Gibson & Thomas (1975, Wear 35, 87): each summit an elliptic paraboloid with the principal
+/// curvatures that a Gaussian isotropic surface's summits have together with their heights (Longuet-Higgins
+/// 1957, Nayak 1971), pressed as Hertz says, no summit feeling another. At light load A/A0 -> sqrt(2 pi)
+/// P/(E* h'). Holds at light load; no number where the mean plane is passed (u < 0).
+TheoryCurve bush_gibson_thomas(const SpectralMoments& moments, double effective_modulus,
+                               const Eigen::VectorXd& pressures);
+
+/// Summits to a unit area, 1/mm^2, by the integral over the distribution that bush_gibson_thomas presses.
+double summit_density(const SpectralMoments& moments);
+
+/// Persson's theory (2001, J. Chem. Phys. 115, 3840; 2007, Phys. Rev. Lett. 99, 125502): the pressure's
+/// distribution spreads as ever shorter waves are seen, and is cut off at zero. A/A0 = erf(sqrt 2 P/(E* h'))
+/// at every load, of profiles and areas, as the pressure of full contact varies by E* h'/2 in both. Stiffness
+/// from the elastic energy, with s = sqrt 2 P/(E* h'(q)), h'(q) the slope of waves up to q: 1/K = 1/(sqrt(2
+/// pi) P) int q/h'(q) [gamma + 3 (1 - gamma) erf^2 s] exp(-s^2) dm0, gamma = 0.45 for what contact does not
+/// reach (Yang & Persson 2008, J. Phys.: Condens. Matter 20, 215214; 1 in 2007). Exact at full contact;
+/// K is best at middle loads, where it is near P/u0, and a finite surface is softer at light ones.
+TheoryCurve persson(const RandomSurface& surface, double effective_modulus, const Eigen::VectorXd& pressures);
+
+/// u0 of P ~ exp(-u/u0), K = P/u0 as P -> 0, mm: gamma/sqrt(2 pi) int q/h'(q) dm0, about half the root mean
+/// square height.
+double persson_length(const RandomSurface& surface);
 
 } // namespace rough

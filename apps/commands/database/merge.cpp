@@ -1,4 +1,4 @@
-#include "domain/database/merge.hpp"
+#include "domain/database/build.hpp"
 
 #include "apps/commands/database/parts.hpp"
 #include "apps/prompt/settings.hpp"

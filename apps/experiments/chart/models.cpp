@@ -3,7 +3,7 @@
 #include "apps/experiments/contact_trial.hpp"
 #include "domain/errors.hpp"
 #include "domain/profile/roughness.hpp"
-#include "domain/theory/realisation.hpp"
+#include "domain/theory/random_surface.hpp"
 #include "domain/theory/theory.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "domain/design/statistical.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/scan/map.hpp"
-#include "domain/target/names.hpp"
+#include "domain/target/target.hpp"
 
 namespace app {
 

@@ -1,5 +1,5 @@
 #include "apps/python/module/python.hpp"
-#include "domain/database/law.hpp"
+#include "domain/database/setup.hpp"
 #include "domain/database/starts.hpp"
 
 namespace rugosa::python {

@@ -1,6 +1,5 @@
 // Compiled with -mavx512f -mavx512dq -mavx512vl, and FMA.
 #ifdef __x86_64__
-#include "domain/numerics/vectors/kinds.hpp"
 #include "domain/numerics/vectors/loops.inc"
 
 namespace rough {

@@ -1,5 +1,4 @@
 // What the build assumes of every processor it is for.
-#include "domain/numerics/vectors/kinds.hpp"
 #include "domain/numerics/vectors/loops.inc"
 
 namespace rough {

@@ -1,5 +1,5 @@
 #include "apps/experiments/paper/figures.hpp"
-#include "domain/mwm/discrete_spectrum.hpp"
+#include "domain/mwm/waves.hpp"
 
 #include <catch2/catch.hpp>
 

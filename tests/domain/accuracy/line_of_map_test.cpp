@@ -1,7 +1,7 @@
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/line_of_map.hpp"
 #include "domain/errors.hpp"
-#include "domain/theory/realisation.hpp"
+#include "domain/theory/random_surface.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "domain/theory/realisation.hpp"
+#include "domain/theory/random_surface.hpp"
 #include "tests/domain/contact/maps.hpp"
 #include "tests/domain/contact/scenes.hpp"
 

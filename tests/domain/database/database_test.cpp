@@ -1,7 +1,6 @@
 #include "domain/accuracy/respond.hpp"
 #include "domain/database/build.hpp"
 #include "domain/database/codec.hpp"
-#include "domain/database/merge.hpp"
 #include "domain/database/sqlite.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"

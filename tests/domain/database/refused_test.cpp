@@ -1,6 +1,5 @@
 #include "domain/database/build.hpp"
 #include "domain/database/codec.hpp"
-#include "domain/database/merge.hpp"
 #include "domain/database/sqlite.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"

@@ -1,5 +1,5 @@
 #include "domain/errors.hpp"
-#include "domain/mwm/discrete_spectrum.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "tests/domain/random_genome.hpp"

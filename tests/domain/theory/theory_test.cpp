@@ -1,8 +1,7 @@
 #include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
-#include "domain/theory/asperities.hpp"
-#include "domain/theory/persson.hpp"
-#include "domain/theory/realisation.hpp"
+#include "domain/theory/theory.hpp"
+#include "domain/theory/random_surface.hpp"
 #include "tests/domain/contact/maps.hpp"
 
 #include <boost/math/quadrature/exp_sinh.hpp>

@@ -1,0 +1,104 @@
+#include "domain/theory/random_surface.hpp"
+
+#include "domain/errors.hpp"
+#include "domain/numerics/fourier.hpp"
+#include "ga/base/random.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace rough {
+
+namespace {
+
+/// int q^n C dq over the spectrum, whatever the waves' direction.
+double moment(const Spectrum& spectrum, int n) {
+    return (spectrum.wave_number.array().pow(n) * spectrum.power.array()).sum();
+}
+
+/// int_from^to q^exponent dq
+double power_integral(double exponent, double from, double to) {
+    const double n = exponent + 1;
+    return std::abs(n) < 1e-12 ? std::log(to / from) : (std::pow(to, n) - std::pow(from, n)) / n;
+}
+
+} // namespace
+
+RandomSurface random_surface(const Profile& surface, bool wraps) {
+    RandomSurface random{continuous_spectrum(surface, wraps), surface.is_2d()};
+    if (!(random.spectrum.power.sum() > 0))
+        refuse("theory: a flat surface, expected a rough one");
+    return random;
+}
+
+RandomSurface random_surface(const SelfAffine& of) {
+    if (!(of.hurst > 0 && of.hurst < 1))
+        refuse("hurst: ", of.hurst, " given, expected a number between 0 and 1");
+    if (!(of.shortest > 0 && of.longest > of.shortest && std::isfinite(of.longest)))
+        refuse("cut-offs: ", of.longest, " and ", of.shortest,
+               " mm given, expected the longer one first, both above 0");
+    if (!(of.rms_slope > 0) || !std::isfinite(of.rms_slope) || of.wave_numbers < 1)
+        refuse("rms slope: ", of.rms_slope, " given, expected a number above 0");
+    RandomSurface random{{Eigen::VectorXd(of.wave_numbers), {}, Eigen::VectorXd(of.wave_numbers)},
+                         of.is_area};
+    const double least = 2 * std::numbers::pi / of.longest,
+                 step = std::log(of.longest / of.shortest) / static_cast<double>(of.wave_numbers);
+    for (Index k = 0; k < of.wave_numbers; ++k) {
+        const double from = least * std::exp(step * static_cast<double>(k)), to = from * std::exp(step);
+        // Around the circle an area's q^-2(1 + H) is a profile's q^-(1 + 2 H).
+        const double heights = power_integral(-1 - 2 * of.hurst, from, to),
+                     slopes = power_integral(1 - 2 * of.hurst, from, to);
+        random.spectrum.power[k] = heights;
+        random.spectrum.wave_number[k] = std::sqrt(slopes / heights);
+    }
+    random.spectrum.power *= of.rms_slope * of.rms_slope / moment(random.spectrum, 2);
+    return random;
+}
+
+SpectralMoments spectral_moments(const RandomSurface& surface) {
+    const double of_slope = surface.is_area ? 1.0 / 2 : 1, of_curvature = surface.is_area ? 3.0 / 8 : 1;
+    return {moment(surface.spectrum, 0), of_slope * moment(surface.spectrum, 2),
+            of_curvature * moment(surface.spectrum, 4)};
+}
+
+double rms_slope(const RandomSurface& surface) { return std::sqrt(moment(surface.spectrum, 2)); }
+
+Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t seed) {
+    random_surface(parameters); // refuses what is out of range
+    if (!grid.wraps || grid.is_2d() != parameters.is_area)
+        refuse(
+            "self-affine surface: expected a grid that wraps, a line's for a profile, an area's for an area");
+    const Extent shape = grid.shape();
+    const double dx = 1 / grid.length, dy = grid.is_2d() ? 1 / grid.width : 0;
+    const double least = (1 - 1e-12) / parameters.longest, most = (1 + 1e-12) / parameters.shortest;
+    const auto last = static_cast<Index>(most / dx),
+               last_row = grid.is_2d() ? static_cast<Index>(most / dy) : 0;
+    AlignedBuffer<fftw_complex> waves(shape.nodes());
+    for (Index k = 0; k < shape.nodes(); ++k)
+        waves[k][0] = waves[k][1] = 0;
+    ga::Stream random(ga::fold(seed, "self-affine surface"));
+    double slopes = 0; // mean square
+    for (Index j = -last_row; j <= last_row; ++j)
+        for (Index i = j > 0 ? 0 : 1; i <= last; ++i) { // of q and -q one
+            const double q = std::hypot(dx * static_cast<double>(i), dy * static_cast<double>(j));
+            if (q < least || q > most)
+                continue;
+            const double amplitude = std::pow(q, -parameters.hurst - (parameters.is_area ? 1 : 0.5)),
+                         phase = random.uniform(0, 2 * std::numbers::pi);
+            slopes += std::pow(2 * std::numbers::pi * q * amplitude, 2) / 2;
+            auto& wave = waves[(j + last_row * shape.rows) % shape.rows * shape.columns + i % shape.columns];
+            wave[0] += amplitude * std::cos(phase);
+            wave[1] += amplitude * std::sin(phase);
+        }
+    if (!(slopes > 0))
+        refuse("self-affine surface: no wave of ", parameters.longest, " to ", parameters.shortest,
+               " mm fits a surface of ", grid.length, " mm");
+    fftw_execute_dft(complex_fourier_plan(shape).backward, waves.data(), waves.data());
+    Profile surface{Eigen::VectorXd(shape.nodes()), grid.spacing(), shape.rows, grid.row_spacing()};
+    const double scale = parameters.rms_slope / std::sqrt(slopes);
+    for (Index k = 0; k < shape.nodes(); ++k)
+        surface.heights[k] = scale * waves[k][0];
+    return surface;
+}
+
+} // namespace rough
