@@ -12,8 +12,7 @@
 #include "apps/report/units.hpp"
 #include "domain/accuracy/line_of_map.hpp"
 #include "domain/contact/names.hpp"
-#include "domain/contact/solve.hpp"
-#include "domain/contact/spots.hpp"
+#include "domain/contact/pressure_and_gap.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/partial_slip.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -57,8 +56,9 @@ std::filesystem::path account_beside(const std::filesystem::path& curve) {
 
 /// Within an accuracy, the solver's tolerance follows from it unless one is given.
 rough::Model within_accuracy(rough::Model model, const Settings& settings) {
-    if (!settings.given("tolerance"))
-        model.contact.tolerance = 1;
+    model.accuracy = accuracy_from(settings);
+    if (model.accuracy > 0 && !settings.given("tolerance"))
+        model.contact.tolerance = 0.01;
     return model;
 }
 
@@ -123,50 +123,49 @@ struct Pressed {
 };
 
 /// The contact spots of the last load step, the largest first; those of a line are as wide as the map.
-std::string spots_csv(const AreaScene& scene, const rough::Response& response, bool by_line) {
-    rough::ContactOptions options = scene.model.contact;
-    options.states = true;
-    const rough::Profile surface = by_line ? rough::line_of_map(scene.map).line : scene.map;
-    const double ratio = static_cast<double>(scene.map.nodes() / surface.nodes());
-    const auto last =
-        rough::solve_contact(surface, scene.model.body, {response.displacement.tail(1)[0]}, options);
-    const auto sizes = rough::contact_spots(last.states[0].nodes, surface.shape(), scene.model.grid.wraps);
+std::string spots_csv(const AreaScene& scene, const rough::AccountedResponse& result) {
+    const rough::Extent shape =
+        result.account.by_line ? rough::line_of_map(scene.map).line.shape() : scene.map.shape();
+    const double ratio = static_cast<double>(scene.map.nodes() / shape.nodes());
+    const auto sizes = rough::contact_spots(result.last_contact, shape, scene.model.grid.wraps);
     Eigen::VectorXd nodes(static_cast<rough::Index>(sizes.size()));
     std::transform(sizes.begin(), sizes.end(), nodes.begin(),
                    [&](rough::Index size) { return ratio * static_cast<double>(size); });
     return csv({"nodes", "area_mm2"}, {nodes, nodes * scene.map.spacing * scene.map.row_spacing});
 }
 
+/// Of a measured surface on a periodic body.
+void add_jump_note(const rough::Profile& surface, const rough::Model& model,
+                   std::vector<std::string>& notes) {
+    if (model.body.kernel == rough::Kernel::periodic)
+        if (const std::string note = jump_note(surface); !note.empty())
+            notes.push_back(note);
+}
+
 Pressed pressed_area(const Settings& settings, const std::filesystem::path& spots) {
     AreaScene scene = area_from(settings);
-    scene.model = loaded(scene.model, settings);
-    scene.model.accuracy = accuracy_from(settings);
-    const bool within = scene.model.accuracy > 0;
+    scene.model = within_accuracy(loaded(scene.model, settings), settings);
     rough::AccountedResponse result =
-        within
-            ? rough::respond_within(scene.map, within_accuracy(scene.model, settings), scene.model.accuracy)
-            : rough::respond_exactly(scene.map, scene.model);
-    if (!within) {
-        result.account.resolved_nodes = scene.map.nodes();
-        result.account.grids = {scene.map.nodes()};
-    }
-    const std::string table = spots_csv(scene, result.response, result.account.by_line);
+        scene.model.accuracy > 0 ? rough::respond_within(scene.map, scene.model, scene.model.accuracy)
+                                 : rough::respond_exactly(scene.map, scene.model);
+    scene.model.contact.tolerance = result.account.tolerance;
+    const std::string table = spots_csv(scene, result);
     rough::write_atomically(spots, table);
     tell(spots.string() + ": " + std::to_string(std::count(table.begin(), table.end(), '\n') - 1) +
          " contact spots under the last load");
-    return {{}, std::move(scene.map), scene.model, std::move(result), scene.notes};
+    std::vector<std::string> notes = std::move(scene.notes);
+    if (!settings.has("genome"))
+        add_jump_note(scene.map, scene.model, notes);
+    return {{}, std::move(scene.map), scene.model, std::move(result), std::move(notes)};
 }
 
 Pressed pressed(const Settings& settings) {
     rough::Source source = source_from(settings, nodes_from(settings, 0));
-    rough::Model model = loaded(model_from(settings, source), settings);
-    model.accuracy = accuracy_from(settings);
-    if (model.accuracy > 0) {
-        if (source.genome && !settings.has("nodes"))
-            model.grid = rough::resolved_grid(*source.genome, model.grid.length, model.grid.wraps);
-        model = within_accuracy(model, settings);
-    }
+    rough::Model model = within_accuracy(loaded(model_from(settings, source), settings), settings);
+    if (model.accuracy > 0 && source.genome && !settings.has("nodes"))
+        model.grid = rough::resolved_grid(*source.genome, model.grid.length, model.grid.wraps);
     rough::AccountedResponse result = respond_accounted(source, model);
+    model.contact.tolerance = result.account.tolerance;
     std::vector<std::string> notes;
     if (!source.account.empty())
         notes.push_back(source.account);
@@ -178,6 +177,8 @@ Pressed pressed(const Settings& settings) {
               wave_note(*source.genome, model.grid)})
             if (!note.empty())
                 notes.push_back(note);
+    } else {
+        add_jump_note(source.on(model.grid), model, notes);
     }
     return {std::move(source), {}, std::move(model), std::move(result), std::move(notes)};
 }

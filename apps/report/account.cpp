@@ -31,6 +31,7 @@ json account_json(const rough::Account& account) {
             {"steps", account.rows},
             {"solved_steps", account.solved_rows},
             {"resolved_steps", account.resolved_rows},
+            {"light_steps", account.light_rows},
             {"chromosomes",
              {{"used", chromosomes_json(account.used)},
               {"dropped", chromosomes_json(account.dropped)},

@@ -13,6 +13,12 @@ namespace {
 
 constexpr double rounding = 1e-9;
 constexpr double fewest_nodes = 8; ///< of a wave
+constexpr double usual_steps = 3;  ///< of steps from node to node that a periodic surface makes at its ends
+
+std::string step_note(const std::string& ends, double jump, double range) {
+    return "note: " + ends + " differ by " + readable(jump) + " mm, " + percent(jump / range) +
+           " of its height range: a step where a periodic body repeats it";
+}
 
 } // namespace
 
@@ -20,8 +26,22 @@ std::string jump_note(const rough::Genome& genome, double length, double range) 
     const double jump = std::abs(jump_at_ends(genome, length));
     if (!(jump > rounding * range))
         return "";
-    return "note: the profile's ends differ by " + readable(jump) + " mm, " + percent(jump / range) +
-           " of its height range: a step where a periodic body repeats it";
+    return step_note("the profile's ends", jump, range);
+}
+
+std::string jump_note(const rough::Profile& surface) {
+    const auto [columns, rows] = surface.shape();
+    const Eigen::Map<const Eigen::ArrayXXd> z(surface.heights.data(), columns, rows);
+    const double range = z.maxCoeff() - z.minCoeff();
+    const auto rms = [](const auto& steps) { return std::sqrt(steps.square().mean()); };
+    const double along_x = rms(z.row(columns - 1) - z.row(0));
+    if (along_x > usual_steps * rms(z.bottomRows(columns - 1) - z.topRows(columns - 1)))
+        return step_note(rows > 1 ? "the map's ends along x" : "the profile's ends", along_x, range);
+    if (rows > 1)
+        if (const double along_y = rms(z.col(rows - 1) - z.col(0));
+            along_y > usual_steps * rms(z.rightCols(rows - 1) - z.leftCols(rows - 1)))
+            return step_note("the map's ends along y", along_y, range);
+    return "";
 }
 
 std::string wave_note(const rough::Genome& genome, const rough::Grid& grid) {

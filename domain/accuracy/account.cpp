@@ -60,8 +60,13 @@ std::string in_words(const Account& account) {
               << ". ";
     if (account.accuracy > 0)
         words << "Against the resolved model's the curve is off by an estimated " << account.estimated_error
-              << " at most, relative, in pressure and secant stiffness; " << account.accuracy
-              << " was asked for. "
+              << " at most, relative, in pressure and secant stiffness"
+              << (account.light_rows == 0
+                      ? ""
+                      : line_of(" (at the first ", account.light_rows,
+                                " load steps, below 1 % of the last pressure, relative to "
+                                "that 1 %)"))
+              << "; " << account.accuracy << " was asked for. "
               << (std::isfinite(account.area_error)
                       ? line_of("Contact fractions are off by an estimated ", account.area_error, " at most.")
                       : "Contact fractions are not bounded.");

@@ -9,7 +9,8 @@
 namespace rough {
 
 /// What was modelled to answer a question, and how wrong the answer may be. Errors are relative, the worst
-/// over the rows in pressure and secant stiffness, against the resolved answer.
+/// over the rows in pressure and secant stiffness, against the resolved answer; at `light_rows` they are
+/// relative to 1 % of the last pressure.
 struct Account {
     double accuracy = 0;               ///< asked for; 0: the exact model as given
     Index resolved_nodes = 0;          ///< nodes of the grid that counts as resolved
@@ -18,6 +19,7 @@ struct Account {
     int rows = 0;                      ///< load steps asked for
     int solved_rows = 0;               ///< those solved on the last grid
     int resolved_rows = 0;             ///< the first ones, taken from the resolved grid
+    int light_rows = 0;                ///< the first ones, if their own pressures are no scale of the errors
     std::vector<ChromosomePlace> used; ///< chromosomes modelled; empty for a measured profile
     std::vector<ChromosomePlace> dropped; ///< chromosomes left out; empty for a measured profile
     Window window;                        ///< of the chromosomes dropped, mm

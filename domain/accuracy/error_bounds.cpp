@@ -12,13 +12,17 @@ Eigen::VectorXd differences(const Eigen::VectorXd& pressure) {
     return result;
 }
 
-ErrorScale error_scale(const Eigen::VectorXd& pressure) {
-    const double floor = light_load * pressure[pressure.size() - 1];
+ErrorScale error_scale(const Eigen::VectorXd& pressure, double light) {
+    const double floor = light * pressure[pressure.size() - 1];
     ErrorScale scale{pressure.cwiseMax(floor), differences(pressure)};
     for (Eigen::Index j = 0; j < pressure.size(); ++j)
         if (pressure[j] < floor)
             scale.difference[j] = std::max(scale.difference[j], floor);
     return scale;
+}
+
+Eigen::Index light_rows(const Eigen::VectorXd& pressure) {
+    return (pressure.array() < light_load * pressure[pressure.size() - 1]).count();
 }
 
 Doubt Doubt::known_up_to(Eigen::Index rows, double offset) const {
@@ -43,13 +47,18 @@ Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, co
 }
 
 Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale) {
-    return doubt.pressure.cwiseQuotient(scale.pressure)
-        .cwiseMax(doubt.difference.cwiseQuotient(scale.difference));
+    const Eigen::VectorXd pressure = doubt.pressure.cwiseQuotient(scale.pressure);
+    const double last = pressure[pressure.size() - 1]; // a light load's scale is a part of the last pressure
+    Eigen::VectorXd error = pressure.cwiseMax(doubt.difference.cwiseQuotient(scale.difference));
+    for (double& each : error)
+        each = std::max(each, last) < 1 ? each / (1 - std::max(each, last)) : HUGE_VAL;
+    return error;
 }
 
 Eigen::Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy) {
     Eigen::Index known = scale.pressure.size();
     double worst = 0;
+    accuracy /= 1 + accuracy; // of the curve's pressures, as in relative()
     for (Eigen::Index j = known - 1; j >= 0; --j) {
         worst = std::max(worst, doubt.pressure[j] / scale.pressure[j]);
         if (!(std::max(worst, doubt.difference[j] / scale.difference[j]) <= accuracy))

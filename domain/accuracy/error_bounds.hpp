@@ -8,14 +8,17 @@ namespace rough {
 constexpr double light_load = 0.01;
 
 /// What relative errors of a curve are relative to: at each row its pressure, and the difference to the row
-/// before (the secant stiffness times the row's step); where the pressure is under 1 % of the last, no less
-/// than that 1 %. MPa.
+/// before (the secant stiffness times the row's step); if the pressure is below `light` of the last one, no
+/// less than that part of it. MPa.
 struct ErrorScale {
     Eigen::VectorXd pressure;   ///< MPa, one a row
     Eigen::VectorXd difference; ///< MPa, one a row
 };
-/// Of a curve's pressures (MPa, increasing).
-ErrorScale error_scale(const Eigen::VectorXd& pressure);
+/// The scale of a curve's pressures (MPa, increasing).
+ErrorScale error_scale(const Eigen::VectorXd& pressure, double light = light_load);
+
+/// How many of the first rows have less than 1 % of the last pressure.
+Eigen::Index light_rows(const Eigen::VectorXd& pressure);
 
 /// P_j - P_{j-1}, P_0 = 0.
 Eigen::VectorXd differences(const Eigen::VectorXd& pressure);
@@ -34,7 +37,8 @@ Doubt operator+(const Doubt& a, const Doubt& b);
 /// The doubt of pressures whose exact values lie within bounds.
 Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
-/// Each row's relative error at most.
+/// Each row's largest error over the exact pressure and secant, which may be as much below the curve's as the
+/// doubt says; infinite if they may be 0.
 Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale);
 
 /// How many of the first rows must be known for the others, moved to join the last of them, to be within

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "domain/accuracy/respond_within.hpp"
 #include "domain/accuracy/window.hpp"
+#include "domain/response/model.hpp"
+
+#include <optional>
 
 namespace rough {
 
@@ -14,12 +16,16 @@ struct LineOfMap {
 /// Throws InputError where there is no map.
 LineOfMap line_of_map(const Profile& map);
 
-/// The response of a map within `accuracy` (relative, more than 0 to 1, of pressure and secants). Where it
-/// repeats (periodic) and pressure_bounds() say that its line is as near as that, the line answers: the
-/// displacements are the map's, or the line's where loads were asked for. The bounds rest on a capacitary
-/// pressure that is nowhere negative: proven of the continuum, not of sampled maps. Otherwise the map itself
-/// is solved, by a tolerance of a twentieth, and the account says how far the line would have been off. A
-/// free map is no endless ridge, so no line answers for it. Throws InputError as respond_within.
-AccountedResponse respond_map_within(const Profile& map, const Model& model, double accuracy);
+/// A line's curve in place of a map's.
+struct ByLine {
+    LineOfMap of;
+    Response response;             ///< at the map's displacements, or the line's where loads were asked for
+    std::vector<int> last_contact; ///< nodes of the line that touch at the last load step
+    double bound; ///< error_bounds.hpp, of pressures and secants; infinite where there is none
+};
+/// Presses the line of a map that repeats (a free map is no endless ridge). The bound is pressure_bounds():
+/// it rests on a capacitary pressure that is nowhere negative, proven of the continuum, not of sampled maps.
+/// Nothing where the line cannot be pressed as far as the map.
+std::optional<ByLine> respond_by_line(const Profile& map, const Model& model);
 
 } // namespace rough

@@ -41,6 +41,8 @@ class Rows {
         }
         rows_.solved += static_cast<int>(open.size());
         rows_.solver = curve.solver;
+        if (open.back() + 1 == displacements_.size())
+            rows_.last_contact = curve.last_contact;
     }
 
     /// Reads the rows between solved ones; returns the rows to solve next, none if `accuracy` is met.
@@ -74,8 +76,13 @@ class Rows {
     LoadRows take() { return std::move(rows_); }
 
   private:
-    /// Reads row j between two solved ones; returns how far off the exact pressure it may be, MPa.
-    double read(std::size_t j, const LoadStep& a, const LoadStep& b) {
+    struct Reading {
+        double off,
+            least; ///< how far off the exact pressure a row may be, and the least that this may be, MPa
+    };
+
+    /// Reads row j between two solved ones.
+    Reading read(std::size_t j, const LoadStep& a, const LoadStep& b) {
         const double x = displacements_[j], h = b.displacement - a.displacement;
         const double t = (x - a.displacement) / h;
         const double chord = a.pressure + t * (b.pressure - a.pressure);
@@ -92,29 +99,28 @@ class Rows {
         rows_.area_error =
             std::max(rows_.area_error, area_off / std::max(a.contact_fraction, least_fraction_));
         step.kkt_residual = std::max(a.kkt_residual, b.kkt_residual);
-        return std::max(chord - step.pressure, step.pressure - tangents);
+        return {std::max(chord - step.pressure, step.pressure - tangents), std::min(tangents, chord)};
     }
 
     /// Reads rows first..b-1 between the solved a and b; returns the bound of the relative error of theirs
     /// and b's pressures and secants.
     double read_gap(std::size_t first, std::size_t b, const LoadStep& start) {
         const LoadStep end = rows_.steps[b];
-        const double floor = light_load * rows_.steps.back().pressure;
+        const auto over = [](double off, double exact) { return off > 0 ? off / exact : 0; };
         // A convex cubic's secants lie between the two tangents, as the exact ones do.
         const double rise = 3 * (end.pressure - start.pressure) / (end.displacement - start.displacement);
         const bool convex = 2 * start.tangent_stiffness + end.tangent_stiffness <= rise &&
                             rise <= start.tangent_stiffness + 2 * end.tangent_stiffness;
         double worst = 0, last_off = 0, last = start.displacement;
         for (std::size_t j = first; j <= b; ++j) {
-            const double off = j < b ? read(j, start, end) : 0;
+            const auto [off, pressure] = j < b ? read(j, start, end) : Reading{0, 1};
             const LoadStep& step = rows_.steps[j];
             const double length = step.displacement - last;
             const double least = length * start.tangent_stiffness;
             double secant_off = off + last_off;
             if (convex)
                 secant_off = std::min(secant_off, length * end.tangent_stiffness - least);
-            const double scale = step.pressure < floor ? std::max(least, floor) : least;
-            worst = std::max({worst, off / std::max(step.pressure, floor), secant_off / scale});
+            worst = std::max({worst, over(off, pressure), over(secant_off, least)});
             last_off = off;
             last = step.displacement;
         }

@@ -6,9 +6,9 @@
 #include "domain/accuracy/load_rows.hpp"
 #include "domain/accuracy/respond.hpp"
 #include "domain/contact/full_contact.hpp"
-#include "domain/contact/solvers/choice.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
+#include "domain/profile/roughness.hpp"
 #include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
@@ -23,6 +23,8 @@ namespace {
 
 // Shares of the accuracy asked for; the grid may take what the others leave.
 constexpr double step_share = 0.25, solver_share = 0.05;
+/// What solvers take.
+constexpr double least_tolerance = 1e-10, most_tolerance = 0.01;
 /// Widest window of dropped chromosomes, in load steps and units of the accuracy: it makes a secant's bound a
 /// fifth of the accuracy or so.
 constexpr double window_share = 1.0 / 16;
@@ -82,9 +84,23 @@ Doubt solver_doubt(const std::vector<LoadStep>& steps, Index count) {
     return doubt_of(off, Eigen::VectorXd::Zero(count), 2 * off);
 }
 
-/// What a curve costs on so many nodes, of which a part touches at its last step, by the faster solver.
+/// What a curve costs on so many nodes, of which a part touches at its last step.
 double cost(double nodes, double fraction, double rows) {
-    return std::min(nested_cost(nodes, fraction * nodes, rows), active_set_cost(nodes, rows));
+    return predicted_cost(nodes, fraction * nodes, rows);
+}
+
+/// The set-up with a solver's tolerance that takes no more than its share of an accuracy, 0: none.
+Model tolerant(Model model, double accuracy) {
+    if (accuracy > 0 && model.body.yields())
+        throw InputError("accuracy: given with a hardness, expected one of them: the bounds that an "
+                         "accuracy rests on do not hold where pressures are held");
+    const auto steps = static_cast<double>(
+        std::max(model.loading.pressures.size(), static_cast<std::size_t>(model.loading.steps)));
+    if (accuracy > 0)
+        model.contact.tolerance =
+            std::min(model.contact.tolerance,
+                     std::clamp(solver_share * accuracy / (2 * steps), least_tolerance, most_tolerance));
+    return model;
 }
 
 /// What the grids solved so far say, one column a grid.
@@ -110,21 +126,15 @@ struct Ladder {
 class Question {
   public:
     Question(Surface surface, const Model& resolved, double accuracy)
-        : surface_(std::move(surface)), model_(completed(resolved)), accuracy_(accuracy),
+        : surface_(std::move(surface)), model_(tolerant(completed(resolved), accuracy)), accuracy_(accuracy),
           whole_(surface_.sampled(model_.grid)), highest_(whole_.heights.maxCoeff()), pressed_(pressed()),
           rows_(displacements()), count_(static_cast<Index>(rows_.size())) {
-        if (accuracy > 0 && resolved.body.yields())
-            throw InputError("accuracy: given with a hardness, expected one of them: the bounds that an "
-                             "accuracy rests on do not hold where pressures are held");
-        if (accuracy > 0)
-            model_.contact.tolerance =
-                std::min(model_.contact.tolerance, solver_share * accuracy / (2.0 * resolved.loading.steps));
         response_.range = displacement_range(whole_, resolved.body.kernel);
         response_.full_stiffness = full_contact_stiffness(whole_, resolved.body);
         response_.displacement = Eigen::Map<const Eigen::VectorXd>(rows_.data(), count_);
         account_.accuracy = accuracy;
-        account_.resolved_nodes = resolved.grid.shape().nodes();
-        account_.rows = resolved.loading.steps;
+        account_.resolved_nodes = whole_.nodes();
+        account_.rows = static_cast<int>(count_);
         account_.tolerance = model_.contact.tolerance;
     }
 
@@ -136,6 +146,8 @@ class Question {
     /// the first rows, where contact is slight: these are the hardest for coarse grids and the cheapest for
     /// fine ones. False if that is not worth it.
     bool by_coarser_grids(const Surface& surface, const Window& window) {
+        if (!pressed_.steps.empty())
+            return false;
         const double features = model_.grid.length / surface.finest_feature;
         const double first = std::max<double>(fewest_elements, first_elements_per_feature * features);
         const double finest = finest_part * resolved_nodes();
@@ -180,7 +192,8 @@ class Question {
 
     void by_resolved_grid() {
         const LoadRows rows = pressed_.steps.empty() ? resolved(rows_) : pressed_;
-        account_.grids.push_back(model_.grid.shape().nodes());
+        last_contact_ = rows.last_contact;
+        account_.grids.push_back(whole_.nodes());
         account_.solver = response_.solver = rows.solver;
         account_.solved_rows = rows.solved;
         account_.resolved_rows = static_cast<int>(count_);
@@ -192,11 +205,13 @@ class Question {
         response_.tangent_stiffness = column(rows.steps, count_, &LoadStep::tangent_stiffness);
         response_.kkt_residual = column(rows.steps, count_, &LoadStep::kkt_residual);
         account_.solver_error =
-            relative(solver_doubt(rows.steps, count_), error_scale(response_.pressure)).maxCoeff();
+            relative(solver_doubt(rows.steps, count_), error_scale(response_.pressure, 0)).maxCoeff();
         account_.estimated_error = account_.step_error + account_.solver_error;
     }
 
-    AccountedResponse answer() { return {std::move(response_), std::move(account_)}; }
+    AccountedResponse answer() {
+        return {std::move(response_), std::move(account_), std::move(last_contact_)};
+    }
 
   private:
     /// What an answer's errors come from.
@@ -215,13 +230,14 @@ class Question {
 
     double resolved_nodes() const { return static_cast<double>(whole_.nodes()); }
 
-    /// The load steps of a map at the pressures that are given, if every row is to be solved.
+    /// The load steps at given pressures: to find their displacements is to solve them.
     LoadRows pressed() const {
         const std::vector<double>& pressures = model_.loading.pressures;
-        if (!whole_.is_2d() || pressures.empty() || accuracy_ > 0)
+        if (pressures.empty())
             return {};
-        ContactCurve curve = solve_contact_at_pressures(whole_, model_.body, pressures, model_.contact);
-        return {std::move(curve.steps), 0, 0, static_cast<int>(pressures.size()), curve.solver};
+        ContactCurve curve = press(whole_, model_.body, model_.loading, model_.contact);
+        return {std::move(curve.steps),       0, 0, static_cast<int>(pressures.size()), curve.solver,
+                std::move(curve.last_contact)};
     }
     std::vector<double> displacements() const {
         if (pressed_.steps.empty())
@@ -232,7 +248,8 @@ class Question {
         return found;
     }
     LoadRows resolved(const std::vector<double>& rows) const {
-        return solve_rows(whole_, model_.body, rows, model_.contact, step_share * accuracy_);
+        return solve_rows(whole_, model_.body, rows, model_.contact,
+                          whole_.is_2d() ? 0 : step_share * accuracy_);
     }
 
     /// Whether half the rows would need more elements than there may be.
@@ -276,6 +293,8 @@ class Question {
         account_.solver = response_.solver = rows.solver;
         account_.solved_rows = rows.solved;
         account_.resolved_rows = static_cast<int>(known);
+        if (const Index light = light_rows(response_.pressure); light > known)
+            account_.light_rows = static_cast<int>(light);
         account_.read_grids = static_cast<int>(ladder.line());
         return true;
     }
@@ -323,6 +342,7 @@ class Question {
     Index count_;
     Response response_;
     Account account_;
+    std::vector<int> last_contact_;
 };
 
 void expect_accuracy(double accuracy) {
@@ -345,6 +365,40 @@ AccountedResponse by_own_nodes(const Profile& scan, const Model& model, double a
         question.by_resolved_grid();
         return question.answer();
     });
+}
+
+/// The line, if its bound is within the accuracy, or the map itself with how far the line is off.
+AccountedResponse map_within(const Profile& map, const Model& asked, double accuracy) {
+    const Model model = tolerant(completed(asked), accuracy);
+    std::optional<ByLine> by_line;
+    double aspect_ratio = std::nan("");
+    if (model.body.kernel == Kernel::periodic) {
+        aspect_ratio = texture(map, true).Str;
+        by_line = respond_by_line(map, model);
+    }
+    AccountedResponse result;
+    Account& account = result.account;
+    if (by_line && by_line->bound <= accuracy) {
+        account.accuracy = accuracy;
+        account.by_line = true;
+        account.resolved_nodes = map.nodes();
+        account.grids = {by_line->of.line.nodes()};
+        account.rows = account.solved_rows = static_cast<int>(by_line->response.steps());
+        account.light_rows = static_cast<int>(light_rows(by_line->response.pressure));
+        account.window = by_line->of.window;
+        account.solver = by_line->response.solver;
+        account.tolerance = model.contact.tolerance;
+        account.line_error = account.dropped_error = account.estimated_error = by_line->bound;
+        account.area_error = account.window.width() > 0 ? std::nan("") : 0;
+        result.response = std::move(by_line->response);
+        result.last_contact = std::move(by_line->last_contact);
+    } else {
+        result = by_own_nodes(map, model, accuracy);
+        if (by_line && model.loading.pressures.empty() && model.loading.to_pressure == 0)
+            account.line_error = relative_error(by_line->response.pressure, result.response.pressure);
+    }
+    account.aspect_ratio = aspect_ratio;
+    return result;
 }
 
 } // namespace
@@ -379,7 +433,7 @@ AccountedResponse respond_within(const Genome& genome, const Model& resolved, do
 AccountedResponse respond_within(const Profile& scan, const Model& resolved, double accuracy) {
     expect_accuracy(accuracy);
     if (scan.is_2d())
-        return timed([&] { return respond_map_within(scan, resolved, accuracy); });
+        return timed([&] { return map_within(scan, resolved, accuracy); });
     return by_own_nodes(scan, resolved, accuracy);
 }
 

@@ -1,5 +1,6 @@
 #include "domain/contact/names.hpp"
 
+#include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
 
 #include <algorithm>
@@ -33,7 +34,12 @@ Kernel kernel_named(const std::string& name, const std::string& where) {
 }
 
 const std::vector<std::string>& solver_names() {
-    static const std::vector<std::string> names{"auto", "nested", "nnls", "polonsky-keer", "active-set"};
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const ContactSolver& solver : contact_solvers)
+            all.emplace_back(solver.name);
+        return all;
+    }();
     return names;
 }
 
@@ -42,5 +48,7 @@ const std::string& name_of(Solver solver) { return solver_names()[static_cast<st
 Solver solver_named(const std::string& name, const std::string& where) {
     return named<Solver>(name, solver_names(), where);
 }
+
+bool is_direct(Solver solver) { return row_of(solver).direct; }
 
 } // namespace rough

@@ -1,11 +1,46 @@
 #include "domain/contact/pressure_and_gap.hpp"
 
 #include "domain/contact/solvers/problem.hpp"
-#include "domain/contact/spots.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace rough {
+
+std::vector<Index> contact_spots(const std::vector<int>& contact, Extent shape, bool wraps) {
+    std::vector<char> waiting(static_cast<std::size_t>(shape.nodes()), 0);
+    for (const int node : contact)
+        waiting[static_cast<std::size_t>(node)] = 1;
+    std::vector<Index> sizes, reached;
+    const auto reach = [&](Index i, Index j) {
+        if (wraps) {
+            i = (i + shape.columns) % shape.columns;
+            j = (j + shape.rows) % shape.rows;
+        }
+        if (i < 0 || j < 0 || i >= shape.columns || j >= shape.rows)
+            return;
+        const Index node = j * shape.columns + i;
+        if (!waiting[static_cast<std::size_t>(node)])
+            return;
+        waiting[static_cast<std::size_t>(node)] = 0;
+        reached.push_back(node);
+    };
+    for (const int first : contact) {
+        reached.clear();
+        reach(first % shape.columns, first / shape.columns);
+        for (std::size_t k = 0; k < reached.size(); ++k) {
+            const Index i = reached[k] % shape.columns, j = reached[k] / shape.columns;
+            reach(i - 1, j);
+            reach(i + 1, j);
+            reach(i, j - 1);
+            reach(i, j + 1);
+        }
+        if (!reached.empty())
+            sizes.push_back(static_cast<Index>(reached.size()));
+    }
+    std::sort(sizes.begin(), sizes.end(), std::greater<>());
+    return sizes;
+}
 
 Interface interface_at(const Profile& surface, const Body& body, const LoadStep& step,
                        const ContactState& state) {

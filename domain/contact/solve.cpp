@@ -2,15 +2,11 @@
 
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/names.hpp"
-#include "domain/contact/solvers/active_set.hpp"
-#include "domain/contact/solvers/capped.hpp"
+#include "domain/contact/solvers/cascade.hpp"
 #include "domain/contact/solvers/certificate.hpp"
 #include "domain/contact/solvers/choice.hpp"
-#include "domain/contact/solvers/nested.hpp"
-#include "domain/contact/solvers/nnls.hpp"
-#include "domain/contact/solvers/polonsky_keer.hpp"
-#include "domain/contact/solvers/problem.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
+#include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
 
 #include <algorithm>
@@ -29,6 +25,8 @@ ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& 
     curve.solver = choice.solver;
     curve.choice = choice.reason;
     curve.iterations = solution.iterations;
+    if (!solution.steps.empty())
+        curve.last_contact = solution.steps.back().nodes;
     for (std::size_t j = 0; j < solution.steps.size(); ++j) {
         StepSolution& found = solution.steps[j];
         curve.steps.push_back(load_step(
@@ -56,26 +54,12 @@ StepSolution first_touch(const ContactProblem& problem, const ContactOptions& op
     return step_solution(touching, load, tangent, options.states);
 }
 
-void solve_by(Solver solver, const ContactProblem& problem, const ContactOptions& options, double most_work,
-              Solution& solution) {
-    switch (solver) {
-    case Solver::nnls:
-        return solve_nnls(problem, options, solution);
-    case Solver::polonsky_keer:
-        return solve_polonsky_keer(problem, options, solution);
-    case Solver::active_set:
-        return solve_active_set(problem, options, solution);
-    default:
-        return solve_nested(problem, options, most_work, solution);
-    }
-}
-
-/// The others take displacements: Newton's method finds those of the loads.
+/// For the others Newton's method finds the displacements.
 bool takes_loads(Solver solver, const ContactProblem& problem) {
-    if (problem.load.empty())
-        return true;
-    return !std::isfinite(problem.cap) && (solver == Solver::nested || solver == Solver::polonsky_keer ||
-                                           (solver == Solver::active_set && problem.is_2d()));
+    const auto loads = row_of(solver).loads;
+    return problem.load.empty() ||
+           (!std::isfinite(problem.cap) &&
+            (loads == ContactSolver::always || (loads == ContactSolver::on_maps && problem.is_2d())));
 }
 
 /// The chosen solver goes first. If it fails, the other one continues with the step that it failed at, and
@@ -83,25 +67,28 @@ bool takes_loads(Solver solver, const ContactProblem& problem) {
 void solve_by_choice(SolverChoice& choice, ContactProblem problem, const ContactOptions& options,
                      Solution& solution) {
     const Solver other = choice.solver == Solver::nested ? Solver::active_set : Solver::nested;
-    const double most_work = most_nested_work(problem);
+    const double most_work = most_nested_work(problem), unlimited = problem.work_limit;
     std::vector<double>& steps = problem.load.empty() ? problem.approach : problem.load;
     std::string failures;
     for (const Solver solver : {choice.solver, other, Solver::polonsky_keer}) {
-        if (solver == Solver::active_set && !takes_loads(solver, problem))
+        if (!takes_loads(solver, problem))
             continue;
         const std::size_t solved = solution.steps.size();
         if (!failures.empty())
             choice.reason += "; after " + std::to_string(solved) + " load steps handed over to " +
                              name_of(solver) + ": " + failures;
         choice.solver = solver;
+        problem.work_limit = solver == Solver::nested ? most_work : unlimited;
         try {
-            return solve_by(solver, problem, options, most_work, solution);
+            return row_of(solver).solve(problem, options, solution);
         } catch (const NotConverged& error) {
             failures += (failures.empty() ? "" : "; ") + std::string(error.what());
         } catch (const InputError& error) { // a factor that grows beyond the memory
             failures += (failures.empty() ? "" : "; ") + std::string(error.what());
         }
         check_stop(options);
+        if (&steps == &problem.load && !problem.is_2d()) // Newton's method, whose solutions have all of these
+            break;
         steps.erase(steps.begin(),
                     steps.begin() + static_cast<std::ptrdiff_t>(solution.steps.size() - solved));
     }
@@ -110,7 +97,6 @@ void solve_by_choice(SolverChoice& choice, ContactProblem problem, const Contact
 
 /// The steps without approach, then those with.
 Solution solve(SolverChoice& choice, ContactProblem problem, const ContactOptions& options) {
-    constexpr double unlimited = std::numeric_limits<double>::infinity();
     const auto loaded = std::upper_bound(problem.approach.begin(), problem.approach.end(), 0.0);
     const std::vector<StepSolution> touches(
         static_cast<std::size_t>(loaded - problem.approach.begin()),
@@ -118,13 +104,13 @@ Solution solve(SolverChoice& choice, ContactProblem problem, const ContactOption
     problem.approach.erase(problem.approach.begin(), loaded);
     Solution solution;
     if (std::isfinite(problem.cap))
-        solution = solve_capped(problem, options);
+        row_of(options.solver).capped(problem, options, solution);
     else if (options.solver == Solver::automatic)
         solve_by_choice(choice, problem, options, solution);
     else {
         if (choice.solver == Solver::nested)
             expect_factor_to_fit(problem, options);
-        solve_by(choice.solver, problem, options, unlimited, solution);
+        row_of(choice.solver).solve(problem, options, solution);
     }
     solution.steps.insert(solution.steps.begin(), touches.begin(), touches.end());
     return solution;
@@ -136,7 +122,7 @@ SolverChoice chosen(const ContactProblem& problem, const ContactOptions& options
 }
 
 void check_solver(const Body& body, const ContactOptions& options) {
-    if (body.yields() && options.solver != Solver::automatic && options.solver != Solver::active_set)
+    if (body.yields() && !row_of(options.solver).capped)
         refuse("a hardness was given with a solver that knows none, auto or active-set is expected");
 }
 
@@ -145,9 +131,10 @@ void check_tolerance(const ContactOptions& options) {
         refuse("solver tolerance ", options.tolerance, " was given, one between 1e-10 and 0.01 is expected");
 }
 
-/// How well a mean pressure is met, over itself: as well as an iterative solver knows it, else to rounding.
+/// How well a mean pressure is met, over itself: half as well as an iterative solver knows it, else to
+/// rounding.
 double load_tolerance(Solver solver, const Body& body, const ContactOptions& options) {
-    return body.yields() ? 1e-12 : solver == Solver::active_set ? options.tolerance : 0;
+    return body.yields() ? 1e-12 : is_direct(solver) ? 0 : 0.5 * options.tolerance;
 }
 
 /// The step at which the mean pressure is `pressure`, from one under less. Newton's method on a convex
@@ -243,6 +230,25 @@ std::optional<StepSolution> pressed_flat(double load, const ContactProblem& prob
     return step;
 }
 
+/// Where to begin looking for the first load's displacement, mm: at the one that every fourth node needs, or
+/// fewer of a fine grid, by the factor; 0 if that is not known.
+double first_guess(ContactProblem problem, const ContactOptions& options) {
+    constexpr Index fewest = 64, stride = 4, most = 1024;
+    if (problem.nodes() < fewest)
+        return 0;
+    Index highest = 0;
+    problem.gap.minCoeff(&highest);
+    problem.load.resize(1);
+    try {
+        Solution found;
+        solve_nested(coarsened(problem, std::max(stride, problem.nodes() / most), highest), options, found);
+        return found.steps[0].approach * problem.displacement_unit;
+    } catch (const NotConverged&) { // it is in full contact before it bears the load
+        check_stop(options);
+        return 0;
+    }
+}
+
 /// Loads to which Newton's method finds the displacements.
 ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profile, const Body& body,
                              const std::vector<double>& pressures, const ContactOptions& options) {
@@ -250,7 +256,8 @@ ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profi
         body.kernel == Kernel::periodic && body.yields() ? full_contact_pressure(problem) : Eigen::VectorXd();
     std::vector<std::optional<StepSolution>> flat(pressures.size());
     std::vector<double> displacements;
-    LoadStep from = solve_contact(profile, body, {0}, options).steps.front();
+    const double guess = std::min(first_guess(problem, options), largest_displacement(profile, body));
+    LoadStep from = solve_contact(profile, body, {guess}, options).steps.front();
     for (std::size_t j = 0; j < pressures.size(); ++j) {
         if (deviation.size() > 0)
             flat[j] = pressed_flat(problem.load[j], problem, deviation, options);
@@ -264,6 +271,7 @@ ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profi
         if (flat[j]) {
             ContactCurve pressed =
                 in_units(problem, {}, {{*flat[j]}, 0}, {curve.solver, curve.choice}, options);
+            curve.last_contact = pressed.last_contact; // no less load follows
             const auto at = static_cast<std::ptrdiff_t>(j);
             curve.steps.insert(curve.steps.begin() + at, pressed.steps.front());
             if (options.states)
@@ -303,9 +311,27 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
     if (body.kernel == Kernel::periodic && !body.yields())
         check_full_contact(pressures.back(), problem);
     SolverChoice choice = chosen(problem, options);
-    if (takes_loads(choice.solver, problem))
-        return in_units(problem, {}, solve(choice, problem, options), choice, options);
+    if (takes_loads(choice.solver, problem)) {
+        try {
+            return in_units(problem, {}, solve(choice, problem, options), choice, options);
+        } catch (const NotConverged&) {
+            if (options.solver != Solver::automatic || problem.is_2d() || is_stopped(options))
+                throw;
+        }
+    }
     return solve_by_newton(problem, profile, body, pressures, options);
+}
+
+double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
+                                ContactOptions options) {
+    options.states = false;
+    const bool direct =
+        options.solver == Solver::automatic ? profile.nodes() <= always_nested : is_direct(options.solver);
+    // On an area, and with a hardness, the load is met as it is.
+    const double slack = direct || profile.is_2d() || body.yields() ? 0 : 2 * options.tolerance;
+    return solve_contact_at_pressures(profile, body, {pressure * (1 + slack)}, options)
+        .steps.front()
+        .displacement;
 }
 
 } // namespace rough

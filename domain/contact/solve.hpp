@@ -18,7 +18,7 @@ struct ContactOptions {
     double tolerance = 1e-6;           ///< relative, iterative solvers only
     bool states = false;       ///< keep each step's contact set, pressures and tangent vector for the adjoint
     double memory_limit = 2e9; ///< bytes; a factor predicted to need more is refused
-    std::function<bool()> stop; ///< asked now and then where set; true ends the solution with NotConverged
+    std::function<bool()> stop; ///< asked now and then if set; true ends the solution with NotConverged
 };
 
 /// Whether somebody asks a solution to end.
@@ -48,6 +48,7 @@ struct ContactState {
 struct ContactCurve {
     std::vector<LoadStep> steps;       ///< one a displacement, in the order given
     std::vector<ContactState> states;  ///< same length as steps; empty unless asked for
+    std::vector<int> last_contact;     ///< nodes that touch at the last step
     Solver solver = Solver::automatic; ///< the one that was used
     std::string choice;                ///< why `automatic` took it, in words
     long iterations = 0;               ///< the solver's own unit, over all steps
@@ -64,11 +65,22 @@ struct ContactCurve {
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options = {});
 
-/// The same under load control: to each of the mean pressures (MPa, > 0, increasing). Polonsky-Keer takes the
-/// load as published; with the other solvers Newton's method finds the displacement, P being convex in it.
+/// The same under load control: to each of the mean pressures (MPa, > 0, increasing). A solver that takes no
+/// loads (the table in solvers/solvers.hpp) is asked for displacements, which Newton's method finds, P being
+/// convex in them.
 /// Throws InputError also on a pressure that needs more than full contact (periodic).
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures,
                                         const ContactOptions& options = {});
+
+/// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm: to 12 digits of pressure by a
+/// direct solver, and up to 3 tolerances above it by an iterative one on a line, so that no curve to it ends
+/// below. Throws what solve_contact_at_pressures throws.
+double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
+                                ContactOptions options = {});
+
+/// Predicted cost of a curve of so many steps on `nodes` nodes, of which `contact` touch at the last one, by
+/// the faster of the factor and the active set; only ratios of costs mean anything.
+double predicted_cost(double nodes, double contact, double steps);
 
 } // namespace rough

@@ -67,7 +67,7 @@ class DesignProblem {
     /// shorter than allowed, both sharing the slack; these two stay where the grid wraps.
     std::vector<ga::Variable> bounds(const Genome& genome) const;
     /// Misfits at the objective's points, then one row a limit on shape, with exact derivatives. Contact
-    /// fractions are the smooth ones (response/smooth_area.hpp) here, as a count of nodes has no derivative.
+    /// fractions are the smooth ones (contact/smooth_area.hpp) here, as a count of nodes has no derivative.
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 
     /// What surfaces may differ in (surface_descriptors).

@@ -6,7 +6,7 @@
 namespace rough {
 
 /// All targets' misfits of a genome under a model with their derivatives, target after target. Those of
-/// contact fractions are of the smooth ones (response/smooth_area.hpp), within one node an edge of contact.
+/// contact fractions are of the smooth ones (contact/smooth_area.hpp), within one node an edge of contact.
 struct Rows {
     ga::Sensitivity misfits;     ///< one row a point
     double factor = 1;           ///< of Eq. 11; 1 where it does not apply

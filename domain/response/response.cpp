@@ -1,10 +1,8 @@
 #include "domain/response/response.hpp"
 
 #include "domain/contact/full_contact.hpp"
-#include "domain/contact/kernel.hpp"
-#include "domain/contact/solvers/choice.hpp"
+#include "domain/contact/smooth_area.hpp"
 #include "domain/errors.hpp"
-#include "domain/response/smooth_area.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,31 +52,6 @@ std::vector<double> even_steps(double last, const Loading& loading) {
     return displacements;
 }
 
-Body completed_for(const Profile& profile, const Body& body) {
-    return completed(body, profile_length(profile, body.kernel));
-}
-
-/// Where to start looking for a pressure: the answer for every fourth node, whose contact is found in a
-/// fraction of the time; half the range where there are too few.
-double first_guess(const Profile& profile, const Body& body, double pressure, const ContactOptions& options,
-                   double range) {
-    constexpr Index part = 4, fewest = 256;
-    const bool wraps = body.kernel == Kernel::periodic;
-    if (profile.nodes() < fewest || (wraps && profile.nodes() % part != 0))
-        return 0.5 * range;
-    Profile coarse{Eigen::VectorXd((profile.nodes() + part - 1) / part), part * profile.spacing};
-    for (Index i = 0; i < coarse.nodes(); ++i)
-        coarse.heights[i] = profile.heights[part * i];
-    if (!(coarse.heights.maxCoeff() > coarse.heights.minCoeff()))
-        return 0.5 * range;
-    try {
-        return displacement_at_pressure(coarse, body, pressure, options) + profile.heights.maxCoeff() -
-               coarse.heights.maxCoeff();
-    } catch (const InputError&) { // its heights fill before those of all nodes do
-        return range;
-    }
-}
-
 } // namespace
 
 Loading completed(Loading loading, Kernel kernel) {
@@ -107,20 +80,9 @@ std::vector<double> step_displacements(const Profile& profile, const Body& body,
                                        const ContactOptions& options) {
     if (!loading.pressures.empty()) {
         std::vector<double> displacements;
-        if (profile.is_2d()) {
-            for (const LoadStep& step :
-                 solve_contact_at_pressures(profile, body, loading.pressures, options).steps)
-                displacements.push_back(step.displacement);
-            return displacements;
-        }
-        double before = 0;
-        for (const double pressure : loading.pressures) {
-            if (!std::isfinite(pressure) || !(pressure > before))
-                refuse("pressures: ", pressure, " MPa given after ", before,
-                       " MPa, expected positive increasing finite values");
-            displacements.push_back(displacement_at_pressure(profile, body, pressure, options));
-            before = pressure;
-        }
+        for (const LoadStep& step :
+             solve_contact_at_pressures(profile, body, loading.pressures, options).steps)
+            displacements.push_back(step.displacement);
         return displacements;
     }
     validate(completed(loading, body.kernel), body.kernel);
@@ -131,42 +93,17 @@ std::vector<double> step_displacements(const Profile& profile, const Body& body,
     return load_displacements(displacement_range(profile, body.kernel), loading, body.kernel);
 }
 
-double displacement_at_pressure(const Profile& profile, const Body& given, double pressure,
-                                const ContactOptions& options) {
-    const Body body = completed_for(profile, given);
-    const double range = displacement_range(profile, body.kernel);
-    // With a hardness P is not convex; on an area a solution costs too much to begin again at each guess.
-    if (body.yields() || profile.is_2d())
-        return solve_contact_at_pressures(profile, body, {pressure}, options).steps.front().displacement;
-    const bool periodic = body.kernel == Kernel::periodic;
-    const double farthest = periodic ? range * (1 - 1e-9) : std::numeric_limits<double>::infinity();
-    // An iterative solver's pressures are good to its tolerance: aim so far above that none ends below.
-    const bool direct = options.solver == Solver::nested || options.solver == Solver::nnls ||
-                        (options.solver == Solver::automatic && profile.nodes() <= always_nested);
-    const double slack = direct ? 0 : 2 * options.tolerance;
-    const double aim = pressure * (1 + slack), enough = std::max(1e-12, slack / 4) * pressure;
-    double displacement = std::min(farthest, first_guess(profile, body, pressure, options, range));
-    for (int round = 0; round < 100; ++round) {
-        const LoadStep step = solve_contact(profile, body, {displacement}, options).steps.front();
-        const double missing = aim - step.pressure;
-        if (std::abs(missing) <= enough)
-            return displacement;
-        if (missing > 0 && displacement == farthest)
-            refuse("profile: in full contact at ", step.pressure, " MPa, expected at ", pressure,
-                   " MPa or more: its heights are too small for the load");
-        // The tangent lies below the convex curve: from a pressure too high Newton comes down without
-        // passing the root; from one too low it passes it once.
-        const double next = displacement + missing / step.tangent_stiffness;
-        displacement = next > 0 ? std::min(next, farthest) : 0.5 * displacement;
-    }
-    throw NotConverged("displacement at a given pressure: not settled in 100 rounds");
+ContactCurve press(const Profile& profile, const Body& body, const Loading& loading,
+                   const ContactOptions& options) {
+    if (!loading.pressures.empty())
+        return solve_contact_at_pressures(profile, body, loading.pressures, options);
+    return solve_contact(profile, body, step_displacements(profile, body, loading, options), options);
 }
 
 Response respond(const Profile& profile, const Body& body, const Loading& loading,
                  const ContactOptions& options) {
     const double range = displacement_range(profile, body.kernel);
-    const ContactCurve curve =
-        solve_contact(profile, body, step_displacements(profile, body, loading, options), options);
+    const ContactCurve curve = press(profile, body, loading, options);
     return response_of(curve.steps, curve.solver, range, full_contact_stiffness(profile, body));
 }
 
@@ -180,9 +117,8 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
                " MPa given, expected none: a contact fraction with held nodes has "
                "no gradient");
     const double range = displacement_range(profile, body.kernel);
-    const std::vector<double> displacements = step_displacements(profile, body, loading, options);
     options.states = true;
-    const ContactCurve curve = solve_contact(profile, body, displacements, options);
+    const ContactCurve curve = press(profile, body, loading, options);
     const Index nodes = profile.nodes(), steps = static_cast<Index>(curve.steps.size());
     Index highest = 0, lowest = 0;
     profile.heights.maxCoeff(&highest);

@@ -65,13 +65,11 @@ std::vector<double> load_displacements(double range, const Loading& loading, Ker
 std::vector<double> step_displacements(const Profile& profile, const Body& body, const Loading& loading,
                                        const ContactOptions& options = {});
 
-/// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm: Newton's method on the convex
-/// P(Delta), to 12 digits of pressure by a direct solver and up to 3 tolerances above it by another. Throws
-/// InputError where the periodic profile is in full contact below it.
-double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
-                                const ContactOptions& options = {});
+/// Presses the profile as the loading says. Throws as step_displacements() and the solutions do.
+ContactCurve press(const Profile& profile, const Body& body, const Loading& loading,
+                   const ContactOptions& options = {});
 
-/// Presses the profile to the displacements of step_displacements(): K(p) of an array of heights is
+/// What press() finds, as a response: K(p) of an array of heights is
 /// secant_stiffness(respond({heights, spacing})). Throws InputError on a profile, body or
 /// loading without a solution, NotConverged where a step's certificate is above tolerance.
 Response respond(const Profile& profile, const Body& body = {}, const Loading& loading = {},

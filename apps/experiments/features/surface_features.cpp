@@ -1,7 +1,7 @@
 #include "apps/experiments/features/surface_features.hpp"
 
 #include "apps/report/units.hpp"
-#include "domain/contact/spots.hpp"
+#include "domain/contact/pressure_and_gap.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/response/response.hpp"

@@ -1,16 +1,13 @@
-#include "domain/contact/solvers/active_set.hpp"
-
 #include "domain/contact/solvers/advance.hpp"
 #include "domain/contact/solvers/cascade.hpp"
 #include "domain/contact/solvers/certificate.hpp"
-#include "domain/contact/solvers/nested.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
+#include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
 
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 
 namespace rough {
 
@@ -313,55 +310,67 @@ class ActiveSet {
     bool stale_ = true;         ///< the displacement off the contact set
 };
 
-Solution guess(const ContactProblem& problem, ContactOptions options);
-
-StepSolution certified(const ContactProblem& problem, double approach, StepSolution found,
-                       SplitOperator& check, const Eigen::VectorXd& pressure, double tolerance) {
+/// By another path than the solver's.
+void certify_step(const ContactProblem& problem, StepSolution& found, SplitOperator& check,
+                  const Eigen::VectorXd& pressure, double tolerance) {
     const Eigen::VectorXd displacement = check.apply(pressure);
-    found.approach = approach;
-    found.residual = certify(problem, approach, found.nodes, found.pressure, displacement.data()).residual();
+    found.residual =
+        certify(problem, found.approach, found.nodes, found.pressure, displacement.data()).residual();
     if (!(found.residual <= 2 * tolerance))
-        fail("active set", problem, approach, found.residual, tolerance);
-    return found;
+        fail("active set", problem, found.approach, found.residual, tolerance);
 }
 
-Index stride_of(const ContactProblem& problem) { return problem.is_2d() ? area_stride : line_stride; }
+Solution guess(const ContactProblem& problem, ContactOptions options);
 
-/// Every load step; the coarser grid goes first, as long as it is worth while.
+/// Every load step; the coarser grid goes first, as long as it is worth while. The first load of the smallest
+/// grid, or of one whose coarser grid is in full contact before it bears that load, begins with an even
+/// pressure.
 void solve_levels(const ContactProblem& problem, const ContactOptions& options, Purpose purpose,
                   Solution& solution) {
-    const bool cascade = problem.nodes() > coarsest(problem);
-    const Index stride = stride_of(problem);
+    const bool cascade = problem.nodes() > coarsest(problem), by_load = !problem.load.empty();
+    const Index stride = problem.is_2d() ? area_stride : line_stride;
     ContactProblem coarse_problem = cascade ? coarsened(problem, stride) : problem;
+    std::vector<double>& coarse_steps = by_load ? coarse_problem.load : coarse_problem.approach;
     if (problem.is_2d()) // from the first step on the tangent begins as well as a coarser grid
-        coarse_problem.approach.resize(std::min<std::size_t>(1, problem.approach.size()));
+        coarse_steps.resize(std::min<std::size_t>(1, coarse_steps.size()));
     const Solution coarse = cascade ? guess(coarse_problem, options) : Solution();
     ActiveSet solver(problem, options, purpose);
-    SplitOperator check = split_operator(problem);
-    for (std::size_t j = 0; j < problem.approach.size(); ++j) {
-        const double approach = problem.approach[j];
+    std::optional<SplitOperator> check;
+    if (purpose == Purpose::curve)
+        check.emplace(split_operator(problem));
+    double approach = 0;
+    for (std::size_t j = 0; j < problem.steps(); ++j) {
         const long before = solver.applies();
         std::optional<Eigen::VectorXd> start;
-        if (j < coarse.steps.size())
+        if (j < coarse.steps.size()) {
             start = refined_pressures(coarse.steps[j], coarse_problem.shape, stride, problem.shape);
-        StepSolution found = solver.press(approach, start);
-        if (purpose == Purpose::curve)
-            found =
-                certified(problem, approach, std::move(found), check, solver.pressure(), options.tolerance);
+            approach = coarse.steps[j].approach;
+        } else if (by_load && j == 0) {
+            start = Eigen::VectorXd::Constant(problem.nodes(),
+                                              problem.load[0] / static_cast<double>(problem.nodes()));
+            approach = problem.gap.mean();
+        }
+        if (!by_load)
+            approach = problem.approach[j];
+        StepSolution found =
+            by_load ? solver.press_to(problem.load[j], approach, start) : solver.press(approach, start);
+        found.approach = approach;
+        if (check)
+            certify_step(problem, found, *check, solver.pressure(), options.tolerance);
         solution.steps.push_back(std::move(found));
         solution.iterations += solver.applies() - before;
     }
 }
 
-/// A coarse grid's solution, or as much of it as there is: it is a start for the fine grid, nothing hangs on
-/// it.
+/// A coarse grid's solution, or as much of it as there is: it is a start for the fine grid, whose solution
+/// does not depend on it.
 Solution guess(const ContactProblem& problem, ContactOptions options) {
     options.tolerance = 1e-2;
     options.states = false;
     Solution solution;
     try {
         if (problem.nodes() <= coarsest(problem))
-            solve_nested(problem, options, std::numeric_limits<double>::infinity(), solution);
+            solve_nested(problem, options, solution);
         else
             solve_levels(problem, options, Purpose::guess, solution);
     } catch (const NotConverged&) {
@@ -371,60 +380,10 @@ Solution guess(const ContactProblem& problem, ContactOptions options) {
     return solution;
 }
 
-/// A guess at the pressures of the first load and at its approach, from coarser grids. An even pressure if
-/// the grid is small, or if the coarsest one is in full contact before it bears that load.
-Eigen::VectorXd guess_to_load(double& approach, const ContactProblem& problem,
-                              const ContactOptions& options) {
-    const double load = problem.load.front();
-    if (problem.nodes() > coarsest(problem)) {
-        const Index stride = stride_of(problem);
-        const ContactProblem coarse = coarsened(problem, stride);
-        try {
-            StepSolution found;
-            if (coarse.nodes() > coarsest(coarse)) {
-                const Eigen::VectorXd start = guess_to_load(approach, coarse, options);
-                found =
-                    ActiveSet(coarse, options, Purpose::guess).press_to(coarse.load.front(), approach, start);
-            } else {
-                found = NestedContact(coarse, options).press_to(coarse.load.front());
-                approach = found.approach;
-            }
-            return refined_pressures(found, coarse.shape, stride, problem.shape);
-        } catch (const NotConverged&) {
-            check_stop(options);
-        }
-    }
-    approach = problem.gap.mean();
-    return Eigen::VectorXd::Constant(problem.nodes(), load / static_cast<double>(problem.nodes()));
-}
-
-void solve_loads(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
-    ContactOptions loosely = options;
-    loosely.tolerance = 1e-2;
-    loosely.states = false;
-    ActiveSet solver(problem, options, Purpose::curve);
-    SplitOperator check = split_operator(problem);
-    double approach = 0;
-    bool first = true;
-    for (const double load : problem.load) {
-        const long before = solver.applies();
-        std::optional<Eigen::VectorXd> start;
-        if (std::exchange(first, false))
-            start = guess_to_load(approach, problem, loosely);
-        StepSolution found = solver.press_to(load, approach, start);
-        solution.steps.push_back(
-            certified(problem, approach, std::move(found), check, solver.pressure(), options.tolerance));
-        solution.iterations += solver.applies() - before;
-    }
-}
-
 } // namespace
 
 void solve_active_set(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
-    if (problem.load.empty())
-        solve_levels(problem, options, Purpose::curve, solution);
-    else
-        solve_loads(problem, options, solution);
+    solve_levels(problem, options, Purpose::curve, solution);
 }
 
 } // namespace rough

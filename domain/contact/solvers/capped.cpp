@@ -1,7 +1,6 @@
-#include "domain/contact/solvers/capped.hpp"
-
 #include "domain/contact/solvers/certificate.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
+#include "domain/contact/solvers/solvers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -124,10 +123,9 @@ class CappedContact {
 
 } // namespace
 
-Solution solve_capped(const ContactProblem& problem, const ContactOptions& options) {
+void solve_capped(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
     CappedContact contact(problem, options);
     SplitOperator check = split_operator(problem);
-    Solution solution;
     for (const double approach : problem.approach) {
         StepSolution step = contact.press(approach);
         const Eigen::VectorXd displacement = check.apply(contact.pressure());
@@ -138,7 +136,6 @@ Solution solve_capped(const ContactProblem& problem, const ContactOptions& optio
         solution.steps.push_back(std::move(step));
     }
     solution.iterations = contact.applies();
-    return solution;
 }
 
 } // namespace rough

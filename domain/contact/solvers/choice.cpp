@@ -2,7 +2,7 @@
 
 #include "domain/contact/solvers/cascade.hpp"
 #include "domain/contact/solvers/growing_factor.hpp"
-#include "domain/contact/solvers/nested.hpp"
+#include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
 #include "domain/plain_stream.hpp"
 
@@ -49,7 +49,7 @@ double expected_contact(const ContactProblem& problem, ContactOptions options) {
     options.states = false;
     try {
         Solution solution;
-        solve_nested(coarse, options, std::numeric_limits<double>::infinity(), solution);
+        solve_nested(coarse, options, solution);
         return static_cast<double>(solution.steps.back().nodes.size()) / static_cast<double>(coarse.nodes());
     } catch (const NotConverged&) { // near full contact the coarse grid may have no solution
         check_stop(options);
@@ -58,6 +58,13 @@ double expected_contact(const ContactProblem& problem, ContactOptions options) {
 }
 
 double apply_cost(double nodes) { return per_transform * nodes * std::log2(2 * nodes); }
+
+double nested_cost(double nodes, double contact, double steps) {
+    return regrowth * per_elimination * contact * contact * contact / 6 +
+           steps * checks_per_step * (apply_cost(nodes) + per_elimination * contact * contact);
+}
+
+double active_set_cost(double nodes, double steps) { return steps * applies_per_step * apply_cost(nodes); }
 
 /// Numbers that an area's transforms turn over those of a line of as many nodes, which is padded to twice its
 /// length: four times as many padded along both axes, and none where it is periodic.
@@ -71,12 +78,9 @@ double iterative_cost(const ContactProblem& problem, double steps) {
 
 } // namespace
 
-double nested_cost(double nodes, double contact, double steps) {
-    return regrowth * per_elimination * contact * contact * contact / 6 +
-           steps * checks_per_step * (apply_cost(nodes) + per_elimination * contact * contact);
+double predicted_cost(double nodes, double contact, double steps) {
+    return std::min(nested_cost(nodes, contact, steps), active_set_cost(nodes, steps));
 }
-
-double active_set_cost(double nodes, double steps) { return steps * applies_per_step * apply_cost(nodes); }
 
 double most_nested_work(const ContactProblem& problem) {
     if (problem.nodes() <= always_nested)

@@ -27,10 +27,4 @@ double most_nested_work(const ContactProblem& problem);
 /// Refuses the nested solver before it begins where its factor is predicted not to fit. Throws InputError.
 void expect_factor_to_fit(const ContactProblem& problem, const ContactOptions& options);
 
-/// What a curve of so many steps costs by the nested factor, or by the active set, on `nodes` nodes of which
-/// `contact` touch at the last step; by the same model, to be compared with one another.
-double nested_cost(double nodes, double contact, double steps);
-/// As nested_cost, by the active set.
-double active_set_cost(double nodes, double steps);
-
 } // namespace rough

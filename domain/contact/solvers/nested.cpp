@@ -1,10 +1,11 @@
-#include "domain/contact/solvers/nested.hpp"
-
 #include "domain/contact/solvers/advance.hpp"
 #include "domain/contact/solvers/certificate.hpp"
+#include "domain/contact/solvers/growing_factor.hpp"
+#include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace rough {
 
@@ -15,25 +16,53 @@ constexpr double rounding = 1e-13;
 constexpr int most_rounds = 200;
 constexpr std::size_t least_batch = 64;
 
-} // namespace
+/// One load step after the other on one factor.
+class NestedContact {
+  public:
+    NestedContact(const ContactProblem& problem, const ContactOptions& options)
+        : problem_(problem), options_(options), influence_(problem.column, problem.shape),
+          factor_(influence_, problem.gap), direct_(influence_),
+          touching_(static_cast<std::size_t>(problem.nodes()), 0) {}
 
-NestedContact::NestedContact(const ContactProblem& problem, const ContactOptions& options, double most_work)
-    : problem_(problem), options_(options), influence_(problem.column, problem.shape),
-      factor_(influence_, problem.gap), direct_(influence_),
-      touching_(static_cast<std::size_t>(problem.nodes()), 0), most_work_(most_work) {}
+    /// The solution at an approach, above the one before, or at a load, a sum of pressures above the one
+    /// before.
+    StepSolution press(double approach, std::optional<double> load);
+    /// Sweeps of additions or removals so far.
+    long rounds() const { return rounds_; }
 
-StepSolution NestedContact::press_to(double load) {
-    if (factor_.size() == 0) {
-        Index highest = 0;
-        problem_.gap.minCoeff(&highest);
-        factor_.append({static_cast<int>(highest)});
-        touching_[static_cast<std::size_t>(highest)] = 1;
-    }
-    return press(0, load);
+  private:
+    void touch_first();
+    const double* displacement();
+    void find_pressures(double& approach, std::optional<double> load);
+    void drop_tension(double& approach, std::optional<double> load);
+    bool add_penetrating(double approach, const double* u, bool by_load);
+    void remove(const std::vector<Index>& positions);
+    void eliminate(Index rows);
+
+    const ContactProblem& problem_;
+    const ContactOptions& options_;
+    Influence influence_;
+    GrowingFactor factor_;
+    DirectOperator direct_;                  ///< while contact is slight
+    std::optional<FourierOperator> fourier_; ///< beyond
+    std::vector<char> touching_;
+    Eigen::VectorXd pressure_;
+    Eigen::ArrayXd depth_;
+    long rounds_ = 0;
+    double work_ = 0;
+};
+
+void NestedContact::touch_first() {
+    Index highest = 0;
+    problem_.gap.minCoeff(&highest);
+    factor_.append({static_cast<int>(highest)});
+    touching_[static_cast<std::size_t>(highest)] = 1;
 }
 
 StepSolution NestedContact::press(double approach, std::optional<double> load) {
     Certificate certificate;
+    if (load && factor_.size() == 0)
+        touch_first();
     for (int round = 0; round < most_rounds; ++round) {
         check_stop(options_);
         find_pressures(approach, load);
@@ -81,10 +110,7 @@ void NestedContact::drop_tension(double& approach, std::optional<double> load) {
                 dropped.push_back(k);
         if (dropped.empty())
             return;
-        for (const Index k : dropped)
-            touching_[static_cast<std::size_t>(factor_.nodes()[static_cast<std::size_t>(k)])] = 0;
-        factor_.remove(dropped);
-        eliminate(factor_.size() - std::min(dropped.front(), factor_.size()));
+        remove(dropped);
         find_pressures(approach, load);
         ++rounds_;
     }
@@ -105,9 +131,7 @@ bool NestedContact::add_penetrating(double approach, const double* u, bool by_lo
         // place.
         Index least = 0;
         pressure_.minCoeff(&least);
-        touching_[static_cast<std::size_t>(factor_.nodes()[static_cast<std::size_t>(least)])] = 0;
-        factor_.remove({least});
-        eliminate(factor_.size() - std::min(least, factor_.size()));
+        remove({least});
         appended = factor_.append(added);
     }
     added.resize(static_cast<std::size_t>(appended));
@@ -118,13 +142,22 @@ bool NestedContact::add_penetrating(double approach, const double* u, bool by_lo
     return !added.empty();
 }
 
+void NestedContact::remove(const std::vector<Index>& positions) {
+    for (const Index k : positions)
+        touching_[static_cast<std::size_t>(factor_.nodes()[static_cast<std::size_t>(k)])] = 0;
+    factor_.remove(positions);
+    eliminate(factor_.size() - std::min(positions.front(), factor_.size()));
+}
+
 /// Accounts for so many last rows of the factor, of half its size squared multiplications each.
 void NestedContact::eliminate(Index rows) {
     const double size = static_cast<double>(factor_.size());
     work_ += static_cast<double>(rows) * size * size / 2;
-    if (work_ > most_work_)
+    if (work_ > problem_.work_limit)
         throw NotConverged("nested Cholesky needs far more work than was predicted");
 }
+
+} // namespace
 
 void refuse_factor(Index nodes, const ContactOptions& options) {
     const double bytes = GrowingFactor::bytes(nodes);
@@ -135,13 +168,12 @@ void refuse_factor(Index nodes, const ContactOptions& options) {
            " GB is expected: the active set takes less, and is what auto would choose");
 }
 
-void solve_nested(const ContactProblem& problem, const ContactOptions& options, double most_work,
-                  Solution& solution) {
-    NestedContact contact(problem, options, most_work);
+void solve_nested(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
+    NestedContact contact(problem, options);
     for (std::size_t j = 0; j < problem.steps(); ++j) {
         const long before = contact.rounds();
-        solution.steps.push_back(problem.load.empty() ? contact.press(problem.approach[j])
-                                                      : contact.press_to(problem.load[j]));
+        solution.steps.push_back(problem.load.empty() ? contact.press(problem.approach[j], {})
+                                                      : contact.press(0, problem.load[j]));
         solution.iterations += contact.rounds() - before;
     }
 }

@@ -3,6 +3,8 @@
 #include "domain/contact/solve.hpp"
 #include "domain/numerics/fourier.hpp"
 
+#include <limits>
+
 namespace rough {
 
 /// A contact problem without units, as every solver takes it: heights in units of the largest displacement,
@@ -24,6 +26,9 @@ struct ContactProblem {
     double pressure_unit;     ///< MPa, of a node's pressure
     double elements;          ///< L/delta, on a map N: P = sum p / elements
     double stiffness_unit;    ///< MPa/mm, E*/(elements delta): K = stiffness_unit * sum w
+
+    /// Multiplications after which a factor gives up.
+    double work_limit = std::numeric_limits<double>::infinity();
 
     Index nodes() const { return gap.size(); } ///< N
     /// Load steps to solve.

@@ -1,8 +1,9 @@
 #include "domain/contact/solvers/set_solver.hpp"
 
 #include "domain/contact/kernel.hpp"
-#include "domain/contact/solvers/deflation.hpp"
 #include "domain/contact/solvers/extension.hpp"
+
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,126 @@ constexpr double single_depth = 1e-4;
 constexpr double single_stiffness = 3e-7;
 /// Of the tangent, far beyond what it ever took.
 constexpr long most_iterations = 5000;
+
+constexpr Index most_columns = 64; ///< of a deflation
+
+/// Half-open ranges of positions in `nodes` whose nodes are neighbours.
+std::vector<std::pair<Index, Index>> runs_of(const std::vector<int>& nodes) {
+    std::vector<std::pair<Index, Index>> runs;
+    const Index count = static_cast<Index>(nodes.size());
+    for (Index first = 0; first < count;) {
+        Index last = first + 1;
+        while (last < count &&
+               nodes[static_cast<std::size_t>(last)] == nodes[static_cast<std::size_t>(last - 1)] + 1)
+            ++last;
+        runs.emplace_back(first, last);
+        first = last;
+    }
+    return runs;
+}
+
+/// Of the first column h_0 .. h_(N-1) the sums of h_|k| from k = -(N-1) up to x, at N + x for x = -N .. N-1.
+Eigen::VectorXd cumulative(const Eigen::VectorXd& column) {
+    const Index n = column.size();
+    Eigen::VectorXd sums(2 * n);
+    double sum = sums[0] = 0;
+    for (Index k = 1; k < 2 * n; ++k)
+        sums[k] = sum += column[std::abs(k - n)];
+    return sums;
+}
+
+/// What a circulant preconditioner cannot see: the mean pressure of each run of neighbouring contact nodes,
+/// through which distant runs feel each other. Deflated conjugate gradients (Saad, Yeung, Erhel & Guyomarc'h
+/// 2000) keep their residual free of it, which halves the iterations. W's columns are indicators of runs, so
+/// HW needs only sums of H's first column. Short of 64 columns each run has its own; otherwise neighbouring
+/// runs share one.
+class Deflation {
+  public:
+    /// `nodes` sorted; `sums` from cumulative(), or nothing, which deflates nothing.
+    Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums);
+
+    /// Returns what is to be added to x to make the residual orthogonal to W, and makes it so.
+    Eigen::VectorXd project(Eigen::VectorXd& residual) const;
+    /// Takes from z what would bring W into the search.
+    void purge(Eigen::VectorXd& z) const;
+
+  private:
+    Eigen::VectorXd reduced(const Eigen::VectorXd& v) const;           ///< W'v
+    void subtract(const Eigen::VectorXd& c, Eigen::VectorXd& v) const; ///< v -= W c
+
+    std::vector<Index> begins_; ///< where each column's nodes begin, and the end
+    Eigen::MatrixXd image_;     ///< HW on the contact set
+    Eigen::LLT<Eigen::MatrixXd> energy_;
+    bool usable_;
+};
+
+Deflation::Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums) {
+    const auto runs = sums.size() > 0 ? runs_of(nodes) : std::vector<std::pair<Index, Index>>();
+    const Index count = static_cast<Index>(nodes.size()), many = static_cast<Index>(runs.size());
+    const Index columns = std::min(most_columns, many), n = sums.size() / 2;
+    const auto node = [&](Index k) { return static_cast<Index>(nodes[static_cast<std::size_t>(k)]); };
+    image_.resize(count, columns);
+    for (Index run = 0; run < many; ++run) {
+        const auto [begin, end] = runs[static_cast<std::size_t>(run)];
+        const Index target = run * columns / many;
+        if (target == static_cast<Index>(begins_.size())) {
+            begins_.push_back(begin);
+            image_.col(target).setZero();
+        }
+        // The sum of h_|i - j| over the run's j is that from i - last to i - first.
+        const Index first = node(begin), last = node(end - 1);
+        for (const auto& [from, to] : runs) {
+            const Index length = to - from, i = node(from) + n;
+            image_.col(target).segment(from, length) +=
+                sums.segment(i - first, length) - sums.segment(i - last - 1, length);
+        }
+    }
+    begins_.push_back(count);
+    Eigen::MatrixXd energy(columns, columns);
+    for (Index c = 0; c < columns; ++c)
+        energy.row(c) =
+            image_
+                .middleRows(begins_[static_cast<std::size_t>(c)],
+                            begins_[static_cast<std::size_t>(c + 1)] - begins_[static_cast<std::size_t>(c)])
+                .colwise()
+                .sum();
+    if (columns > 0)
+        energy_.compute(energy);
+    usable_ = columns > 0 && energy_.info() == Eigen::Success;
+}
+
+Eigen::VectorXd Deflation::reduced(const Eigen::VectorXd& v) const {
+    Eigen::VectorXd sums(image_.cols());
+    for (Index c = 0; c < sums.size(); ++c) {
+        const Index begin = begins_[static_cast<std::size_t>(c)],
+                    end = begins_[static_cast<std::size_t>(c + 1)];
+        sums[c] = v.segment(begin, end - begin).sum();
+    }
+    return sums;
+}
+
+void Deflation::subtract(const Eigen::VectorXd& c, Eigen::VectorXd& v) const {
+    for (Index k = 0; k < c.size(); ++k) {
+        const Index begin = begins_[static_cast<std::size_t>(k)],
+                    end = begins_[static_cast<std::size_t>(k + 1)];
+        v.segment(begin, end - begin).array() -= c[k];
+    }
+}
+
+Eigen::VectorXd Deflation::project(Eigen::VectorXd& residual) const {
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(residual.size());
+    if (usable_) {
+        const Eigen::VectorXd c = energy_.solve(reduced(residual));
+        subtract(-c, change);
+        residual.noalias() -= image_ * c;
+    }
+    return change;
+}
+
+void Deflation::purge(Eigen::VectorXd& z) const {
+    if (usable_)
+        subtract(energy_.solve(image_.transpose() * z), z);
+}
 
 /// Eigenvalues 1/S_k of the inverse of T. Chan's circulant, whose first column is ((M - j) h_j + j
 /// h_(M-j))/M; on an area so along both axes.

@@ -312,6 +312,16 @@ TEST_CASE("contact says what strains its model: a jump at periodic ends, short w
     CHECK(said("--genome jump.json").find(jump) == std::string::npos);
     CHECK(said("--genome meets.json --kernel periodic").find(jump) == std::string::npos);
     CHECK_THAT(rugosa("profile jump.json --pictures off --out p", desk.path()).out, Catch::Contains(jump));
+    std::string ramp, wave;
+    for (int i = 0; i < 64; ++i) {
+        ramp += std::to_string(0.01 * i) + "\n";
+        wave += std::to_string(std::cos(6.283185307179586 * i / 64)) + "\n";
+    }
+    desk.write("ramp.txt", ramp);
+    desk.write("wave.txt", wave);
+    const std::string measured = "--spacing 0.01 --detrend none --kernel periodic --profile ";
+    CHECK_THAT(said(measured + "ramp.txt"), Catch::Contains("ends differ by 0.63") && Catch::Contains(jump));
+    CHECK(said(measured + "wave.txt").find(jump) == std::string::npos);
     const std::string waves = "nodes long, under 8";
     CHECK_THAT(said("--genome meets.json --nodes 14"), Catch::Contains("6.50 " + waves));
     CHECK(said("--genome meets.json --nodes 18").find(waves) == std::string::npos);

@@ -1,5 +1,6 @@
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/line_of_map.hpp"
+#include "domain/accuracy/respond_within.hpp"
 #include "domain/errors.hpp"
 #include "domain/theory/random_surface.hpp"
 
@@ -64,6 +65,7 @@ TEST_CASE("one line answers for a map only within its bound, which holds", "[are
                 ++by_line;
                 CHECK(found.account.line_error <= accuracy);
                 CHECK(error <= found.account.line_error + 1e-5);
+                CHECK(found.account.light_rows == (exact.pressure[0] < 0.01 * exact.pressure[5] ? 1 : 0));
             } else {
                 ++by_map;
                 CHECK(share > 0);

@@ -3,7 +3,6 @@
 #include "domain/accuracy/load_rows.hpp"
 #include "domain/accuracy/respond.hpp"
 #include "domain/accuracy/respond_within.hpp"
-#include "domain/contact/solvers/choice.hpp"
 #include "domain/errors.hpp"
 #include "tests/domain/random_genome.hpp"
 
@@ -40,6 +39,15 @@ TEST_CASE(
     found << 0.001, 1, 4, 9.9;
     CHECK(relative_error(found, resolved) == Approx(0.9 / 5)); // the secant is hit harder than the pressure
     CHECK(relative_error(resolved, resolved) == 0);
+}
+
+TEST_CASE("a bound divides by the exact pressure, which may be less than the curve's") {
+    const Eigen::Vector2d pressure(1, 2), lower(0.9, 1.9), upper(1, 2.1);
+    const Eigen::VectorXd bound = relative(doubt_of(pressure, lower, upper), error_scale(pressure));
+    const Eigen::Vector2d exact(0.9, 1.9);
+    CHECK(bound[0] >= relative_error(pressure, exact) * (1 - 1e-12));
+    CHECK(bound[0] == Approx(0.1 / 0.9));
+    CHECK(std::isinf(relative(doubt_of(pressure, lower - pressure, upper), error_scale(pressure))[0]));
 }
 
 TEST_CASE("the extrapolation finds a line's end exactly and doubts scattered values") {
@@ -171,8 +179,7 @@ TEST_CASE("a scene that needs little costs under a tenth of one that needs every
         double cost = 0;
         for (const Index nodes : answer.account.grids) {
             const double n = static_cast<double>(nodes);
-            cost += std::min(nested_cost(n, answer.response.contact_fraction.tail(1)[0] * n, 20),
-                             active_set_cost(n, 20));
+            cost += predicted_cost(n, answer.response.contact_fraction.tail(1)[0] * n, 20);
         }
         return cost;
     };

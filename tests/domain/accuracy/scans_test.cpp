@@ -89,6 +89,38 @@ TEST_CASE("what is said of a scan's curve within an accuracy holds, its contact 
     }
 }
 
+TEST_CASE("a scan's curve is within its accuracy at every load step, the lightest too") {
+    std::mt19937_64 random(7300000);
+    for (int which = 0; which < 8; ++which) {
+        const auto scan = testing::random_scan(random, which, 300, 400);
+        INFO(scan.kind);
+        const Model model = model_for(scan.profile, static_cast<Kernel>(which % 3), 500);
+        const Eigen::VectorXd exact = respond_exactly(scan.profile, model).response.pressure;
+        const AccountedResponse cheap = respond_within(scan.profile, at_any_tolerance(model), 1e-2);
+        const Eigen::VectorXd off = cheap.response.pressure - exact;
+        CHECK(off.cwiseQuotient(exact).cwiseAbs().maxCoeff() <= 1e-2);
+        CHECK(differences(off).cwiseQuotient(differences(exact)).cwiseAbs().maxCoeff() <= 1e-2);
+        CHECK(cheap.account.light_rows == 0);
+    }
+}
+
+TEST_CASE("a scan within an accuracy bears the loads that are given, whatever the solver's tolerance") {
+    std::mt19937_64 random(7400000);
+    const auto scan = testing::random_scan(random, 2, 900, 1000);
+    Model model = model_for(scan.profile, Kernel::free, 20);
+    const double highest = respond_exactly(scan.profile, model).response.pressure.tail(1)[0];
+    model.loading.to_pressure = 0.3 * highest;
+    const Response to_pressure = respond_within(scan.profile, at_any_tolerance(model), 0.1).response;
+    CHECK(to_pressure.pressure.tail(1)[0] == Approx(0.3 * highest).epsilon(0.1));
+    model.loading.to_pressure = 0;
+    model.loading.pressures = {0.01 * highest, 0.2 * highest, 0.4 * highest};
+    const AccountedResponse found = respond_within(scan.profile, at_any_tolerance(model), 1e-3);
+    for (std::size_t j = 0; j < 3; ++j)
+        CHECK(found.response.pressure[static_cast<Index>(j)] ==
+              Approx(model.loading.pressures[j]).epsilon(1e-4));
+    CHECK(found.account.rows == 3);
+}
+
 // 500 scans, seeds that nothing was tuned on; printed for the README.
 TEST_CASE("what is said of 500 scans' curves holds for 98 % at least, at no more cost than exact", "[long]") {
     for (const double accuracy : {1e-2, 1e-3}) {

@@ -1,8 +1,8 @@
 #include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
+#include "domain/contact/pressure_and_gap.hpp"
 #include "domain/contact/solvers/certificate.hpp"
 #include "domain/contact/solvers/oracle.hpp"
-#include "domain/contact/spots.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
 #include "domain/response/response.hpp"
@@ -363,6 +363,19 @@ TEST_CASE("contact spots are counted with their neighbours across a periodic edg
     CHECK(contact_spots(contact, {4, 3}, true) == std::vector<Index>{4, 1});
     CHECK(contact_spots({0, 1, 2, 5}, {6}, true) == std::vector<Index>{4});
     CHECK(contact_spots({}, {4, 3}, true).empty());
+}
+
+TEST_CASE("a curve names the nodes that touch at its last step, by every solver and control", "[contact]") {
+    const Profile map = maps::self_affine(24, 0.8, 5, 0.1);
+    for (const Solver solver :
+         {Solver::automatic, Solver::nested, Solver::nnls, Solver::polonsky_keer, Solver::active_set}) {
+        ContactOptions options = by(solver);
+        options.states = true;
+        for (const ContactCurve& curve :
+             {solve_contact(map, on(Kernel::free), steps_of(map, Kernel::free, 3, 0.4), options),
+              solve_contact_at_pressures(map, on(Kernel::free, 1), {1e-3, 5e-3}, options)})
+            CHECK(curve.last_contact == curve.states.back().nodes);
+    }
 }
 
 TEST_CASE("a map is refused for what it cannot be solved with", "[contact][areas]") {

@@ -96,26 +96,13 @@ TEST_CASE("a periodic profile on a prime number of nodes is solved alike by both
         }
 }
 
-TEST_CASE("both costs grow with the grid and the load steps, the factor's also with contact", "[contact]") {
-    CHECK(nested_cost(4096, 2000, 20) > nested_cost(4096, 1000, 20));
-    CHECK(nested_cost(8192, 1000, 20) > nested_cost(4096, 1000, 20));
-    CHECK(nested_cost(4096, 1000, 40) > nested_cost(4096, 1000, 20));
-    CHECK(active_set_cost(8192, 20) > 2 * active_set_cost(4096, 20));
-    CHECK(active_set_cost(4096, 40) == Approx(2 * active_set_cost(4096, 20)));
-}
-
-TEST_CASE("the factor's cost is a cube of the contact nodes, and is given up at four times the active set's",
-          "[contact]") {
-    CHECK(nested_cost(4096, 2000, 0) == Approx(8 * nested_cost(4096, 1000, 0)));
-    const double applied = nested_cost(4096, 0, 20); // transforms alone
-    CHECK(applied == Approx(2 * nested_cost(4096, 0, 10)));
-    CHECK(active_set_cost(4096, 20) == Approx(12 * applied)); // 36 applies a step against 3 checks
-    CHECK(nested_cost(8192, 0, 20) == Approx(applied * 2 * 14 / 13));
-    const ContactProblem problem = make_problem(parabola(4096), Body{}, steps_to(few_touch));
-    const double per_multiplication = nested_cost(4096, 1000, 0) / (1.5 * 1e9 / 6);
-    CHECK(most_nested_work(problem) * per_multiplication == Approx(4 * active_set_cost(4096, 20)));
-    CHECK(std::isinf(most_nested_work(make_problem(parabola(768), Body{}, steps_to(few_touch)))));
-    CHECK(!std::isinf(most_nested_work(make_problem(parabola(769), Body{}, steps_to(few_touch)))));
+TEST_CASE("the predicted cost grows with the grid, the load steps and the contact", "[contact]") {
+    const double cost = predicted_cost(4096, 200, 20);
+    CHECK(predicted_cost(8192, 200, 20) > cost);
+    CHECK(predicted_cost(4096, 400, 20) > cost);
+    CHECK(predicted_cost(4096, 200, 40) > cost);
+    // Beyond some contact the active set is cheaper, which does not depend on it.
+    CHECK(predicted_cost(4096, 4000, 20) == predicted_cost(4096, 4096, 20));
 }
 
 TEST_CASE("a spike that the choice's coarse grid would step over still holds the surface apart",

@@ -1,5 +1,4 @@
-#include "domain/contact/solvers/growing_factor.hpp"
-#include "domain/contact/solvers/nnls.hpp"
+#include "domain/contact/solvers/solvers.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -33,18 +32,4 @@ TEST_CASE("NNLS drops what an earlier step pressed and the next does not bear", 
             CHECK(released.steps[n - 1 - k].stiffness == Approx(pressed.steps[k].stiffness).epsilon(1e-9));
         }
     }
-}
-
-TEST_CASE("a factor from which nothing is removed stays as it is", "[contact]") {
-    const Profile profile = scenes::database(64)[0];
-    const ContactProblem problem = make_problem(profile, {Kernel::free, 1.0}, {1e-3});
-    const Influence influence(problem.column, problem.shape);
-    GrowingFactor factor(influence, problem.gap);
-    REQUIRE(factor.append({3, 9, 27}) == 3);
-    Eigen::VectorXd before, after;
-    factor.pressures(1, before);
-    factor.remove({});
-    factor.pressures(1, after);
-    CHECK(factor.nodes() == std::vector<int>{3, 9, 27});
-    CHECK(after == before);
 }

@@ -1,5 +1,5 @@
 #include "domain/contact/kernel.hpp"
-#include "domain/contact/solvers/direct.hpp"
+#include "domain/contact/solvers/influence.hpp"
 #include "domain/numerics/fourier.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
+#include "domain/contact/smooth_area.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/response/response.hpp"
-#include "domain/response/smooth_area.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>

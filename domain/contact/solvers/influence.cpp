@@ -1,4 +1,4 @@
-#include "domain/contact/solvers/direct.hpp"
+#include "domain/contact/solvers/influence.hpp"
 
 #include "domain/numerics/vector_loops.hpp"
 

@@ -1,4 +1,4 @@
-#include "domain/response/smooth_area.hpp"
+#include "domain/contact/smooth_area.hpp"
 
 #include "domain/contact/solvers/set_solver.hpp"
 
@@ -9,7 +9,7 @@ namespace rough {
 namespace {
 
 /// Of the adjoint's solves, over the right-hand side.
-constexpr double tolerance = 1e-9;
+constexpr double adjoint_tolerance = 1e-9;
 constexpr long most_iterations = 500;
 /// Keeps an edge's rate finite where both of its nodes stand at the very edge, over the displacement.
 constexpr double closest = 1e-9;
@@ -92,7 +92,7 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
         for (const int i : set.nodes())
             largest = std::max(largest, std::abs(right[i]));
         solver.improve(
-            set, [&](Index i) { return right[i]; }, z, Enough{tolerance * largest}, most_iterations);
+            set, [&](Index i) { return right[i]; }, z, Enough{adjoint_tolerance * largest}, most_iterations);
         area.fraction[j] = count / static_cast<double>(n);
         area.by_displacement[j] = rate * per_mm;
         area.by_height.row(j) = per_mm * (z.pressure - off.pressure).transpose();
