@@ -1,34 +1,24 @@
-#include "ga/checkpoint/checkpoint.hpp"
-#include "ga/text/adaptation_vocabulary.hpp"
-#include "ga/text/parser.hpp"
-#include "ga/text/refinement_vocabulary.hpp"
 #include "tests/folder.hpp"
-#include "tests/ga/functions.hpp"
+#include "tests/ga/problems.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <numeric>
 
 using namespace ga;
 
 namespace {
 
-using Vector = std::vector<double>;
-const Population<Vector> nobody = population<Vector>({{}});
-
-/// Evaluations until the function is as low as asked for; all there are where it is not.
-long evaluations_to(double target, const Function& problem, Stage<Function> stage, std::uint64_t seed,
+/// Evaluations that a pipeline needs to reach the target; all there are if it does not.
+long evaluations_to(double target, const Reals& problem, const std::string& pipeline, std::uint64_t seed = 1,
                     long most = 200000) {
     const auto result =
-        run(stage, problem, nobody, {.seed = seed, .threads = 1, .budget = {.evaluations = most}});
+        run(pipeline, problem, {}, {.seed = seed, .threads = 1, .budget = {.evaluations = most}});
     CHECK(result.best->value() <= target);
     return result.counters.evaluations;
 }
-
-Stage<Function> pipeline(const std::string& text) {
-    return Parser<Function>(with_adaptation(with_refinement(vocabulary<Function>())), {}).parse(text);
-}
-Stage<Function> by_cma(double target, const std::string& words = "") {
-    return pipeline("sample 1 | score | until fitness " + number(target) + " { cma-es " + words +
-                    " | score }");
+std::string by_cma(double target, const std::string& words = "") {
+    return "sample 1 | score | until fitness " + number(target) + " { cma-es " + words + " | score }";
 }
 
 double median(std::vector<long> all) {
@@ -36,9 +26,58 @@ double median(std::vector<long> all) {
     return static_cast<double>(all[all.size() / 2]);
 }
 
-/// What comes of it as text, and the genomes.
-std::string text_of(const Result<Vector>& result) {
-    return json({result.population, *result.best, result.counters.evaluations}).dump();
+/// An operator that learns, whose state is shown before and after each of its generations.
+template <class Op>
+struct Watched : Op {
+    using State = typename Op::State;
+    using Look =
+        std::function<void(const State& before, const State& after, const Population<Vector>& given)>;
+    Look look;
+
+    Population<Vector> operator()(Population<Vector> population, Context<Reals>& context,
+                                  State& state) const {
+        const State before = state;
+        const Population<Vector> given = population;
+        auto next = Op::operator()(std::move(population), context, state);
+        look(before, state, given);
+        return next;
+    }
+};
+/// Generations of `op` and the stages behind it, watched.
+template <class Op>
+Result<Vector> watch(const std::string& start, int generations, Op op, const std::string& behind,
+                     const Reals& problem, typename Watched<Op>::Look look) {
+    const Watched<Op> watched{std::move(op), std::move(look)};
+    return run(reals(start + " | score") |
+                   repeat(static_cast<std::size_t>(generations), Stage<Reals>(watched) | reals(behind)),
+               problem, {});
+}
+
+/// Counts its calls as its state, and notes the calls before and the generation.
+struct Counting : Operator {
+    struct State {
+        std::size_t calls = 0;
+        friend void to_json(json& j, const State& state) { j = state.calls; }
+        friend void from_json(const json& j, State& state) { j.get_to(state.calls); }
+    };
+    using Seen = std::vector<std::pair<std::size_t, std::size_t>>;
+    std::shared_ptr<Seen> seen = std::make_shared<Seen>();
+
+    std::string text() const { return "counting"; }
+    void check(CheckState&) const {}
+    Population<Vector> operator()(Population<Vector> population, Context<Reals>& context,
+                                  State& state) const {
+        seen->emplace_back(state.calls++, context.position.generation());
+        return population;
+    }
+};
+/// What it noted inside a block.
+Counting::Seen seen_in(const std::function<Stage<Reals>(const Stage<Reals>&)>& block) {
+    const Counting counting;
+    run(reals("sample 2 | score") | block(counting), Reals{}, {}, {.threads = 1});
+    std::stable_sort(counting.seen->begin(), counting.seen->end(),
+                     [](const auto& a, const auto& b) { return a.second < b.second; });
+    return *counting.seen;
 }
 
 } // namespace
@@ -62,9 +101,13 @@ TEST_CASE("the constants of CMA-ES are those of Hansen's tutorial") {
     CHECK(CmaConstants(40, 15).weights[14] == Approx(-0.30836725932054165).epsilon(1e-13));
     CHECK(CmaConstants::usual_children(10) == 10);
     CHECK(CmaConstants::usual_children(1) == 4);
+    const CmaConstants many(2, 200);
+    REQUIRE(many.mu_eff > 4); // (mu_eff - 1) / (n + 1) is above 1
+    CHECK(many.d_sigma ==
+          Approx(1 + 2 * (std::sqrt((many.mu_eff - 1) / 3) - 1) + many.c_sigma).epsilon(1e-14));
 }
 
-TEST_CASE("three generations of CMA-ES learn what the tutorial's equations give by other code") {
+TEST_CASE("three generations of CMA-ES equal those of an independent program") {
     const CmaConstants c(2, 6);
     Eigen::MatrixXd steps(2, 6);
     steps << 1, 0.3, -0.2, 0.9, -1.5, 0.1, 0.5, -1, 0.4, 1.1, 0.2, 2;
@@ -91,13 +134,34 @@ TEST_CASE("three generations of CMA-ES learn what the tutorial's equations give 
           2.2152431620282624, -0.013511614158820797, 0.714564252159636);
 }
 
-TEST_CASE("CMA-ES needs the published evaluations on sphere, ellipsoid and Rosenbrock in 10 dimensions") {
+TEST_CASE("a mirrored child teaches nothing when it is bad, all when it is good") {
+    const CmaConstants c(2, 6);
+    Eigen::MatrixXd steps(2, 6);
+    steps << 1, 0.3, -0.2, 0.9, -1.5, 0.1, 0.5, -1, 0.4, 1.1, 0.2, 2;
+    const auto learnt = [&](const Eigen::MatrixXd& from, const std::vector<bool>& altered) {
+        Cloud cloud(Eigen::Vector2d(1, 2), 0.5);
+        cloud.learn(c, from, altered);
+        return cloud;
+    };
+    const Cloud whole = learnt(steps, {});
+    CHECK(learnt(steps, {true, true, true, false, false, false}).covariance == whole.covariance);
+    // What is taken away is c_mu |w| (n y y' / |y|^2 - C): Eq. 46 and 47 from C = I.
+    const Eigen::Vector2d y = steps.col(4);
+    const double w = c.c_mu * c.weights[4];
+    const Eigen::Matrix2d less = w * (2 * y * y.transpose() / y.squaredNorm() - Eigen::Matrix2d::Identity());
+    const Cloud without = learnt(steps, {false, false, false, false, true});
+    CHECK((without.covariance - (whole.covariance - less)).norm() < 1e-15);
+    CHECK(without.mean == whole.mean);
+    CHECK(without.sigma == whole.sigma);
+}
+
+TEST_CASE("CMA-ES needs the published evaluations on sphere, ellipsoid and Rosenbrock") {
     // 1,500 to 2,000 on the sphere, 6,000 to 8,000 on Rosenbrock; here 1,611, 4,221 and 5,711
     std::vector<long> sphere, ellipsoid, rosenbrock;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        sphere.push_back(evaluations_to(1e-9, {10, functions::sphere}, by_cma(1e-9), seed));
-        ellipsoid.push_back(evaluations_to(1e-9, {10, functions::ellipsoid}, by_cma(1e-9), seed));
-        rosenbrock.push_back(evaluations_to(1e-9, {10, functions::rosenbrock}, by_cma(1e-9), seed));
+        sphere.push_back(evaluations_to(1e-9, minimum(10, functions::sphere), by_cma(1e-9), seed));
+        ellipsoid.push_back(evaluations_to(1e-9, minimum(10, functions::ellipsoid), by_cma(1e-9), seed));
+        rosenbrock.push_back(evaluations_to(1e-9, minimum(10, functions::rosenbrock), by_cma(1e-9), seed));
     }
     CAPTURE(median(sphere), median(ellipsoid), median(rosenbrock));
     CHECK(median(sphere) > 1000);
@@ -106,22 +170,19 @@ TEST_CASE("CMA-ES needs the published evaluations on sphere, ellipsoid and Rosen
     CHECK(median(rosenbrock) < 8000);
 }
 
-TEST_CASE("CMA-ES sees nothing but the order of fitness") {
+TEST_CASE("CMA-ES depends only on the order of fitness") {
     const auto by = [](auto f) {
-        return run(pipeline("sample 1 | score | repeat 40 { cma-es | score }"), Function{6, f}, nobody,
-                   {.threads = 1})
-            .population.back()
-            .genome;
+        return run("sample 1 | score | repeat 40 { cma-es | score }", minimum(6, f)).population.back().genome;
     };
     CHECK(by(functions::rosenbrock) ==
           by([](const Vector& x) { return std::sqrt(functions::rosenbrock(x)) - 7; }));
 }
 
-TEST_CASE("CMA-ES converges on a minimum in a corner of its box, and without any bounds") {
+TEST_CASE("CMA-ES converges in a corner of its box, and without bounds") {
     const auto corner = [](const Vector& x) { return functions::sphere({x[0] - 5, x[1] + 5, x[2] - 1}); };
-    evaluations_to(1e-9, {3, corner}, by_cma(1e-9), 1, 5000);
+    evaluations_to(1e-9, minimum(3, corner), by_cma(1e-9), 1, 5000);
     const auto far = [](const Vector& x) { return functions::sphere({x[0] - 1000, x[1] + 500}); };
-    evaluations_to(1e-9, {2, far, -HUGE_VAL, HUGE_VAL}, by_cma(1e-9), 1, 5000);
+    evaluations_to(1e-9, minimum(2, far, -HUGE_VAL, HUGE_VAL), by_cma(1e-9), 1, 5000);
     const auto ramp = [](const Vector& x) { // steepest at its lowest: every way down leads out of the box
         double sum = 0;
         for (std::size_t i = 0; i < x.size(); ++i)
@@ -129,7 +190,7 @@ TEST_CASE("CMA-ES converges on a minimum in a corner of its box, and without any
         return sum;
     };
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
-        evaluations_to(1e-6, {5, ramp}, by_cma(1e-6, "restarts=none"), seed, 3000);
+        evaluations_to(1e-6, minimum(5, ramp), by_cma(1e-6, "restarts=none"), seed, 3000);
     const auto slope = [](const Vector& x) { // as f5 of BBOB
         double sum = 0;
         for (std::size_t i = 0; i < x.size(); ++i)
@@ -137,23 +198,23 @@ TEST_CASE("CMA-ES converges on a minimum in a corner of its box, and without any
         return sum;
     };
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
-        evaluations_to(1e-6, {20, slope}, by_cma(1e-6, "restarts=none"), seed, 12000);
+        evaluations_to(1e-6, minimum(20, slope), by_cma(1e-6, "restarts=none"), seed, 12000);
 }
 
-TEST_CASE("restarts find Rastrigin's lowest valley, where a single run stays in another") {
-    const Function rastrigin{5, functions::rastrigin};
+TEST_CASE("restarts of CMA-ES find Rastrigin's minimum, unlike a single run") {
+    const Reals rastrigin = minimum(5, functions::rastrigin);
     int single = 0;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         evaluations_to(1e-8, rastrigin, by_cma(1e-8, "restarts=ipop"), seed, 100000);
         evaluations_to(1e-8, rastrigin, by_cma(1e-8, "restarts=bipop"), seed, 100000);
-        const auto once = run(by_cma(1e-8, "restarts=none"), rastrigin, nobody, {.seed = seed, .threads = 1});
+        const auto once = run(by_cma(1e-8, "restarts=none"), rastrigin, {}, {.seed = seed, .threads = 1});
         CHECK(once.counters.evaluations < 5000); // it ended by itself
         single += once.best->value() < 0.1 ? 1 : 0;
     }
     CHECK(single < 3);
 }
 
-TEST_CASE("a run of CMA-ES is over by each of Hansen's rules, and by none while it goes on well") {
+TEST_CASE("a run of CMA-ES ends by each of Hansen's rules") {
     const CmaConstants c(10, 10);
     const auto ended = [&](auto change, double scale = 0.3) {
         Cloud cloud(Eigen::VectorXd::Ones(10), 0.3);
@@ -238,25 +299,132 @@ TEST_CASE("BIPOP spends as much on small runs as on large ones, which double") {
         CHECK(doubling.next(1000, false, random).lambda == expected);
 }
 
-TEST_CASE("CMA-ES learns nothing from individuals that it did not make") {
-    const Function rosenbrock{4, functions::rosenbrock};
-    const auto alone = run(pipeline("sample 3 | score | repeat 30 { cma-es | score }"), rosenbrock, nobody);
-    const auto joined =
-        run(pipeline("sample 3 | score | repeat 30 { cma-es | score | parents }"), rosenbrock, nobody);
+TEST_CASE("BIPOP starts every run with no memory of the one before") {
+    int large = 0, small = 0;
+    watch("sample 1", 100, cma_es(0.2), "score",
+          minimum(3, [](const Vector&) { return 1.0; }), // each run ends soon
+          [&](const CmaEs::State&, const CmaEs::State& now, const auto&) {
+              if (now.cloud.learnt > 0)
+                  return;
+              CHECK(now.cloud.sigma == Approx(0.2 * now.run.shrink));
+              CHECK(now.cloud.covariance == Eigen::MatrixXd::Identity(3, 3));
+              CHECK(now.record.spent == 0);
+              (now.run.shrink < 1 ? small : large) += 1;
+          });
+    CHECK(large > 2);
+    CHECK(small > 2);
+}
+
+TEST_CASE("CMA-ES learns only from its own children") {
+    const Reals rosenbrock = minimum(4, functions::rosenbrock);
+    const auto alone = run("sample 3 | score | repeat 30 { cma-es | score }", rosenbrock);
+    const auto joined = run("sample 3 | score | repeat 30 { cma-es | score | parents }", rosenbrock);
     REQUIRE(joined.population.size() > alone.population.size());
     for (std::size_t i = 0; i < alone.population.size(); ++i)
         CHECK(joined.population[i].genome == alone.population[i].genome);
+    /// New individuals in everybody's place.
+    struct Strangers : Operator {
+        std::string text() const { return "strangers"; }
+        void check(CheckState&) const {}
+        Population<Vector> operator()(Population<Vector> population, Context<Reals>& context) const {
+            for (auto& each : population)
+                context.make_child(each, Parents());
+            return population;
+        }
+    };
+    int looked = 0;
+    const Watched<CmaEs> cma{cma_es(), [&](const CmaEs::State& before, const CmaEs::State& now, const auto&) {
+                                 if (before.moving.empty())
+                                     return;
+                                 CHECK(now.cloud.mean == before.cloud.mean);
+                                 CHECK(now.cloud.covariance == before.cloud.covariance);
+                                 CHECK(now.cloud.sigma == before.cloud.sigma);
+                                 CHECK(now.children != before.children);
+                                 ++looked;
+                             }};
+    run(reals("sample 1 | score") | repeat(5, Stage<Reals>(cma) | Strangers() | reals("score")), rosenbrock,
+        {});
+    CHECK(looked == 4);
 }
 
-TEST_CASE("CMA-ES goes on well from children that were refined far from where they were drawn") {
+TEST_CASE("CMA-ES converges when a refinement moves its children far, or its start fails") {
     evaluations_to(
-        1e-9, {6, functions::sphere},
-        pipeline("sample 1 | score | until fitness 1e-9 { cma-es sigma=0.001 | score | refine nlopt "
-                 "LN_COBYLA 15 }"),
-        1, 60000);
+        1e-9, minimum(6, functions::sphere),
+        "sample 1 | score | until fitness 1e-9 { cma-es sigma=0.001 | score | refine nlopt LN_COBYLA 15 }", 1,
+        60000);
+    const Reals hole = minimum(2, [](const Vector& x) {
+        return x == Vector{0.5, 0.5} ? throw std::runtime_error("here is nothing") : functions::sphere(x);
+    });
+    CHECK(run("score | repeat 30 { cma-es | score }", hole, population<Vector>({{0.5, 0.5}})).best->value() <
+          1e-3);
 }
 
-TEST_CASE("the means of L-SHADE's history are weighted Lehmer means, and a CR of 0 is final") {
+TEST_CASE("a learning operator without a gene to move keeps genomes or refuses") {
+    const auto start = population<Vector>({{1, 2}, {3, 4}, {5, 6}, {7, 8}});
+    const auto after = run("score | de | score", minimum(0, functions::sphere), start).population;
+    for (std::size_t i = 0; i < 4; ++i)
+        CHECK(after[i].genome == start[i].genome);
+    CHECK_THROWS_WITH(run("score | repeat 2 { cma-es | score }", minimum(2, functions::sphere, 1, 1), start),
+                      "cma-es: the genome has no gene that may move");
+}
+
+TEST_CASE("a trial of differential evolution crosses the mutant, halfway to a passed bound") {
+    const Vector base{1, 1, 1}, a{2, 3, 1}, b{4, 0, 9}, c{1, 1, 1}, target{7, 8, 0};
+    const std::vector<Variable> box{{0, -10, 10}, {1, -10, 10}, {2, -10, 4}};
+    Stream stream(1);
+    const Vector trial = Difference{base, a, b, c, 0.5, 0.8, 1}.trial(target, box, stream);
+    CHECK(trial[0] == Approx(1 + 0.5 * 1 + 0.8 * 3));
+    CHECK(trial[1] == Approx(1 + 0.5 * 2 - 0.8));
+    CHECK(trial[2] == (0 + 4) / 2.0);
+    int changed = 0;
+    for (std::uint64_t i = 0; i < 300; ++i) {
+        Stream each(i);
+        const Vector one = Difference{base, a, b, c, 0.5, 0.8, 0}.trial(target, box, each);
+        int here = 0;
+        for (std::size_t g = 0; g < 3; ++g)
+            here += one[g] != target[g] ? 1 : 0;
+        CHECK(here == 1); // one gene in any case
+        changed += one[0] != target[0] ? 1 : 0;
+    }
+    CHECK(changed > 70);
+    CHECK(changed < 130);
+}
+
+TEST_CASE("exponential cross-over takes genes in a row, of geometric length") {
+    const std::size_t n = 5;
+    const Vector base(n, 1), zero(n, 0), target(n, 0);
+    std::vector<Variable> box;
+    for (std::size_t g = 0; g < n; ++g)
+        box.push_back({g, -10, 10});
+    const double cr = 0.7;
+    const int trials = 20000;
+    std::vector<int> of_length(n + 1), begun(n);
+    for (int i = 0; i < trials; ++i) {
+        Stream stream(static_cast<std::uint64_t>(i));
+        const Vector trial = Difference{base, base, zero, zero, 0, 0, cr, true}.trial(target, box, stream);
+        std::size_t taken = 0, begins = 0, first = 0;
+        for (std::size_t g = 0; g < n; ++g) {
+            taken += trial[g] == 1 ? 1 : 0;
+            if (trial[g] == 1 && trial[(g + n - 1) % n] == 0)
+                ++begins, first = g;
+        }
+        REQUIRE(begins == (taken < n ? 1 : 0)); // in a row, over the end into the beginning
+        ++of_length[taken];
+        if (taken < n)
+            ++begun[first];
+    }
+    for (std::size_t length = 1; length <= n; ++length) { // P(L >= l) = CR^(l - 1), within four deviations
+        const double p = std::pow(cr, static_cast<double>(length - 1)) * (length < n ? 1 - cr : 1);
+        CHECK(std::abs(of_length[length] - trials * p) < 4 * std::sqrt(trials * p * (1 - p)));
+    }
+    const double p = (1 - std::pow(cr, n - 1.0)) / n;
+    for (const int count : begun)
+        CHECK(std::abs(count - trials * p) < 4 * std::sqrt(trials * p * (1 - p)));
+    CHECK_THROWS_WITH(differential_evolution("rand", 0.5, 0.9, "Exp"),
+                      "stage 'de': crossing is 'Exp'; expected bin or exp");
+}
+
+TEST_CASE("the history of L-SHADE holds weighted Lehmer means and final zeros") {
     SuccessHistory history(2);
     history.learn({{0.5, 0.2, 1}, {1, 0.6, 3}});
     CHECK(history.F[0] == Approx(3.25 / 3.5));
@@ -282,43 +450,42 @@ TEST_CASE("the means of L-SHADE's history are weighted Lehmer means, and a CR of
     }
 }
 
-TEST_CASE("differential evolution and L-SHADE solve what they are published to solve") {
+TEST_CASE("differential evolution and L-SHADE solve their published problems") {
     for (const std::string base : {"rand", "best", "current-to-best"})
-        evaluations_to(1e-6, {5, functions::sphere},
-                       pipeline("sample 30 | score | until fitness 1e-6 { de " + base + " | score | duel }"),
-                       1, 20000);
+        evaluations_to(1e-6, minimum(5, functions::sphere),
+                       ("sample 30 | score | until fitness 1e-6 { de " + base + " | score | duel }"), 1,
+                       20000);
     const std::string converging = "sample 20 | score | until converged 1e-9 evaluations 100000 ";
     for (const std::string crossing : {"bin", "exp"}) { // ends by itself, and at the bottom
-        const Function problem{5, functions::sphere};
-        const auto result =
-            run(pipeline(converging + "{ de F=0.8 crossing=" + crossing + " | score | duel }"), problem,
-                nobody, {.seed = 1, .threads = 1});
+        const Reals problem = minimum(5, functions::sphere);
+        const auto result = run((converging + "{ de F=0.8 crossing=" + crossing + " | score | duel }"),
+                                problem, {}, {.seed = 1, .threads = 1});
         CHECK(result.best->value() < 1e-9);
         CHECK(result.counters.asked < 20000);
         for (const auto& individual : result.population)
             CHECK(individual.value() <= result.best->value() + 1e-9);
     }
     const std::string l_shade = "sample 180 | score | until fitness 1e-8 { l-shade | score | duel }";
-    evaluations_to(1e-8, {10, functions::rastrigin}, pipeline(l_shade), 1, 60000);
-    evaluations_to(1e-8, {10, functions::rosenbrock}, pipeline(l_shade), 1, 60000);
+    evaluations_to(1e-8, minimum(10, functions::rastrigin), (l_shade), 1, 60000);
+    evaluations_to(1e-8, minimum(10, functions::rosenbrock), (l_shade), 1, 60000);
 }
 
-TEST_CASE("duel keeps the better of each child and its parent, and L-SHADE's population shrinks to four") {
+TEST_CASE("duel keeps the better of child and parent while L-SHADE's population shrinks") {
     std::vector<std::size_t> sizes;
     double worst = HUGE_VAL;
     const Observer<Vector> observer = [&](const auto& event) {
-        if (event.path.find("duel") == std::string::npos)
+        if (!event.path.ends_with("duel.1"))
             return;
         sizes.push_back(event.population.size());
         double now = 0;
         for (const auto& each : event.population)
             now = std::max(now, each.value());
-        CHECK(now <= worst); // nobody gets worse, and the worst go
+        CHECK(now <= worst); // {} gets worse, and the worst go
         worst = now;
     };
-    const auto result = run(
-        pipeline("sample 60 | score | until evaluations 2940 { l-shade evaluations=3000 | score | duel }"),
-        Function{5, functions::sphere}, nobody, {}, {observer});
+    const auto result =
+        run("sample 60 | score | until evaluations 2940 { l-shade evaluations=3000 | score | duel }",
+            minimum(5, functions::sphere), {}, {}, {observer});
     double spent = 60;
     for (const std::size_t size : sizes) {
         CHECK(static_cast<double>(size) == std::round(60 - 56 * spent / 3000)); // Eq. 10
@@ -328,147 +495,127 @@ TEST_CASE("duel keeps the better of each child and its parent, and L-SHADE's pop
     CHECK(result.best->value() < 1e-3);
 }
 
-TEST_CASE("step sizes of self-adaptive mutation multiply by log-normal factors") {
-    /// Keeps what the state was.
-    struct Peek : SelfAdaptive {
-        std::shared_ptr<std::vector<double>> seen = std::make_shared<std::vector<double>>();
-        Population<Vector> operator()(Population<Vector> population, Context<Function>& context,
-                                      State& state) const {
-            auto next = SelfAdaptive::operator()(std::move(population), context, state);
-            for (const auto& each : next)
-                seen->insert(seen->end(), state.sizes.at(each.identity).begin(),
-                             state.sizes.at(each.identity).end());
-            return next;
-        }
-    };
-    const Function sphere{8, functions::sphere};
-    const auto moments = [&](const std::string& steps) {
-        Peek peek;
-        peek.sigma = 0.01;
-        peek.steps = steps;
-        run(Stage<Function>(sample(4000) | score()) |
-                Stage<Function>(repeat(1, Stage<Function>(peek) | score())),
-            sphere, nobody);
-        double mean = 0, square = 0;
-        for (const double each : *peek.seen) {
-            mean += (each - std::log(0.01)) / static_cast<double>(peek.seen->size());
-            square += std::pow(each - std::log(0.01), 2) / static_cast<double>(peek.seen->size());
-        }
-        return std::tuple(mean, square, peek.seen->size());
-    };
-    const auto [mean, square, count] = moments("one");
-    CHECK(count == 4000);
-    CHECK(std::abs(mean) < 0.02);
-    CHECK(square == Approx(1.0 / 8).epsilon(0.1));
-    const auto [mean_each, square_each, count_each] = moments("each");
-    CHECK(count_each == 32000);
-    CHECK(std::abs(mean_each) < 0.02);
-    CHECK(square_each == Approx(1.0 / 16 + 1 / (2 * std::sqrt(8.0))).epsilon(0.05));
+TEST_CASE("the archive of L-SHADE holds beaten parents, also when constraints are violated") {
+    std::vector<Vector> beaten; // all there ever were
+    std::size_t fullest = 0, entered = 0;
+    auto op = l_shade();
+    op.archive = 2;
+    Reals fenced = minimum(3, functions::sphere);
+    fenced.excess = [](const Vector& y) { return (y[0] - 20) / 100; };
+    watch("sample 10", 30, op, "score | duel", fenced,
+          [&](const LShade::State& before, const LShade::State& now, const Population<Vector>& given) {
+              std::size_t more = 0;
+              for (const LShade::Trial& trial : before.trials)
+                  for (const auto& child : given)
+                      if (const double parent = functions::sphere(trial.parent);
+                          child.identity == trial.child && child.value() < parent) {
+                          beaten.push_back(trial.parent);
+                          entered += parent > 20 && child.value() <= 20 ? 1 : 0;
+                          ++more;
+                      }
+              CHECK(now.beaten.size() == std::min(before.beaten.size() + more, 2 * given.size()));
+              for (const Vector& each : now.beaten)
+                  CHECK(std::find(beaten.begin(), beaten.end(), each) != beaten.end());
+              fullest = std::max(fullest, now.beaten.size());
+          });
+    CHECK(fullest == 20);
+    CHECK(entered > 0);
 }
 
-TEST_CASE("a (15, 105) strategy with inherited step sizes converges on sphere and on axes of unequal scale") {
-    const std::string text =
-        "sample 15 | score | until fitness 1e-8 { tournament 1 size=105 | self-adaptive 0.1 "
-        "steps=STEPS | score | best 15 }";
-    const auto with = [&](const std::string& steps) {
-        std::string words = text;
-        return words.replace(words.find("STEPS"), 5, steps);
+TEST_CASE("inherited step sizes multiply by log-normal factors in every generation") {
+    for (const std::string steps : {"one", "each"}) {
+        int generation = 0;
+        watch("sample 2000", 3, self_adaptive(0.001, steps), "score", minimum(8, functions::sphere),
+              [&](const SelfAdaptive::State& before, const SelfAdaptive::State& now, const auto&) {
+                  double mean = 0, square = 0, count = 0;
+                  for (const auto& [identity, sizes] : now.sizes)
+                      if (!before.sizes.count(identity))
+                          for (const double size : sizes) {
+                              mean += size - std::log(0.001);
+                              square += std::pow(size - std::log(0.001), 2);
+                              ++count;
+                          }
+                  CHECK(count == (steps == "one" ? 2000 : 16000));
+                  const double variance =
+                      steps == "one" ? 1.0 / 8 : 1.0 / 16 + 1 / (2 * std::sqrt(8.0)); // for n = 8
+                  CHECK(square / count == Approx(++generation * variance).epsilon(0.15));
+                  CHECK(std::abs(mean / count) < 4 * std::sqrt(generation * variance / 2000));
+              });
+        CHECK(generation == 3);
+    }
+}
+
+TEST_CASE("a (15, 105) strategy converges on the sphere and on unequal axes") {
+    const auto strategy = [](const std::string& steps) {
+        return "sample 15 | score | until fitness 1e-8 { tournament 1 size=105 | self-adaptive 0.1 steps=" +
+               steps + " | score | best 15 }";
     };
-    evaluations_to(1e-8, {8, functions::sphere}, pipeline(with("one")), 1, 60000);
+    evaluations_to(1e-8, minimum(8, functions::sphere), strategy("one"), 1, 60000);
     const auto unequal = [](const Vector& x) { return x[0] * x[0] + 1e4 * x[1] * x[1] + 1e-2 * x[2] * x[2]; };
-    evaluations_to(1e-8, {3, unequal}, pipeline(with("each")), 1, 60000);
+    evaluations_to(1e-8, minimum(3, unequal), strategy("each"), 1, 60000);
 }
 
-TEST_CASE("operators that learn give the same bits on 1, 2 and 5 threads, and after stops and resumes") {
-    const std::string ends = " | score ";
-    for (const std::string& body : std::vector<std::string>{
-             "cma-es sigma=0.3 restarts=bipop" + ends, "l-shade" + ends + "| duel",
-             "self-adaptive 0.1" + ends + "| plus",
-             "tournament 2 | cross blend | self-adaptive steps=one" + ends + "| elite 2",
-             "random | cross blend" + ends + "| crowding",
-             "emit 7 first second sigma=0.05" + ends + "| map-elites first second cells=5"}) {
+TEST_CASE("a learning operator gives the same bits on any threads and after stops") {
+    for (const std::string body :
+         {"cma-es | score", "l-shade | score | duel", "self-adaptive 0.1 | score | plus",
+          "tournament 2 | cross blend | self-adaptive steps=one | score | elite 2",
+          "random | cross blend | score | crowding",
+          "emit 7 first second sigma=0.05 | score | map-elites first second cells=5"}) {
         CAPTURE(body);
-        Function problem{3, functions::rastrigin};
-        if (body.find("emit") != std::string::npos)
-            problem.features = {{"first", [](const Vector& x) { return x[0]; }, -5, 5},
-                                {"second", [](const Vector& x) { return x[1] * x[2]; }, -5, 5}};
-        else
-            problem.lower = body.find("cma") == 0 ? -HUGE_VAL : -5;
-        const auto stage = pipeline("sample 12 | score | repeat 25 { " + body + " }");
-        const std::string whole = text_of(run(stage, problem, nobody, {.threads = 1}));
-        CHECK(text_of(run(stage, problem, nobody, {.threads = 2})) == whole);
-        CHECK(text_of(run(stage, problem, nobody, {.threads = 5})) == whole);
+        Reals problem = minimum(3, functions::rastrigin);
+        problem.features = {{"first", [](const Vector& x) { return x[0]; }, -5, 5},
+                            {"second", [](const Vector& x) { return x[1] * x[2]; }, -5, 5}};
+        const std::string pipeline = "sample 12 | score | repeat 25 { " + body + " }";
+        const std::string whole = bits_of(run(pipeline, problem, {}, {.threads = 1}));
+        CHECK(bits_of(run(pipeline, problem, {}, {.threads = 2})) == whole);
+        CHECK(bits_of(run(pipeline, problem, {}, {.threads = 5})) == whole);
         const tests::Folder folder;
-        std::string stopped = "not yet";
-        for (long budget = 100; !stopped.empty(); budget += 97) {
+        for (int piece = 0;; ++piece) {
+            REQUIRE(piece < 1000);
             std::atomic<bool> stop = false;
             std::atomic<long> left = 97;
-            Function stopping = problem;
+            Reals stopping = problem;
             stopping.f = [&](const Vector& x) {
-                if (--left == 0)
-                    stop = true;
-                return functions::rastrigin(x);
+                stop = stop || --left == 0;
+                return problem.f(x);
             };
-            Checkpoints<Function> checkpoints(folder / "run", "", true);
+            Checkpoints<Reals> checkpoints(folder / "run", "", true);
             const auto part =
-                run(stage, stopping, nobody, {.threads = 2, .budget = {.stop = &stop}}, {}, &checkpoints);
-            stopped = part.stopped;
-            REQUIRE(budget < 100000);
-            if (stopped.empty())
-                CHECK(text_of(part) == whole);
+                run(pipeline, stopping, {}, {.threads = 2, .budget = {.stop = &stop}}, {}, &checkpoints);
+            if (!part.stopped.empty())
+                continue;
+            CHECK(piece > 0);
+            CHECK(bits_of(part) == whole);
+            break;
         }
     }
 }
 
-TEST_CASE("operators that learn are refused where nothing is repeated, and words that are none are") {
-    const auto refused = [](const std::string& text) {
-        try {
-            run(pipeline(text), Function{3, functions::sphere}, nobody);
-        } catch (const UsageError& error) {
-            return std::string(error.what());
-        }
-        return std::string();
-    };
-    for (const std::string name : {"cma-es", "l-shade", "self-adaptive"})
-        CHECK(refused("sample 9 | score | " + name + " | score")
-                  .find("learns from one generation to the next") != std::string::npos);
-    for (const std::string name : {"cma-es", "de"})
-        CHECK(refused("sample 9 | repeat 2 { " + name + " | score }").find("needs a scored population") !=
-              std::string::npos);
-    CHECK(refused("sample 9 | score | repeat 2 { cma-es restarts=often | score }")
-              .find("expected bipop, ipop or none") != std::string::npos);
-    CHECK(refused("sample 9 | score | repeat 2 { de worst | score }")
-              .find("expected rand, best or current-to-best") != std::string::npos);
-    CHECK(refused("sample 9 | score | repeat 2 { self-adaptive steps=two | score }")
-              .find("expected each or one") != std::string::npos);
-    CheckState ranked;
-    ranked.in_generation = true;
-    ranked.scored = "pareto f g";
-    CHECK_THROWS_WITH(CmaEs().check(ranked), Catch::Contains("one objective"));
-    CHECK_THROWS_WITH(LShade().check(ranked), Catch::Contains("one objective"));
-    CHECK(pipeline("sample 9 | score | repeat 2 { cma-es sigma=0.2 | score | duel }").text() ==
-          "sample 9 | score | repeat 2 { cma-es sigma=0.2 restarts=bipop | score | duel }");
+TEST_CASE("an operator's state starts again with its block and differs between islands") {
+    using Seen = Counting::Seen;
+    CHECK(seen_in([](const auto& body) { return repeat(3, body); }) == Seen{{0, 0}, {1, 1}, {2, 2}});
+    CHECK(seen_in([](const auto& body) { return restarts(3, body); }) == Seen{{0, 0}, {0, 0}, {0, 0}});
+    CHECK(seen_in([](const auto& body) { return repeat(2, Stage<Reals>(repeat(2, body))); }) ==
+          Seen{{0, 0}, {0, 0}, {1, 1}, {1, 1}});
+    CHECK(seen_in([](const auto& body) { return islands(2, {.rounds = 2, .migrants = 0}, body); }) ==
+          Seen{{0, 0}, {0, 0}, {1, 1}, {1, 1}});
 }
 
-TEST_CASE(
-    "parameters of what learns and keeps niches are read from text, and begin at the defaults they tell") {
-    for (const std::string stage :
-         {"cma-es sigma=0.2 population=7 restarts=ipop", "de best F=0.7 CR=0.3",
-          "de rand F=0.5 CR=0.9 crossing=exp", "l-shade evaluations=900 memory=4 archive=1.5 p=0.2",
-          "self-adaptive 0.2 steps=one", "share 0.3 alpha=2", "clear 0.3 capacity=2",
-          "map-elites a b cells=5", "emit 4 a b sigma=0.2"})
-        CHECK(pipeline(stage).text() == stage);
-    const auto defaults = [](auto standard) {
-        for (const Field& field : fields_of(standard))
-            if (field.parameter.standard && !field.parameter.standard->empty()) {
-                CAPTURE(standard.words().name, field.parameter.name);
-                CHECK(field.in_words() == *field.parameter.standard);
-            }
+TEST_CASE("a learning operator is refused when nothing repeats or scores it") {
+    const auto refused = [](const std::string& pipeline, const std::string& message) {
+        CHECK_THROWS_WITH(run(pipeline, minimum(3, functions::sphere)), Catch::Contains(message));
     };
-    defaults(CmaEs()), defaults(DifferentialEvolution()), defaults(LShade()), defaults(SelfAdaptive());
-    defaults(Proportional<Sharing>()), defaults(Clearing()), defaults(MapElites()), defaults(Emit());
-    defaults(Tournament()), defaults(Proportional<ByRank>()), defaults(Random()), defaults(Elite());
-    defaults(Plus()), defaults(Points()), defaults(Blend()), defaults(SimulatedBinary());
-    defaults(Cross<Uniform>()), defaults(Gaussian()), defaults(UniformStep()), defaults(Polynomial());
-    defaults(LevenbergMarquardt());
+    for (const std::string name : {"cma-es", "l-shade", "self-adaptive"})
+        refused("sample 9 | score | " + name + " | score", "learns from one generation to the next");
+    for (const std::string name : {"cma-es", "de"})
+        refused("sample 9 | repeat 2 { " + name + " | score }", "needs a scored population");
+    for (const std::string name : {"cma-es", "l-shade"})
+        refused("sample 9 | pareto f f2 | repeat 2 { " + name + " | pareto f f2 }", "objective");
+    refused("sample 9 | score | repeat 2 { cma-es restarts=often | score }", "expected bipop, ipop or none");
+    refused("sample 9 | score | repeat 2 { de worst | score }", "expected rand, best or current-to-best");
+    refused("sample 9 | score | repeat 2 { de crossing=Exp | score }",
+            "crossing is 'Exp'; expected bin or exp");
+    refused("sample 9 | score | repeat 2 { self-adaptive steps=two | score }", "expected each or one");
+    refused("sample 9 | score | repeat 2 { cma-es population=1 | score }",
+            "population is '1'; expected 0, or 2 at least");
 }

@@ -1,10 +1,8 @@
-#include "ga/checkpoint/checkpoint.hpp"
-#include "ga/ga.hpp"
 #include "ga/observers/hall_of_fame.hpp"
 #include "ga/observers/log.hpp"
 #include "ga/observers/progress.hpp"
 #include "tests/folder.hpp"
-#include "tests/ga/vectors.hpp"
+#include "tests/ga/problems.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -16,9 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const Population<std::vector<double>> nobody = population<std::vector<double>>({{}});
-const auto pipeline =
-    sample(20) | score() | repeat(10, tournament(2) | cross(blend()) | mutate(0.1) | score() | elite(2));
+const std::string pipeline =
+    "sample 20 | score | repeat 10 { tournament 2 | cross blend | mutate 0.1 | score | elite 2 }";
 
 std::string contents(const fs::path& file) {
     std::ifstream stream(file);
@@ -36,20 +33,12 @@ std::string timeless(const std::string& table) {
 
 } // namespace
 
-TEST_CASE("a log of a run that showed nothing has its heading") {
-    const tests::Folder folder;
-    Log log(folder / "log.csv");
-    log.close();
-    CHECK(contents(folder / "log.csv") ==
-          "path,generation,individuals,best,median,diversity,asked,evaluations,gradients,failures,seconds\n");
-}
-
-TEST_CASE("the log has a row for every stage with what a population is worth") {
+TEST_CASE("a log has one row per stage with the population's fitness") {
     const tests::Folder folder;
     const fs::path file = folder / "log.csv";
-    const Vectors problem;
+    const Reals problem;
     Log log(file);
-    const auto result = run(pipeline, problem, nobody, {.variant = "v"}, {log.observer(problem)});
+    const auto result = run(pipeline, problem, {}, {.variant = "v"}, {log.observer(problem)});
     CHECK(!fs::exists(file));
     log.close();
     std::istringstream lines(contents(file));
@@ -64,16 +53,16 @@ TEST_CASE("the log has a row for every stage with what a population is worth") {
     CHECK(rows[52].starts_with("v/repeat.1/elite.1,9,20," + number(result.best->value())));
 }
 
-TEST_CASE("a log that cannot be written ends no run and is told") {
+TEST_CASE("a log that cannot be written does not stop the run and is reported") {
     const tests::Folder folder;
-    const Vectors problem;
+    const Reals problem;
     Log whole(folder / "whole.csv"), nowhere(folder / "gone" / "log.csv"), full(folder / "full.csv");
     fs::create_symlink("/dev/full", folder / "full.csv.part");
-    const auto result = run(pipeline, problem, nobody, {},
+    const auto result = run(pipeline, problem, {}, {},
                             {whole.observer(problem), nowhere.observer(problem), full.observer(problem)});
     CHECK(result.stopped.empty());
     Log taken(folder / "taken.csv");
-    run(pipeline, problem, nobody, {}, {taken.observer(problem)});
+    run(pipeline, problem, {}, {}, {taken.observer(problem)});
     fs::remove(folder / "taken.csv.part");
     taken.close();
     CHECK_FALSE(taken.trouble.empty());
@@ -86,22 +75,22 @@ TEST_CASE("a log that cannot be written ends no run and is told") {
     CHECK_FALSE(fs::exists(folder / "full.csv"));
 }
 
-TEST_CASE("a log goes on after a resume as if the run had never stopped") {
+TEST_CASE("a log and a hall of fame continue when the run is resumed") {
     const tests::Folder folder;
-    const Vectors problem;
+    const Reals problem;
     Log whole(folder / "whole.csv");
-    run(pipeline, problem, nobody, {}, {whole.observer(problem)});
+    run(pipeline, problem, {}, {}, {whole.observer(problem)});
     whole.close();
-    HallOfFame<Vectors> all(problem, 5);
-    run(pipeline, problem, nobody, {}, {all.observer()});
+    HallOfFame<Reals> all(problem, 5);
+    run(pipeline, problem, {}, {}, {all.observer()});
     std::string stopped = "not yet";
     for (long budget = 15; !stopped.empty(); budget += 40) {
         Log log(folder / "parts.csv");
-        HallOfFame<Vectors> hall(problem, 5);
-        Checkpoints<Vectors> checkpoints(folder / "run", "", true);
+        HallOfFame<Reals> hall(problem, 5);
+        Checkpoints<Reals> checkpoints(folder / "run", "", true);
         checkpoints.keep("log", log.position);
         checkpoints.keep("hall", hall.members);
-        stopped = run(pipeline, problem, nobody, {.budget = {.evaluations = budget}},
+        stopped = run(pipeline, problem, {}, {.budget = {.evaluations = budget}},
                       {log.observer(problem), hall.observer()}, &checkpoints)
                       .stopped;
         if (budget % 3 == 0) // some were killed, the others interrupted: these leave a table
@@ -117,14 +106,14 @@ TEST_CASE("a log goes on after a resume as if the run had never stopped") {
 
     Log lost(folder / "lost.csv");
     lost.position = 10;
-    CHECK_THROWS_AS(run(pipeline, problem, nobody, {}, {lost.observer(problem)}), UsageError);
+    CHECK_THROWS_AS(run(pipeline, problem, {}, {}, {lost.observer(problem)}), UsageError);
 }
 
-TEST_CASE("the hall of fame keeps the best different genomes ever shown, best first") {
-    const Given problem;
-    HallOfFame<Given> hall(problem, 3);
-    run<Given>(score() | best(2) | repeat(1, below(100)), problem, Given::of({1, 5, 3, 5, std::nan(""), 4}),
-               {}, {hall.observer()});
+TEST_CASE("a hall of fame keeps the best different genomes, best first") {
+    const Reals problem = given();
+    HallOfFame<Reals> hall(problem, 3);
+    run("score | best 2 | repeat 1 { below 100 }", problem, individuals({1, 5, 3, 5, std::nan(""), 4}), {},
+        {hall.observer()});
     std::vector<double> values;
     for (const auto& member : hall.members)
         values.push_back(member.value());
@@ -132,36 +121,20 @@ TEST_CASE("the hall of fame keeps the best different genomes ever shown, best fi
     CHECK(hall.members[0].identity == 1);
 }
 
-TEST_CASE("the status names the place, the generation, the best and the evaluations") {
+TEST_CASE("the status names place, generation, best and evaluations") {
     std::vector<std::string> lines;
-    const Vectors problem;
-    run<Vectors>(pipeline, problem, nobody, {.variant = "v"},
-                 {progress<std::vector<double>>([&](const std::string& line) { lines.push_back(line); }, 0)});
+    const Reals problem;
+    run(pipeline, problem, {}, {.variant = "v"},
+        {progress<Vector>([&](const std::string& line) { lines.push_back(line); }, 0)});
     CHECK(lines[0] == "v/sample.1, 0 evaluations");
     CHECK(lines[7].starts_with("v/repeat.1/tournament.1 generation 2: best -0."));
     CHECK(lines.back().ends_with(" evaluations"));
 }
 
-TEST_CASE("a table has its name only while its log is closed") {
-    const tests::Folder folder;
-    const Vectors problem;
-    Log log(folder / "log.csv");
-    run(pipeline, problem, nobody, {}, {log.observer(problem)});
-    log.close();
-    const std::string first = contents(folder / "log.csv");
-    run(sample(2) | score(), problem, nobody, {}, {log.observer(problem)}); // the table goes on
-    CHECK_FALSE(fs::exists(folder / "log.csv"));
-    log.close();
-    CHECK(log.trouble.empty());
-    const std::string both = contents(folder / "log.csv");
-    CHECK(both.starts_with(first));
-    CHECK(std::count(both.begin(), both.end(), '\n') == std::count(first.begin(), first.end(), '\n') + 2);
-}
-
-TEST_CASE("a summary counts whom there is, the best and the middle of the scored, and how many differ") {
-    const Given problem;
+TEST_CASE("a summary has count, best, median and share of different individuals") {
+    const Reals problem = given();
     const auto of = [&](const std::vector<double>& values) {
-        return summary(problem, run(score(), problem, Given::of(values)).population);
+        return summary(problem, run("score", problem, individuals(values)).population);
     };
     const Summary odd = of({7, 1, 2, 1, 9}), even = of({10, 4, 1, 2});
     CHECK(odd.individuals == 5);
@@ -169,7 +142,7 @@ TEST_CASE("a summary counts whom there is, the best and the middle of the scored
     CHECK(odd.median == 2.0);
     CHECK(odd.diversity == 0.8);
     CHECK(even.median == 3.0);
-    const Summary unscored = summary(problem, Given::of({1, 2})), none = summary(problem, {});
+    const Summary unscored = summary(problem, individuals({1, 2})), none = summary(problem, {});
     CHECK(unscored.individuals == 2);
     CHECK_FALSE(unscored.best);
     CHECK_FALSE(unscored.median);

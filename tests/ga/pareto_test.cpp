@@ -1,5 +1,6 @@
-#include "ga/base/random.hpp"
+#include "ga/observers/front.hpp"
 #include "ga/pareto/hypervolume.hpp"
+#include "tests/ga/problems.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -18,7 +19,7 @@ std::vector<Point> points(std::size_t n, std::size_t objectives, std::uint64_t s
 
 } // namespace
 
-TEST_CASE("ranks peel off one front after the other, as by the definition") {
+TEST_CASE("Pareto ranks equal those of the definition") {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         const auto cloud = points(40, 2 + seed % 3, seed);
         std::vector<std::size_t> expected(cloud.size(), 99);
@@ -39,7 +40,7 @@ TEST_CASE("ranks peel off one front after the other, as by the definition") {
     }
 }
 
-TEST_CASE("the ends of a front have endless room, the others the sides of their box") {
+TEST_CASE("crowding distances are infinite at the ends, else the sides of the box") {
     const std::vector<Point> front = {{0, 4}, {1, 3}, {3, 1}, {4, 0}};
     const auto room = crowding_distances(front, {0, 0, 0, 0});
     CHECK(std::isinf(room[0]));
@@ -48,7 +49,7 @@ TEST_CASE("the ends of a front have endless room, the others the sides of their 
     CHECK(room[2] == Approx(3.0 / 4 + 3.0 / 4));
 }
 
-TEST_CASE("the dominated share of many objectives grows with what is dominated and ignores what is not") {
+TEST_CASE("the dominated share grows unless the new point is dominated") {
     Stream stream(9);
     const Point reference(5, 0), width(5, 1);
     CHECK(dominated_share({}, reference, width) == 0);
@@ -70,4 +71,114 @@ TEST_CASE("the dominated share of many objectives grows with what is dominated a
         CHECK(dominated_share(more, reference, width) == share);
     }
     CHECK(before > 0);
+}
+
+TEST_CASE("the hypervolume equals that of the union of boxes above the reference") {
+    CHECK(hypervolume({{2.0}, {5.0}, {3.0}}, {1}) == 4);
+    CHECK(hypervolume({{0.5}}, {1}) == 0);
+    CHECK(hypervolume({{3, 1}, {1, 3}, {2, 2}, {0, 9}}, {0, 0}) == 6);
+    CHECK(hypervolume({}, {0, 0}) == 0);
+    Stream stream(3);
+    for (const std::size_t m : {2u, 3u, 4u})
+        for (int round = 0; round < 20; ++round) {
+            std::vector<Point> points(3, Point(m));
+            for (Point& point : points)
+                for (double& value : point)
+                    value = stream.uniform(0, 2);
+            const Point reference(m, 0.25);
+            double volume = 0; // inclusion and exclusion
+            for (unsigned chosen = 1; chosen < 8; ++chosen) {
+                double box = -1;
+                for (std::size_t k = 0; k < m; ++k) {
+                    double least = HUGE_VAL;
+                    for (std::size_t i = 0; i < 3; ++i)
+                        if (chosen >> i & 1)
+                            least = std::min(least, points[i][k]);
+                    box *= std::max(0.0, least - reference[k]);
+                }
+                for (std::size_t i = 0; i < 3; ++i)
+                    if (chosen >> i & 1)
+                        box = -box;
+                volume += box;
+            }
+            CHECK(hypervolume(points, reference) == Approx(volume).margin(1e-12));
+        }
+}
+
+namespace {
+
+/// Schaffer's problem (1985): x^2 and (x - 2)^2 are minimised.
+Reals schaffer() {
+    Reals problem;
+    problem.n = 1;
+    problem.f = [](const Vector& x) { return Vector{x[0] * x[0], (x[0] - 2) * (x[0] - 2)}; };
+    problem.lower = -10, problem.upper = 10;
+    problem.list = {{"f1", [](const Vector& f) { return f[0]; }, true},
+                    {"f2", [](const Vector& f) { return f[1]; }, true},
+                    {"worth", [](const Vector& f) { return -f[0] - f[1]; }}};
+    return problem;
+}
+/// The same with the constraint |x| >= 1.
+Reals walled() {
+    Reals problem = schaffer();
+    problem.excess = [](const Vector& f) { return 1 - f[0]; };
+    return problem;
+}
+
+} // namespace
+
+TEST_CASE("a search minimises when its objective says so") {
+    const auto result = run("sample 30 | score f1 | best 3", schaffer());
+    CHECK(result.population[0].value() <= result.population[1].value());
+    CHECK(result.best->value() == result.population[0].value());
+    CHECK(run("sample 20 | score | repeat 30 { tournament 2 | mutate 1 | score | elite 1 }", schaffer())
+              .best->value() < 1e-2);
+    CHECK(run("sample 30 | score f1 | below 1 at_least=1", schaffer()).population[0].value() < 1);
+}
+
+TEST_CASE("a search holds the problem's constraints") {
+    const auto result = run(
+        "sample 40 | score | repeat 40 { tournament 2 | cross blend | mutate 0.5 | score | plus }", walled());
+    CHECK(result.best->fitness.feasible());
+    CHECK(result.best->value() == Approx(1).margin(0.01));
+    for (const auto& each : run("sample 40 | pareto f1 f2 | front", walled()).population)
+        CHECK(each.fitness.feasible());
+}
+
+TEST_CASE("plus, elite and best keep the front when there are several objectives") {
+    const std::string children = "{ tournament 2 | cross blend | mutate 0.5 gaussian 0.05 | pareto f1 f2 | ";
+    const auto result = run("sample 40 | pareto f1 f2 | repeat 40 " + children + "plus }", schaffer());
+    REQUIRE(result.population.size() == 40);
+    CHECK(result.front.size() == 40);
+    for (const auto& a : result.front)
+        for (const auto& b : result.front)
+            CHECK(!dominates(a.fitness.values(), b.fitness.values()));
+    CHECK(result.best->fitness.objective() == "f1");
+    CHECK(run("sample 40 | pareto f1 f2 | repeat 40 " + children + "elite 10 }", schaffer()).front.size() >=
+          10);
+}
+
+TEST_CASE("a run returns its population and front when it stops under several objectives") {
+    const auto result = run("sample 40 | pareto f1 f2 | "
+                            "repeat 1000 { tournament 2 | mutate 1 gaussian 0.05 | pareto f1 f2 | plus }",
+                            schaffer(), {}, {.budget = {.evaluations = 410}});
+    CHECK(result.stopped == "evaluation budget spent");
+    CHECK(result.population.size() >= 40);
+    CHECK(result.front.size() > 10);
+    CHECK(result.best.has_value());
+}
+
+TEST_CASE("stagnation counts from the last growth of the hypervolume") {
+    std::vector<double> volumes;
+    const auto watch = fronts<Vector>("plus.1", {-20, -20}, [&](const auto& seen) {
+        CHECK(seen.event.path.ends_with("plus.1"));
+        volumes.push_back(seen.hypervolume);
+        CHECK(!seen.front.empty());
+    });
+    run("sample 10 | pareto f1 f2 | until generations 5000 stagnation 30 "
+        "{ tournament 2 | mutate 1 gaussian 0.01 | pareto f1 f2 | plus }",
+        schaffer(), {}, {}, {watch});
+    CHECK(volumes.size() > 31);
+    CHECK(volumes.size() < 5000);
+    CHECK(volumes.back() > volumes.front());
 }

@@ -1,87 +1,98 @@
-#include "ga/checkpoint/checkpoint.hpp"
-#include "tests/folder.hpp"
-#include "tests/ga/curve_fit.hpp"
-#include "tests/ga/vectors.hpp"
+#include "tests/ga/problems.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <set>
+#include <thread>
 
 using namespace ga;
 
 namespace {
 
-/// Everything a result says, for comparing bit for bit.
-std::string all_of(const Result<CurveFit::Genome>& result) {
-    std::string text;
-    for (const auto& each : result.population) {
-        text += std::to_string(each.identity) + ":";
-        for (const Identity parent : each.parents)
-            text += std::to_string(parent) + ",";
-        for (const double gene : each.genome)
-            text += number(gene) + " ";
-        text += number(each.value()) + "\n";
+Fingerprint print_of(std::uint64_t i) { return {mix(i), mix(i / 3)}; } // three look at one place first
+
+/// Of Reals: each evaluation waits, most of them long. Notes which threads worked.
+struct Uneven {
+    std::mutex mutex;
+    std::set<std::thread::id> threads;
+    Reals problem;
+
+    Uneven() {
+        problem.f = [this](const Vector& x) {
+            {
+                const std::lock_guard lock(mutex);
+                threads.insert(std::this_thread::get_id());
+            }
+            if (std::abs(x[0]) > 0.3)
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            return x;
+        };
     }
-    return text + std::to_string(result.counters.asked) + " " + std::to_string(result.counters.evaluations) +
-           " " + std::to_string(result.counters.gradients);
+};
+
+/// Throws for a first gene below 0, something else than a std::exception above 100.
+double fragile(double y) {
+    if (y < 0)
+        throw std::domain_error("under 0");
+    if (y > 100)
+        throw 7;
+    return y;
 }
 
-Result<CurveFit::Genome> run_with(int threads, const auto& pipeline) {
-    return run(pipeline, CurveFit{}, CurveFit::start(60), {.threads = threads});
-}
+const std::vector<std::string> fragile_reasons = {"", "under 0", "an exception that is no std::exception"};
 
 } // namespace
 
-TEST_CASE("an algorithm reads as on paper and gives the same bits on 1, 2 and 5 threads") {
-    const auto sog = score() | best(3) | refine(mma(5), tenth) | refine(minimax(8)) | best(1);
-    const auto gco =
-        pair(score("low") | above(0.8, at_least(3)), score("high") | above(0.9, at_least(3)), mean) |
-        score() | best(3) | refine(mma(3), tenth) | refine(lm(20)) | best(1);
-    const auto check = [](const auto& pipeline, double expected) {
-        const auto one = run_with(1, pipeline);
-        REQUIRE(one.population.size() == 1);
-        CHECK(one.population[0].value() > expected);
-        CHECK(all_of(one) == all_of(run_with(2, pipeline)));
-        CHECK(all_of(one) == all_of(run_with(5, pipeline)));
+TEST_CASE("a table finds what was put in, and nothing else") {
+    Table<int> table;
+    CHECK(table.find(print_of(1)) == nullptr);
+    std::vector<int*> places;
+    for (std::uint64_t i = 0; i < 3000; ++i)
+        places.push_back(&(table.at(print_of(i)) = static_cast<int>(i)));
+    CHECK(table.size() == 3000);
+    for (std::uint64_t i = 0; i < 3000; ++i) {
+        CHECK(table.find(print_of(i)) == places[i]);
+        CHECK(*places[i] == static_cast<int>(i)); // it has never moved
+        CHECK(&table.at(print_of(i)) == places[i]);
+    }
+    for (std::uint64_t i = 3000; i < 6000; ++i)
+        CHECK(table.find(print_of(i)) == nullptr);
+    table.clear();
+    CHECK(table.size() == 0);
+    CHECK(table.find(print_of(1)) == nullptr);
+}
+
+TEST_CASE("the memory forgets its older half when full, except outcomes read since") {
+    Memory<double> memory(2000); // two halves of ten entries of 100 bytes
+    const auto fill = [&](std::uint64_t from, std::uint64_t to) {
+        for (std::uint64_t i = from; i < to; ++i)
+            memory.at(print_of(i)) = static_cast<double>(i);
+        memory.forget_old(100);
     };
-    check(sog, 0.9);
-    check(gco, 0.999999);
-}
-
-TEST_CASE("an observer sees every stage under its path and each candidate's parents") {
-    const auto gco =
-        pair(score("low") | above(0.8, at_least(3)), score("high") | above(0.9, at_least(3)), mean) |
-        score() | best(3) | refine(mma(3), tenth) | refine(mma(2), tenth) | best(1);
-    std::vector<std::string> paths;
-    std::vector<std::size_t> parents;
-    const Observer<CurveFit::Genome> observer = [&](const auto& event) {
-        paths.push_back(event.path);
-        parents.push_back(event.population[0].parents.size());
+    const auto known = [&](std::uint64_t i) {
+        const auto* found = memory.find(print_of(i));
+        return found && std::get<double>(*found) == static_cast<double>(i);
     };
-    run<CurveFit>(gco, CurveFit{}, CurveFit::start(60), {.variant = "gco"}, {observer});
-    CHECK(paths == std::vector<std::string>{"gco/pair.1/left/score.1", "gco/pair.1/left/above.1",
-                                            "gco/pair.1/right/score.1", "gco/pair.1/right/above.1",
-                                            "gco/pair.1", "gco/score.1", "gco/best.1", "gco/refine.1",
-                                            "gco/refine.2", "gco/best.2"});
-    CHECK(parents == std::vector<std::size_t>{0, 0, 0, 0, 2, 2, 2, 2, 2, 2});
+    fill(0, 10); // full, but no more than that
+    CHECK(memory.young().size() == 10);
+    fill(10, 11);
+    CHECK(memory.old().size() == 11);
+    CHECK(known(3));
+    CHECK(std::get<double>(memory.at(print_of(3))) == 3); // read, hence young again
+    CHECK(memory.young().size() == 1);
+    fill(20, 31);
+    CHECK(known(3));
+    CHECK(known(25));
+    CHECK(!known(4));
+    CHECK(std::holds_alternative<Pending>(memory.at(print_of(99))));
+    CHECK(memory.find(print_of(99)) == nullptr); // requested, and not known yet
+    memory.at(print_of(98)) = reason("broke");
+    CHECK(*std::get<Reason>(*memory.find(print_of(98))) == "broke");
 }
 
-TEST_CASE("one evaluation serves every objective, and no genome is evaluated twice") {
-    auto twice = CurveFit::start(20);
-    for (const auto& individual : CurveFit::start(20))
-        twice.push_back(individual);
-    const auto result = run(score("low") | score("high") | score(), CurveFit{}, twice);
-    CHECK(result.counters.evaluations == 20);
-    CHECK(result.counters.asked == 40);
-    CHECK(result.counters.remembered == 100);
-}
-
-TEST_CASE("a memory too small to hold anything changes no result") {
-    const auto turned = transform("turn", [](const CurveFit::Genome& g) {
-        return CurveFit::Genome{g[1], g[2], g[0]};
-    });
-    const auto pipeline =
-        score() | repeat(6, turned | score("low") | score()) | refine(mma(2), tenth) | best(2);
+TEST_CASE("a memory too small for one outcome changes no result") {
+    const std::string pipeline =
+        "score | repeat 6 { turn genes | score low | score } | refine mma 2 genes=tenth | best 2";
     const auto large = run(pipeline, CurveFit{}, CurveFit::start(40));
     const auto small = run(pipeline, CurveFit{}, CurveFit::start(40), {.memory_bytes = 1});
     CHECK(large.counters.evaluations == 3 * 40 + 40);
@@ -90,244 +101,238 @@ TEST_CASE("a memory too small to hold anything changes no result") {
     CHECK(small.population[0].genome == large.population[0].genome);
 }
 
-TEST_CASE("an outcome that says nothing of its memory weighs what one does that owns nothing besides") {
-    /// A square, of weight 0 where it is said.
-    struct Square {
-        using Genome = std::vector<double>;
-        using Outcome = double;
-        double evaluate(const Genome& g) const { return g[0] * g[0]; }
-        const std::vector<Objective<double>>& objectives() const {
-            static const std::vector<Objective<double>> list = {{"f", [](const double& y) { return y; }}};
-            return list;
-        }
-    };
-    struct Weightless : Square {
-        std::size_t bytes(const double&) const { return 0; }
-    };
-    std::vector<std::vector<double>> genomes;
-    for (int i = 0; i < 60; ++i)
-        genomes.push_back({i + 0.0});
-    const auto by = [](double step) {
-        return transform("by",
-                         [step](const std::vector<double>& g) { return std::vector<double>{g[0] + step}; });
-    };
-    std::set<long> seen;
-    for (double bytes = 2000; bytes < 40000; bytes *= 1.01) { // some forget the first batch by the third
-        const auto evaluations = [&](const auto& problem) {
-            return run(score() | by(1000) | score() | by(-1000) | score(), problem, population(genomes),
-                       {.threads = 1, .memory_bytes = static_cast<std::size_t>(bytes)})
-                .counters.evaluations;
-        };
-        seen.insert(evaluations(Square{}));
-        REQUIRE(evaluations(Square{}) == evaluations(Weightless{}));
+TEST_CASE("one evaluation serves every objective, and no genome is evaluated twice") {
+    auto twice = CurveFit::start(20);
+    for (const auto& individual : CurveFit::start(20))
+        twice.push_back(individual);
+    const auto result = run("score low | score high | score", CurveFit{}, twice);
+    CHECK(result.counters.evaluations == 20);
+    CHECK(result.counters.asked == 40);
+    CHECK(result.counters.remembered == 100);
+}
+
+TEST_CASE("a genome in memory is never evaluated again") {
+    for (const std::string pipeline :
+         {"score | refine nlopt LN_COBYLA 20 | refine nlopt LN_COBYLA 20",
+          "score | repeat 3 { refine nlopt LN_NELDERMEAD 20 | refine lm 3 }",
+          "score | islands 2 rounds=3 { mutate 0.5 | cross uniform | score | refine nlopt LN_COBYLA 4 }"}) {
+        CAPTURE(pipeline);
+        Serial<CurveFit> serial;
+        Recording<CurveFit> record(serial);
+        const auto result = run_by(record, curves(pipeline), CurveFit{}, CurveFit::start(6));
+        CHECK(record.evaluated.size() == static_cast<std::size_t>(result.counters.evaluations));
+        CHECK(record.evaluated.size() > 30);
+        CHECK(std::set<Vector>(record.evaluated.begin(), record.evaluated.end()).size() ==
+              record.evaluated.size());
+        CHECK(record.differentiated.size() == static_cast<std::size_t>(result.counters.gradients));
+        CHECK(bits_of(result) == bits_of(run(pipeline, CurveFit{}, CurveFit::start(6))));
     }
-    CHECK(seen == std::set<long>{120, 180});
 }
 
-TEST_CASE("an evaluation that throws marks its individual, which ranks last and keeps the reason") {
-    auto start = CurveFit::start(5);
-    start[2].genome[1] = -21;
-    start[3].genome[0] = std::nan("");
-    const auto result = run(score() | best(5), CurveFit{}, start, {.threads = 2});
-    CHECK(result.counters.failures == 2);
-    CHECK(result.population[3].fitness.reason() == "rate under -20");
-    CHECK(result.population[4].fitness.reason() == "fitness fit is nan");
-    CHECK(result.best->identity == result.population[0].identity);
+TEST_CASE("islands, and searches of several individuals, send their evaluations in common batches") {
+    Serial<CurveFit> serial;
+    Recording<CurveFit> record(serial);
+    run_by(record, curves("score | refine nlopt LN_COBYLA 10"), CurveFit{}, CurveFit::start(6));
+    CHECK(record.batches.front() == 6);
+    CHECK(std::count(record.batches.begin(), record.batches.end(), 6) >= 8);
+    Serial<Reals> of_reals;
+    Recording<Reals> islands(of_reals);
+    run_by(islands,
+           reals("sample 20 | score | islands 4 rounds=3 { mutate 1 gaussian 0.1 | score | elite 1 }"),
+           Reals{}, {});
+    CHECK(islands.batches == std::vector<std::size_t>{20, 20, 20, 20});
 }
 
-TEST_CASE("a run in which every evaluation fails ends with the first reason") {
+TEST_CASE("every thread works from the first batch on, without effect on a bit") {
+    std::string one;
+    for (const int threads : {1, 2, 5}) {
+        Uneven batch, whole;
+        run("sample 24 | score", batch.problem, {}, {.threads = threads});
+        CHECK(batch.threads.size() == static_cast<std::size_t>(threads));
+        const auto result = run("sample 24 | score | islands 3 rounds=2 { tournament 2 | cross blend | "
+                                "mutate 0.3 | score | elite 1 }",
+                                whole.problem, {}, {.threads = threads});
+        CHECK(whole.threads.size() == static_cast<std::size_t>(threads));
+        one = one.empty() ? bits_of(result) : one;
+        CHECK(bits_of(result) == one);
+    }
+}
+
+TEST_CASE("four threads are 3.5 times as fast as one when evaluations are uneven", "[.][speed]") {
+    const auto seconds = [](int threads) {
+        Uneven uneven;
+        const Stopwatch clock;
+        run("sample 200 | score", uneven.problem, {}, {.threads = threads});
+        return clock.seconds();
+    };
+    CHECK(seconds(1) > 3.5 * seconds(4));
+}
+
+TEST_CASE("an evaluator's failures mark their individuals") {
+    struct Odd : Serial<Reals> {
+        void outcomes(const Reals& problem, std::span<Call<Reals>> calls, const Watch& watch) override {
+            for (auto& call : calls)
+                if ((*call.genome)[0] < 0)
+                    *call.answer = reason("negative");
+                else
+                    Serial<Reals>::outcomes(problem, {&call, 1}, watch);
+        }
+    } odd;
+    const auto result = run_by(odd, reals("sample 40 | score"), Reals{}, {});
+    for (const auto& each : result.population)
+        CHECK(each.fitness.reason() == (each.genome[0] < 0 ? "negative" : ""));
+    CHECK(result.counters.failures > 5);
+}
+
+TEST_CASE("an evaluator that throws ends the run with its message, on islands too") {
+    struct Cut : Serial<Reals> {
+        int batches = 0;
+        void outcomes(const Reals& problem, std::span<Call<Reals>> calls, const Watch& watch) override {
+            if (++batches == 3)
+                throw std::runtime_error("the cable is cut");
+            Serial<Reals>::outcomes(problem, calls, watch);
+        }
+    } cut;
+    CHECK_THROWS_WITH(run_by(cut,
+                             reals("sample 9 | score | islands 3 rounds=4 { mutate 1 | score | elite 1 }"),
+                             Reals{}, {}),
+                      "the cable is cut");
+}
+
+TEST_CASE("an evaluation that ends itself at a stop is neither counted nor a failure") {
+    for (const bool refines : {false, true}) {
+        std::atomic<bool> stop = false;
+        std::atomic<int> begun = 0;
+        Reals problem;
+        problem.f = [&](const Vector& x) {
+            if (++begun == 10)
+                stop = true;
+            if (stop)
+                throw Stopped{"the licence has run out"};
+            return x;
+        };
+        const auto result =
+            run(refines ? "sample 6 | score | refine nlopt LN_COBYLA 20 | score" : "sample 40 | score",
+                problem, {}, {.threads = 1, .budget = {.stop = &stop}});
+        CHECK(result.stopped == (refines ? "stop requested" : "the licence has run out"));
+        CHECK(result.counters.failures == 0);
+        CHECK(result.counters.evaluations == 9);
+        CHECK(begun == 10); // none is begun after it
+        for (const auto& each : result.population)
+            CHECK_FALSE(each.fitness.has_failed());
+    }
+}
+
+TEST_CASE("an evaluation that throws marks its individual, which ranks last with the reason") {
+    Reals problem = given();
+    problem.f = [](const Vector& x) { return Vector{fragile(x[0])}; };
+    const auto result =
+        run("score | best 4", problem, individuals({1, std::nan(""), -1, 101}), {.threads = 2});
+    CHECK(result.counters.failures == 3);
+    CHECK(result.best->identity == 0);
+    CHECK(result.population[0].identity == 0);
+    CHECK(result.population[1].fitness.reason() == "fitness value is nan");
+    for (std::size_t i = 1; i < 3; ++i)
+        CHECK(result.population[i + 1].fitness.reason() == fragile_reasons[i]);
+}
+
+TEST_CASE("an objective that throws marks its individual with the reason") {
+    Reals problem = given();
+    problem.list = {{"value", [](const Vector& x) { return fragile(x[0]); }},
+                    {"other", [](const Vector& x) { return -x[0]; }}};
+    for (const std::string pipeline : {"score", "pareto other value", "pareto value other"})
+        for (const int threads : {1, 2}) {
+            const auto result = run(pipeline, problem, individuals({1, -1, 101}), {.threads = threads});
+            REQUIRE(result.population.size() == 3);
+            for (std::size_t i = 0; i < 3; ++i)
+                CHECK(result.population[i].fitness.reason() == fragile_reasons[i]);
+            CHECK(result.best->identity == 0);
+        }
+    CHECK(run("score other", problem, individuals({1, -1, 101})).counters.failures == 0);
+}
+
+TEST_CASE("a transformation that throws keeps the genome and marks its individual") {
+    const auto half = transform("half", [](const Vector& g) { return Vector{fragile(g[0]) / 2}; });
+    for (const auto& before : {reals("score") | half, Stage<Reals>(half)}) {
+        const auto result = run(before | half | reals("score"), given(), individuals({8, -1, 101}));
+        CHECK(result.population[0].value() == 2);
+        for (std::size_t i = 1; i < 3; ++i)
+            CHECK(result.population[i].fitness.reason() == fragile_reasons[i]);
+        CHECK(result.population[1].genome == Vector{-1});
+        CHECK(result.population[2].genome == Vector{101});
+    }
+}
+
+TEST_CASE("a run ends with the first reason when every evaluation fails") {
     auto start = CurveFit::start(2);
     start[0].genome[1] = start[1].genome[1] = -21;
-    CHECK_THROWS_WITH(run(score(), CurveFit{}, start),
+    CHECK_THROWS_WITH(run("score", CurveFit{}, start),
                       "every one of 2 evaluations failed; the first: rate under -20");
-}
-
-TEST_CASE("an unscored fitness cannot be read") {
-    CHECK_THROWS_AS(CurveFit::start(1)[0].value(), UsageError);
-}
-
-TEST_CASE("a pipeline that cannot work is refused before anything is evaluated") {
-    const auto refused = [](const auto& pipeline, const std::string& message) {
-        long calls = 0;
-        struct Counting : CurveFit {
-            long* calls;
-            Outcome evaluate(const Genome& g) const { return ++*calls, CurveFit::evaluate(g); }
-        } problem;
-        problem.calls = &calls;
-        CHECK_THROWS_WITH(run(pipeline, problem, CurveFit::start(5)), message);
-        CHECK(calls == 0);
-    };
-    refused(best(1) | score(), "stage 'best 1' needs a scored population; expected score before it");
-    refused(score() | score("middle"),
-            "stage 'score middle': unknown objective 'middle'; expected one of fit, low, high");
-    refused(refine(lm(3)),
-            "stage 'refine lm 3 genes=all' needs a scored population; expected score before it");
-    refused(until({.fitness = 1}, transform("same", [](const CurveFit::Genome& g) { return g; })),
-            "stage 'until fitness 1' needs a scored population; expected score before it");
-}
-
-TEST_CASE("a threshold that nobody passes takes the best at_least and says so, or ends the run") {
-    const auto result =
-        run(score() | above(2, at_least(3)), CurveFit{}, CurveFit::start(10), {.variant = "v"});
-    CHECK(result.population.size() == 3);
-    CHECK(result.notes == std::vector<std::string>{"v/above.1: 0 of 10 above 2; took the 3 best"});
-    CHECK_THROWS_WITH(run(score() | above(2), CurveFit{}, CurveFit::start(10), {.variant = "v"}),
-                      "v/above.1: 0 of 10 above 2; expected one at least, or at_least=K");
+    long stages = 0;
+    const Observer<Vector> count = [&](const auto&) { ++stages; };
+    CHECK_THROWS_WITH(run("sample 10 | score | repeat 100 { mutate 0.5 | score } | best 1",
+                          maximum(2, [](const Vector&) { return std::nan(""); }), {}, {}, {count}),
+                      Catch::Contains("every one of 10 evaluations failed; the first: fitness f is nan"));
+    CHECK(stages == 1); // the first generation is not begun
 }
 
 TEST_CASE("an evaluation budget ends a run exactly, with the best so far") {
-    const auto pipeline = score() | repeat(1000, refine(mma(2), tenth));
-    const auto whole = run(score() | best(1), CurveFit{}, CurveFit::start(30));
-    const auto part = run(score() | best(1), CurveFit{}, CurveFit::start(30), {.budget = {.evaluations = 7}});
+    const auto whole = run("score | best 1", CurveFit{}, CurveFit::start(30));
+    const auto part = run("score | best 1", CurveFit{}, CurveFit::start(30), {.budget = {.evaluations = 7}});
     CHECK(part.counters.evaluations == 7);
     CHECK(part.stopped == "evaluation budget spent");
     CHECK(part.population.size() == 7);
     CHECK(part.population[0].value() <= whole.population[0].value());
-    const auto refined = run(pipeline, CurveFit{}, CurveFit::start(5), {.budget = {.evaluations = 200}});
+    const auto refined = run("score | repeat 1000 { refine mma 2 genes=tenth }", CurveFit{},
+                             CurveFit::start(5), {.budget = {.evaluations = 200}});
     CHECK(refined.counters.asked <= 200);
-    CHECK(refined.best->value() >= run(score(), CurveFit{}, CurveFit::start(5)).best->value());
+    CHECK(refined.best->value() >= run("score", CurveFit{}, CurveFit::start(5)).best->value());
 }
 
-TEST_CASE("a stop request ends a run at once with the population it has, best first") {
+TEST_CASE("a stop request ends a run at once with its population, best first") {
     std::atomic<bool> stop = false;
     long stages = 0;
-    const Observer<CurveFit::Genome> observer = [&](const auto&) { stop = ++stages == 3; };
-    const auto result = run<CurveFit>(score() | repeat(1000, refine(mma(2), tenth)), CurveFit{},
-                                      CurveFit::start(5), {.budget = {.stop = &stop}}, {observer});
+    const Observer<Vector> observer = [&](const auto&) { stop = ++stages == 5000; };
+    const auto result = run("sample 5 | score | repeat 1000000000 { score | above 1 at_least=5 }", Reals{},
+                            {}, {.budget = {.stop = &stop}}, {observer});
+    CHECK(stages == 5000);
     CHECK(result.stopped == "stop requested");
-    CHECK(stages == 3);
     REQUIRE(result.population.size() == 5);
     CHECK(result.population[0].identity == result.best->identity);
+    REQUIRE(result.notes.size() == 101); // no more than a hundred remarks
+    CHECK(result.notes.back() == "and 2399 more remarks");
 }
 
-TEST_CASE("grouping by | changes neither paths nor random numbers") {
-    const Stage<CurveFit> left = Stage<CurveFit>(score() | best(3)) | best(2);
-    const Stage<CurveFit> right = score() | Stage<CurveFit>(best(3) | best(2));
-    CHECK(left.text() == "score | best 3 | best 2");
-    CHECK(right.text() == left.text());
-}
-
-TEST_CASE("bounds of a second refinement are those of the original genome") {
-    const auto start = CurveFit::start(1);
-    const auto result = run(score() | repeat(50, refine(lm(5), tenth)), CurveFit{}, start);
-    const auto& genome = result.population[0].genome;
-    for (std::size_t i = 0; i < genome.size(); ++i) {
-        CHECK(genome[i] >= 0.9 * start[0].genome[i]);
-        CHECK(genome[i] <= 1.1 * start[0].genome[i]);
-    }
-    CHECK(*result.population[0].origin == start[0].genome);
-    CHECK(result.population[0].identity == start[0].identity);
-}
-
-TEST_CASE("a run that is told nothing draws by seed 1") {
-    const auto pipeline = score() | mutate(0.5) | score();
-    const auto plain = run(pipeline, CurveFit{}, CurveFit::start(5)),
-               seeded = run(pipeline, CurveFit{}, CurveFit::start(5), {.seed = 1}),
-               other = run(pipeline, CurveFit{}, CurveFit::start(5), {.seed = 2});
-    CHECK(all_of(plain) == all_of(seeded));
-    CHECK(all_of(plain) != all_of(other));
-}
-
-namespace {
-
-/// Given values whose reading throws: under 0 a std::exception, above 100 something else.
-struct Fragile : Given {
-    const std::vector<Objective<double>>& objectives() const {
-        static const auto read = [](const double& value) {
-            if (value < 0)
-                throw std::domain_error("under 0");
-            if (value > 100)
-                throw 7;
-            return value;
-        };
-        static const std::vector<Objective<double>> list = {{"value", read},
-                                                            {"other", [](const double& y) { return -y; }}};
-        return list;
-    }
-};
-
-} // namespace
-
-TEST_CASE("an objective that throws, whatever it throws, marks its individual with the reason") {
-    const std::vector<std::string> reasons = {"", "under 0", "an exception that is no std::exception"};
-    const auto start = Fragile::of({1, -1, 101});
-    const auto check = [&](const Stage<Fragile>& stage) {
-        for (const int threads : {1, 2}) {
-            const auto result = run(stage, Fragile{}, start, {.threads = threads});
-            REQUIRE(result.population.size() == 3);
-            for (std::size_t i = 0; i < 3; ++i)
-                CHECK(result.population[i].fitness.reason() == reasons[i]);
-            CHECK(result.best->identity == 0);
-        }
+TEST_CASE("every kind of pipeline returns what it has when it is stopped") {
+    const auto count = [](const std::string& pipeline, long evaluations) {
+        const auto result = run(pipeline, Reals{}, {}, {.budget = {.evaluations = evaluations}});
+        CHECK(result.stopped == "evaluation budget spent");
+        CHECK(!result.front.empty());
+        CHECK(result.best.has_value());
+        for (std::size_t i = 1; i < result.population.size(); ++i)
+            CHECK(result.population[i - 1].value() >= result.population[i].value());
+        return result.population.size();
     };
-    check(score());
-    check(pareto({"other", "value"}));
-    check(pareto({"value", "other"}));
-    CHECK(run(score("other"), Fragile{}, start).counters.failures == 0);
+    const std::string body = " { tournament 2 | mutate 1 | score | elite 2 }";
+    CHECK(count("sample 20 | score", 7) == 7);
+    CHECK(count("sample 20 | score | repeat 100" + body, 110) == 12); // ten children and the elite
+    CHECK(count("sample 20 | score | islands 2 rounds=50" + body, 110) >= 10);
+    CHECK(count("restarts 9 { sample 20 | score | best 3 }", 70) == 9 + 10);
 }
 
-TEST_CASE("a transformation that throws, whatever it throws, leaves the genome and marks its individual") {
-    const auto half = transform("half", [](const std::vector<double>& g) {
-        if (g[0] < 0)
-            throw std::domain_error("under 0");
-        if (g[0] > 100)
-            throw 7;
-        return std::vector<double>{g[0] / 2};
-    });
-    const tests::Folder folder;
-    for (const bool scored : {false, true}) {
-        Checkpoints<Given> keeper(folder / "run", "", false, 0);
-        const Stage<Given> before = scored ? Stage<Given>(score() | half) : Stage<Given>(half);
-        const auto result = run(before | half | score(), Given{}, Given::of({8, -1, 101}), {}, {}, &keeper);
-        CHECK(result.population[0].value() == 2);
-        CHECK(result.population[1].genome == std::vector<double>{-1});
-        CHECK(result.population[1].fitness.reason() == "under 0");
-        CHECK(result.population[2].genome == std::vector<double>{101});
-        CHECK(result.population[2].fitness.reason() == "an exception that is no std::exception");
-    }
-}
-
-TEST_CASE("an objective or a transformation that throws Stopped ends the run, and nobody has failed") {
-    struct Ending : Given {
-        const std::vector<Objective<double>>& objectives() const {
-            static const std::vector<Objective<double>> list = {
-                {"value", [](const double& y) { return y > 2 ? throw Stopped{"asked"} : y; }}};
-            return list;
-        }
+TEST_CASE("a population beyond its memory ends the run with what it has") {
+    const auto ends = [](const std::string& pipeline, const std::string& message, std::size_t left) {
+        const auto result =
+            run(pipeline, Reals{}, {}, {.variant = "v", .population_bytes = std::size_t{1} << 22});
+        CHECK(result.stopped == "v/" + message + " exceeds the 4 MB for one");
+        CHECK(result.population.size() == left);
     };
-    const auto asked = [](const Stage<Ending>& stage, const std::vector<double>& start) {
-        const auto result = run(stage, Ending{}, Given::of(start), {.threads = 2});
-        CHECK(result.stopped == "asked");
-        CHECK(result.counters.failures == 0);
-    };
-    asked(score(), {1, 2, 3});
-    asked(score() |
-              transform("end",
-                        [](const std::vector<double>& g) { return g[0] > 1 ? throw Stopped{"asked"} : g; }) |
-              score(),
-          {1, 2});
-}
-
-TEST_CASE("a pair's twins are one child, and who gives no child is passed over") {
-    const auto result = run(score() | pair(score(), score(), mean) | score(), CurveFit{}, CurveFit::start(3));
-    CHECK(result.population.size() == 3); // of nine pairs three are of one and three are twins
-    CHECK(result.population[0].parents == Parents(0, 1));
-}
-
-TEST_CASE("what islands remark stands among the run's notes, each under its island's path") {
-    const auto pipeline =
-        score() | islands(2, {.rounds = 1, .migrants = 0}, score() | above(50, at_least(2)));
-    const auto result = run(pipeline, Given{}, Given::of({1, 2, 3, 4, 5, 6}));
-    CHECK(result.notes ==
-          std::vector<std::string>{"pipeline/islands.1/island1/above.1: 0 of 3 above 50; took the 2 best",
-                                   "pipeline/islands.1/island2/above.1: 0 of 3 above 50; took the 2 best"});
-}
-
-TEST_CASE("a problem without an objective is refused") {
-    struct Aimless : Given {
-        std::vector<Objective<double>> none;
-        const std::vector<Objective<double>>& objectives() const { return none; }
-    };
-    CHECK_THROWS_WITH(run(score(), Aimless{}, Given::of({1})),
-                      "the problem has no objective; expected one at least");
+    ends("sample 200 | score | pair(score, score, mean) | score", "pair.1: a population of 40000", 200);
+    ends("sample 10 | score | tournament 2 size=1000000000 | score",
+         "tournament.1: a population of 1000000000", 10);
+    ends("sample 1000000000 | score", "sample.1: a population of 1000000000", 0);
+    const std::size_t room = 10 * (sizeof(Individual<Vector>) + 6 * sizeof(double));
+    for (const std::size_t bytes : {room, room - 1})
+        CHECK(run("sample 10 | score", Reals{}, {}, {.population_bytes = bytes}).stopped.empty() ==
+              (bytes == room));
 }

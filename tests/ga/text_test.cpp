@@ -1,29 +1,28 @@
 #include "ga/text/listing.hpp"
-#include "ga/text/parser.hpp"
-#include "ga/text/refinement_vocabulary.hpp"
-#include "tests/ga/curve_fit.hpp"
+#include "tests/ga/problems.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <fstream>
+
 using namespace ga;
+
+GA_PIPELINES_HERE(CurveFit)
 
 namespace {
 
-/// Words a domain adds.
-Registry<CurveFit> domain_words() {
-    Registry<CurveFit> registry = with_refinement(vocabulary<CurveFit>());
-    registry.add(mean, "the parents' mean");
-    registry.add(tenth, "each gene within a tenth of its value");
-    registry.add("turn genes", "domain", "the genes in another order",
-                 transform("turn genes", [](const CurveFit::Genome& g) {
-                     return CurveFit::Genome{g[1], g[2], g[0]};
-                 }));
-    return registry;
-}
+const Combine<Vector> mean = registry().combines()[0].first;
+const Variables<Vector> tenth{"tenth", [](const Vector& g) {
+                                  std::vector<Variable> variables;
+                                  for (std::size_t i = 0; i < g.size(); ++i)
+                                      variables.push_back({i, 0.9 * g[i], 1.1 * g[i]});
+                                  return variables;
+                              }};
+const auto turn = transform("turn genes", [](const Vector& g) { return Vector{g[1], g[2], g[0]}; });
 
 std::vector<std::string> trace(const Stage<CurveFit>& pipeline) {
     std::vector<std::string> trace;
-    const Observer<CurveFit::Genome> observer = [&](const auto& event) {
+    const Observer<Vector> observer = [&](const auto& event) {
         std::string line = event.path;
         for (const auto& each : event.population) {
             line += " " + std::to_string(each.identity);
@@ -37,10 +36,9 @@ std::vector<std::string> trace(const Stage<CurveFit>& pipeline) {
 }
 
 void refused(const std::string& text, const std::string& message, const Variants& variants = {}) {
-    const auto registry = domain_words();
     CHECK_THROWS_WITH(
         [&] {
-            const auto stage = Parser<CurveFit>(registry, variants).parse(text);
+            const auto stage = Parser<CurveFit>(curve_registry(), variants).parse(text);
             check(stage, CurveFit{}, CurveFit::start(2));
         }(),
         message);
@@ -48,9 +46,26 @@ void refused(const std::string& text, const std::string& message, const Variants
 
 } // namespace
 
-TEST_CASE("a pipeline written as text takes the same paths to the same bits as in code") {
-    const auto registry = domain_words();
-    Parser<CurveFit> parser(registry);
+const Registry<CurveFit>& curve_registry() {
+    static const Registry<CurveFit> registry = [] {
+        auto all = with_refinement(vocabulary<CurveFit>());
+        all.add(mean, "the parents' mean");
+        all.add(tenth, "each gene within a tenth of its value");
+        all.add("turn genes", "domain", "the genes in another order", turn);
+        return all;
+    }();
+    return registry;
+}
+Stage<CurveFit> curves(const std::string& pipeline) {
+    return Parser<CurveFit>(curve_registry()).parse(pipeline);
+}
+Result<Vector> run(const std::string& pipeline, const CurveFit& problem, const Population<Vector>& start,
+                   const RunOptions& options, const Observers& observers) {
+    return run(curves(pipeline), problem, start, options, observers);
+}
+
+TEST_CASE("a pipeline as text gives the same paths and bits as in code") {
+    Parser<CurveFit> parser(curve_registry());
     const auto same = [&](const std::string& text, const Stage<CurveFit>& code) {
         const auto parsed = parser.parse(text);
         CHECK(parsed.text() == code.text());
@@ -58,17 +73,12 @@ TEST_CASE("a pipeline written as text takes the same paths to the same bits as i
     };
     same("score | best 3 | refine mma 5 genes=tenth | refine minimax 2 | best 1",
          score() | best(3) | refine(mma(5), tenth) | refine(minimax(2)) | best(1));
-    same("pair(score low | above 0.95 at_least=3, score high | above 0.95 at_least=3 | turn genes, mean) | "
-         "score | best 3 "
-         "| refine mma 3 genes=tenth | best 1",
-         pair(score("low") | above(0.95, at_least(3)),
-              score("high") | above(0.95, at_least(3)) |
-                  transform("turn genes",
-                            [](const CurveFit::Genome& g) {
-                                return CurveFit::Genome{g[1], g[2], g[0]};
-                            }),
-              mean) |
-             score() | best(3) | refine(mma(3), tenth) | best(1));
+    same(
+        "pair(score low | above 0.95 at_least=3, score high | above 0.95 at_least=3 | turn genes, mean) | "
+        "score | best 3 "
+        "| refine mma 3 genes=tenth | best 1",
+        pair(score("low") | above(0.95, at_least(3)), score("high") | above(0.95, at_least(3)) | turn, mean) |
+            score() | best(3) | refine(mma(3), tenth) | best(1));
     same("score|best 10|repeat 20{tournament 2|cross uniform|mutate 0.1|score|refine lm 3|elite 5}|best 1",
          score() | best(10) |
              repeat(20, tournament(2) | cross(uniform()) | mutate(0.1) | score() | refine(lm(3)) | elite(5)) |
@@ -87,9 +97,20 @@ TEST_CASE("a pipeline written as text takes the same paths to the same bits as i
              front());
 }
 
-TEST_CASE("every operator's own text is read as the same operator") {
-    const auto registry = domain_words();
-    Parser<CurveFit> parser(registry);
+TEST_CASE("the algorithm of ga/README.md gives the same bits as its text") {
+#include "page/1.inc"
+    std::ostringstream page;
+    page << std::ifstream(RUGOSA_SOURCE "/ga/README.md").rdbuf();
+    const std::size_t at = page.str().find("    mine = ") + 11;
+    const std::string line = page.str().substr(at, page.str().find('\n', at) - at);
+    const auto text = curves(line);
+    CHECK(Stage<CurveFit>(mine).text() == text.text());
+    CHECK(trace(mine) == trace(text));
+    CHECK(run(text, CurveFit{}, CurveFit::start(20)).best->value() > 0.9999);
+}
+
+TEST_CASE("an operator's text is read as the same operator") {
+    Parser<CurveFit> parser(curve_registry());
     for (const std::string text :
          {"score",
           "score low",
@@ -135,17 +156,23 @@ TEST_CASE("every operator's own text is read as the same operator") {
           "islands 3 rounds=4 migrants=2 { score }",
           "pair(score, best 2, mean)"})
         CHECK(parser.parse(text).text() == text);
+    for (const std::string text :
+         {"average 3", "cma-es sigma=0.2 population=7 restarts=ipop", "de best F=0.7 CR=0.3",
+          "de rand F=0.5 CR=0.9 crossing=exp", "l-shade evaluations=900 memory=4 archive=1.5 p=0.2",
+          "self-adaptive 0.2 steps=one", "share 0.3 alpha=2", "clear 0.3 capacity=2",
+          "map-elites a b cells=5", "emit 4 a b sigma=0.2", "duel", "crowding"})
+        CHECK(reals(text).text() == text);
 }
 
-TEST_CASE("a text that cannot be read is refused at its column with what was expected") {
+TEST_CASE("unreadable text is refused at its column with what was expected") {
     refused("", "pipeline, column 1: unexpected end; expected the name of a stage");
-    refused("score |", "pipeline, column 8: unexpected end; expected the name of a stage");
     refused("score | | best 1", "pipeline, column 9: unexpected '|'; expected the name of a stage");
-    refused("score } best", "pipeline, column 7: unexpected '}'; expected | or the end");
     refused("score | repeat 3 { best 1", "pipeline, column 26: unexpected end; expected }");
     refused("pair(score, score)", "pipeline, column 18: unexpected ')'; expected ,");
     refused("best n=", "pipeline, column 8: unexpected end; expected a value for n");
-    refused("score(low)", "pipeline, column 6: unexpected '('; expected | or the end");
+    refused("score > best 3", "pipeline, column 7: unexpected '>'; expected | or the end");
+    refused("best 1 { score }", "pipeline, column 1: stage 'best' takes no { ... }");
+    refused("repeat 3", "pipeline, column 1: stage 'repeat' lacks its { ... }");
 }
 
 TEST_CASE("an unknown word is refused with the nearest known one") {
@@ -156,7 +183,6 @@ TEST_CASE("an unknown word is refused with the nearest known one") {
     refused("cross unifrom", "pipeline, column 7: unknown cross 'unifrom'; did you mean 'uniform'?");
     refused("score | refine lm 3 genes=tent",
             "pipeline, column 21: unknown genes 'tent'; did you mean 'tenth'?");
-    refused("score | refine lm 3 genes=al", "pipeline, column 21: unknown genes 'al'; did you mean 'all'?");
     refused("pair(score, score, men)",
             "pipeline, column 20: unknown combination 'men'; did you mean 'mean'?");
     refused("score | above 0.5 atleast=3",
@@ -165,35 +191,19 @@ TEST_CASE("an unknown word is refused with the nearest known one") {
             "pipeline, column 1: stage 'refine' lacks its kind; expected one of minimax, mma, lm, nlopt");
     refused("cross order",
             "pipeline, column 1: stage 'cross order' cannot work here: it needs a permutation for a genome");
+    CHECK(edits("csore", "score") == 1); // two letters that changed places
+    CHECK(edits("scoer", "score") == 1);
+    CHECK(edits("abc", "cab") == 2);
 }
 
-TEST_CASE("what looks like another notation is refused with what to write instead") {
-    refused("score > best 3", "pipeline, column 7: unexpected '>'; expected | or the end");
-    refused(
-        "score | until generations { score }",
-        "pipeline, column 15: stage 'until': 'generations' lacks its value; expected a whole number from 1");
-    refused("crossover uniform", "pipeline, column 1: unknown stage 'crossover'; did you mean 'cross'?");
-    refused("score | cross uniform",
-            "pipeline, column 9: stage 'cross uniform' leaves the population unscored at the "
-            "end; expected score after it");
-    refused("pareto low low",
-            "pipeline, column 1: pareto is given 'low' twice; expected different objectives");
-    refused("score | repeat 2 { score low | elite 1 }", "pipeline, column 32: stage 'elite 1' compares the "
-                                                        "population, scored by 'low', with the generation's "
-                                                        "start, scored by 'fit'; expected the same for both");
-    refused("islands 100000000 { score }",
-            "pipeline, column 9: stage 'islands': n is '100000000'; expected a whole "
-            "number from 2 to 10000");
-}
-
-TEST_CASE("variants that unfold without end are refused before they fill the memory") {
+TEST_CASE("variants that grow exponentially are refused") {
     Variants variants{{"v0", "score"}};
     for (int i = 1; i < 40; ++i)
         variants["v" + std::to_string(i)] = "v" + std::to_string(i - 1) + " | v" + std::to_string(i - 1);
     refused("v39", "variant 'v0', column 1: more than 10000 stages, with those of variants", variants);
 }
 
-TEST_CASE("a hundred pipelines inside each other and ten thousand stages are read, and not one more") {
+TEST_CASE("more than 100 nested pipelines or 10,000 stages are refused") {
     const auto inside = [](int depth) {
         std::string text = "score";
         for (int i = 1; i < depth; ++i)
@@ -218,47 +228,47 @@ TEST_CASE("a hundred pipelines inside each other and ten thousand stages are rea
 
 TEST_CASE("a value out of range is refused with the range") {
     refused("best", "pipeline, column 1: stage 'best' lacks 'n'; expected a whole number from 1");
-    refused("best 0", "pipeline, column 6: stage 'best': n is '0'; expected a whole number from 1");
+    for (const std::string value : {"0", "1.5"})
+        refused("best " + value,
+                "pipeline, column 6: stage 'best': n is '" + value + "'; expected a whole number from 1");
     refused("best 1000000000000", "pipeline, column 6: stage 'best': n is '1000000000000'; expected a whole "
                                   "number from 1 to 1000000000");
-    refused("best 1.5", "pipeline, column 6: stage 'best': n is '1.5'; expected a whole number from 1");
     refused("best 1 2", "pipeline, column 8: stage 'best' has no place for '2'");
     refused("best 1 n=2", "pipeline, column 8: 'n' is given twice");
-    refused("mutate 1.5", "pipeline, column 8: stage 'mutate': rate is '1.5'; expected a number from 0 to 1");
-    refused("mutate nan", "pipeline, column 8: stage 'mutate': rate is 'nan'; expected a number from 0 to 1");
+    for (const std::string value : {"1.5", "nan"})
+        refused("mutate " + value,
+                "pipeline, column 8: stage 'mutate': rate is '" + value + "'; expected a number from 0 to 1");
     refused("above inf", "pipeline, column 7: stage 'above': threshold is 'inf'; expected a number");
-    refused("above nan", "pipeline, column 7: stage 'above': threshold is 'nan'; expected a number");
+    refused("islands 10001 { score }",
+            "pipeline, column 9: stage 'islands': n is '10001'; expected a whole number from 2 to 10000");
+    refused(
+        "until generations { score }",
+        "pipeline, column 15: stage 'until': 'generations' lacks its value; expected a whole number from 1");
     refused(
         "until { score }",
         "pipeline, column 1: a block of generations needs an end; expected repeat N with N >= 1, or until "
         "with one of generations, evaluations, seconds, fitness, stagnation, converged");
-    refused("refine nlopt LN_NONE 5", "pipeline, column 1: refine nlopt: unknown algorithm 'LN_NONE'; "
-                                      "expected one of NLopt's, e.g. LN_COBYLA");
-    refused("best 1 { score }", "pipeline, column 1: stage 'best' takes no { ... }");
-    refused("repeat 3", "pipeline, column 1: stage 'repeat' lacks its { ... }");
 }
 
-TEST_CASE("what a pipeline lacks is refused at the column of the stage that lacks it") {
-    refused("best 1",
-            "pipeline, column 1: stage 'best 1' needs a scored population; expected score before it");
-    refused("score | elite 1", "pipeline, column 9: stage 'elite 1' reads the start of a generation; "
-                               "expected it inside repeat or until");
+TEST_CASE("a pipeline that cannot work is refused at its stage's column") {
     refused("score | repeat 2 { mutate 0.1 | best 1 }",
             "pipeline, column 33: stage 'best 1' needs a scored population; expected score before it");
+    refused("score | elite 1", "pipeline, column 9: stage 'elite 1' reads the start of a generation; "
+                               "expected it inside repeat or until");
     refused("score | score middle", "pipeline, column 9: stage 'score middle': unknown objective 'middle'; "
                                     "expected one of fit, low, high");
+    refused("score | cross uniform", "pipeline, column 9: stage 'cross uniform' leaves the population "
+                                     "unscored at the end; expected score after it");
+    refused(
+        "score | front",
+        "pipeline, column 9: stage 'front' needs a population ranked by pareto; expected pareto before it");
+    refused("pareto low low",
+            "pipeline, column 1: pareto is given 'low' twice; expected different objectives");
 }
 
-TEST_CASE("two letters that changed places are one edit, at the beginning and at the end of a word too") {
-    CHECK(edits("csore", "score") == 1);
-    CHECK(edits("scoer", "score") == 1);
-    CHECK(edits("ab", "ba") == 1);
-    CHECK(edits("abc", "cab") == 2);
-}
-
-TEST_CASE("named pipelines stand as stages in each other and are expanded in place") {
-    const auto registry = domain_words();
-    Parser<CurveFit> parser(registry, {{"start", "score | best 3"}, {"all", "start | refine lm 3 | start"}});
+TEST_CASE("a named pipeline is expanded in place") {
+    Parser<CurveFit> parser(curve_registry(),
+                            {{"start", "score | best 3"}, {"all", "start | refine lm 3 | start"}});
     CHECK(parser.variant("all").text() == "score | best 3 | refine lm 3 genes=all | score | best 3");
     CHECK(trace(parser.variant("all")).back().starts_with("v/best.2 "));
     CHECK_THROWS_WITH(parser.variant("al"), "unknown variant 'al'; did you mean 'all'?");
@@ -270,43 +280,27 @@ TEST_CASE("named pipelines stand as stages in each other and are expanded in pla
             {{"a", "best 0"}});
 }
 
-TEST_CASE("the listing names every operator with its parameters, and what a genome lacks for it") {
-    const auto registry = domain_words();
-    const std::string list = listing(registry);
-    for (const auto& entry : registry.entries()) {
-        CHECK(list.find("  " + entry.name) != std::string::npos);
-        CHECK(list.find(entry.meaning) != std::string::npos);
-        CHECK(!entry.meaning.empty());
-        for (const auto& parameter : entry.parameters)
-            CHECK(!parameter.meaning.empty());
-    }
-    const auto after = [&](const std::string& line, std::size_t from) {
-        const std::size_t at = ("\n" + list).find("\n" + line, from);
-        REQUIRE(at != std::string::npos);
-        return at;
-    };
-    std::string group;
+TEST_CASE("the listing names every operator under its group, with what a genome lacks") {
+    const std::string list = "\n" + listing(curve_registry());
     std::size_t at = 0;
-    for (const auto& entry : registry.entries()) { // each below the heading of its group
+    std::string group;
+    const auto next = [&](const std::string& line) {
+        at = list.find("\n" + line, at);
+        REQUIRE(at != std::string::npos);
+    };
+    for (const auto& entry : curve_registry().entries()) {
         if (entry.group != group)
-            at = after(entry.group + "\n", at);
+            next(entry.group + "\n");
         group = entry.group;
-        const std::size_t next = after("  " + entry.name, at);
-        CHECK(list.substr(at, next - at).find("\n\n") == std::string::npos); // and of no other
-        at = next;
+        next("  " + entry.name);
+        CHECK(list.find(entry.meaning, at) != std::string::npos);
     }
-    CHECK(list.find("  pair(left, right, name) ") != std::string::npos);
     CHECK(list.find("not for this genome: it needs a permutation for a genome") != std::string::npos);
     CHECK(list.find("a number from 0 to 1, by default 1: a pair's chance to be crossed") !=
           std::string::npos);
 }
 
-TEST_CASE("what is used wrongly is refused in a line") {
-    refused(
-        "score | front",
-        "pipeline, column 9: stage 'front' needs a population ranked by pareto; expected pareto before it");
-    auto registry = domain_words();
-    CHECK_THROWS_WITH(registry.add<Best>(), "operator 'best' is registered twice");
+TEST_CASE("text of more than a million characters is refused") {
     CHECK_NOTHROW(Syntax(std::string(999995, ' ') + "score", "it").read());
     CHECK_THROWS_WITH(Syntax(std::string(999996, ' ') + "score", "it"),
                       "it, column 1000000: the text is longer than 1000000 characters");

@@ -54,8 +54,7 @@ TEST_CASE("a genetic algorithm fills a string of 100 ones") {
     }
 }
 
-TEST_CASE(
-    "two-point cross-over of a large population solves traps of four bits where mutation alone stalls") {
+TEST_CASE("two-point cross-over solves traps of four bits, unlike mutation alone") {
     const Traps traps{32, 4};
     const auto crossing =
         sample(400) | score() |

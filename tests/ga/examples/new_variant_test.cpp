@@ -4,13 +4,9 @@
 #include "ga/ga.hpp"
 #include "ga/pipeline/ask_tell.hpp"
 #include "ga/text/parser.hpp"
-#include "ga/text/refinement_vocabulary.hpp"
 #include "ga/text/vocabulary.hpp"
-#include "tests/ga/curve_fit.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <fstream>
 
 namespace {
 
@@ -36,21 +32,7 @@ double best_choice() {
 
 #pragma GCC diagnostic ignored "-Wunused-value" // the page names what a result holds
 
-TEST_CASE("the page's algorithm and its line of text give the same bits") {
-    using namespace ga;
-#include "page/1.inc"
-    std::ostringstream page;
-    page << std::ifstream(RUGOSA_SOURCE "/ga/README.md").rdbuf();
-    const std::size_t at = page.str().find("    mine = ") + 11;
-    const std::string line = page.str().substr(at, page.str().find('\n', at) - at);
-    const auto text = Parser<CurveFit>(with_refinement(vocabulary<CurveFit>())).parse(line);
-    CHECK(Stage<CurveFit>(mine).text() == text.text());
-    const auto result = run(mine, CurveFit{}, CurveFit::start(20));
-    CHECK(result.best->genome == run(text, CurveFit{}, CurveFit::start(20)).best->genome);
-    CHECK(result.best->value() > 0.9999);
-}
-
-TEST_CASE("the page's variant solves its problem, in code and in text alike") {
+TEST_CASE("the page's variant solves its problem, in code and in text") {
 #include "page/3.inc"
 #include "page/4.inc"
     CHECK(result.best->value() == best_choice());
@@ -62,7 +44,7 @@ TEST_CASE("the page's variant solves its problem, in code and in text alike") {
                       "pipeline, column 22: unknown stage 'tornament'; did you mean 'tournament'?");
 }
 
-TEST_CASE("the page's loop of one's own gives the same answer") {
+TEST_CASE("the page's loop of ask and tell gives the same answer") {
 #include "page/3.inc"
 #include "page/5.inc"
     CHECK(search.result().best->genome == result.best->genome);

@@ -1,7 +1,6 @@
-// An evaluator of one's own: worker processes that take genomes through pipes, each the next when it is free.
+// A new evaluator: worker processes that take genomes through pipes, each the next when it is free.
 
-#include "ga/ga.hpp"
-#include "tests/ga/vectors.hpp"
+#include "tests/ga/problems.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -14,9 +13,9 @@ using namespace ga;
 namespace {
 
 /// For genomes and outcomes of n doubles each. A worker that dies takes its genome with it, no more.
-class ProcessPool : public Evaluator<Vectors> {
+class ProcessPool : public Evaluator<Reals> {
   public:
-    ProcessPool(const Vectors& problem, int workers) {
+    ProcessPool(const Reals& problem, int workers) {
         for (int w = 0; w < workers; ++w) {
             int in[2], out[2];
             REQUIRE((::pipe(in) == 0 && ::pipe(out) == 0));
@@ -28,11 +27,11 @@ class ProcessPool : public Evaluator<Vectors> {
             for (const Worker& other : workers_)
                 ::close(other.in), ::close(other.out);
             ::close(in[1]), ::close(out[0]);
-            std::vector<double> x(problem.n);
+            Vector x(problem.n);
             while (::read(in[0], x.data(), 8 * x.size()) == static_cast<ssize_t>(8 * x.size())) {
                 if (x[0] > 0.98)
                     ::_exit(1); // the genome that kills its worker
-                const std::vector<double> outcome = problem.evaluate(x);
+                const Vector outcome = problem.evaluate(x);
                 if (::write(out[1], outcome.data(), 8 * outcome.size()) < 0)
                     break;
             }
@@ -46,7 +45,7 @@ class ProcessPool : public Evaluator<Vectors> {
             ::waitpid(worker.process, nullptr, 0);
     }
 
-    void outcomes(const Vectors& problem, std::span<Call<Vectors>> calls, const Watch& watch) override {
+    void outcomes(const Reals& problem, std::span<Call<Reals>> calls, const Watch& watch) override {
         std::size_t next = 0, open = 0;
         do {
             for (Worker& worker : workers_)
@@ -63,10 +62,10 @@ class ProcessPool : public Evaluator<Vectors> {
                 break;
             for (std::size_t w = 0; w < workers_.size(); ++w)
                 if (waiting[w].revents != 0) {
-                    std::vector<double> outcome(problem.n);
+                    Vector outcome(problem.n);
                     const ssize_t size = ::read(workers_[w].out, outcome.data(), 8 * outcome.size());
                     workers_[w].dead = size != static_cast<ssize_t>(8 * outcome.size());
-                    Call<Vectors>& call = *std::exchange(workers_[w].call, nullptr);
+                    Call<Reals>& call = *std::exchange(workers_[w].call, nullptr);
                     if (workers_[w].dead)
                         *call.answer = reason("its worker died");
                     else
@@ -82,7 +81,7 @@ class ProcessPool : public Evaluator<Vectors> {
     struct Worker {
         pid_t process;
         int in, out;
-        Call<Vectors>* call;
+        Call<Reals>* call;
         bool dead = false;
     };
     std::vector<Worker> workers_;
@@ -90,11 +89,10 @@ class ProcessPool : public Evaluator<Vectors> {
 
 } // namespace
 
-TEST_CASE("a pool of processes evaluates in the place of threads, with the same bits") {
-    const auto pipeline =
-        sample(20) | score() |
-        repeat(5, tournament(2) | cross(blend(0.1)) | mutate(0.2, gaussian(0.01)) | score() | elite(1));
-    const Vectors problem;
+TEST_CASE("a pool of processes gives the same bits as threads") {
+    const auto pipeline = reals("sample 20 | score | repeat 5 { tournament 2 | cross blend 0.1 | "
+                                "mutate 0.2 gaussian 0.01 | score | elite 1 }");
+    const Reals problem;
     const auto here = run(pipeline, problem, {});
     ProcessPool pool(problem, 3);
     const auto there = run_by(pool, pipeline, problem, {});
@@ -102,13 +100,13 @@ TEST_CASE("a pool of processes evaluates in the place of threads, with the same 
     CHECK(there.counters.evaluations == here.counters.evaluations);
 }
 
-TEST_CASE("a worker that dies costs its own genome alone") {
-    ProcessPool pool(Vectors{}, 4);
-    std::vector<std::vector<double>> genomes(30, std::vector<double>(6, 0.5));
+TEST_CASE("a worker that dies fails only its genome") {
+    ProcessPool pool(Reals{}, 4);
+    std::vector<Vector> genomes(30, Vector(6, 0.5));
     for (std::size_t i = 0; i < genomes.size(); ++i)
         genomes[i][1] = 0.01 * static_cast<double>(i);
     genomes[7][0] = 0.99;
-    const auto result = run_by(pool, score(), Vectors{}, population(genomes));
+    const auto result = run_by(pool, reals("score"), Reals{}, population(genomes));
     CHECK(result.counters.failures == 1);
     CHECK(result.population[7].fitness.reason() == "its worker died");
 }

@@ -1,6 +1,8 @@
 // The travelling salesman, with an optimum that is known: towns on a circle, and a grid of even side.
 
+#include "ga/checkpoint/checkpoint.hpp"
 #include "ga/ga.hpp"
+#include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -44,7 +46,7 @@ const auto nobody = population<Permutation>({{}});
 
 } // namespace
 
-TEST_CASE("the shortest tour of towns on a circle goes round it") {
+TEST_CASE("a search finds the shortest tour of towns on a circle") {
     Salesman problem;
     constexpr int n = 24;
     for (int i = 0; i < n; ++i) {
@@ -57,7 +59,7 @@ TEST_CASE("the shortest tour of towns on a circle goes round it") {
               Approx(shortest).epsilon(1e-12));
 }
 
-TEST_CASE("the shortest tour of a 4 x 6 grid takes 24 steps") {
+TEST_CASE("a search with restarts finds the shortest tour of a 4 x 6 grid") {
     Salesman problem;
     for (int x = 0; x < 4; ++x)
         for (int y = 0; y < 6; ++y)
@@ -65,4 +67,36 @@ TEST_CASE("the shortest tour of a 4 x 6 grid takes 24 steps") {
     // where one population may stop at a longer tour, several seldom all do
     const auto restarted = restarts(6, pipeline | best(1));
     CHECK(-run(restarted, problem, nobody).best->value() == Approx(24).epsilon(1e-12));
+}
+
+TEST_CASE("a run of permutations resumes to the uninterrupted result, in any memory") {
+    const tests::Folder folder;
+    Salesman problem{{{0, 0}, {1, 0}, {3, 0}, {3, 1}, {0, 2}, {2, 2}, {1, 1}}};
+    const Stage<Salesman> breeding =
+        sample(20) | score() |
+        repeat(8, tournament(4) | cross(order(), 0.3) | mutate(0.05, reverse()) | score() | plus());
+    for (const std::size_t bytes : {std::size_t{1} << 30, std::size_t{5000}, std::size_t{3000}}) {
+        const auto whole = run(breeding, problem, {}, {.memory_bytes = bytes});
+        for (long budget = 30;; budget += 30) {
+            Checkpoints<Salesman> checkpoints(folder / "run", std::to_string(bytes), budget > 30);
+            const auto part =
+                run(breeding, problem, {}, {.memory_bytes = bytes, .budget = {.evaluations = budget}}, {},
+                    &checkpoints);
+            if (!part.stopped.empty())
+                continue;
+            CHECK(budget > 30);
+            CHECK(json(part.population) == json(whole.population));
+            CHECK(json(part.counters) == json(whole.counters));
+            break;
+        }
+        if (bytes == 3000) // some outcomes were forgotten
+            CHECK(whole.counters.evaluations > run(breeding, problem, {}).counters.evaluations);
+    }
+}
+
+TEST_CASE("a start that is no permutation is refused") {
+    for (const Permutation& wrong : {Permutation{{0, 1, 5}}, Permutation{{1, 1, 2}}})
+        CHECK_THROWS_WITH(
+            run(score() | best(1), Salesman{{{0, 0}, {1, 0}, {2, 0}}}, population<Permutation>({wrong})),
+            Catch::Contains("expected each from 0 to 2 once"));
 }

@@ -1,8 +1,9 @@
-#include "ga/base/random.hpp"
-#include "ga/pareto/hypervolume.hpp"
 #include "ga/problem/comparison.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <bit>
+#include <set>
 
 using namespace ga;
 
@@ -33,7 +34,7 @@ std::vector<Identity> identities(const Population<int>& individuals) {
 
 } // namespace
 
-TEST_CASE("Deb's rules give classes from -1 down, one step each, shared by equals") {
+TEST_CASE("merits follow Deb's rules when individuals violate constraints or fail") {
     CHECK(worth({Fitness(one, 100, false, 2), Fitness(one, 1), Fitness(one, 3), Fitness(one, 100, false, 0.5),
                  Fitness::failed(one, reason("broke")), Fitness(one, 3), Fitness(one, 7, false, 2)}) ==
           std::vector<double>{-4, -2, -1, -3, -HUGE_VAL, -1, -4});
@@ -42,8 +43,7 @@ TEST_CASE("Deb's rules give classes from -1 down, one step each, shared by equal
     CHECK(worth({Fitness(one, 4, true), Fitness(one, -2, true)}) == std::vector<double>{-4, 2});
 }
 
-TEST_CASE(
-    "under several objectives rank and crowding make one number, and violation follows the last front") {
+TEST_CASE("merits combine rank and crowding when there are several objectives") {
     // the front (0,3) (1,2) (3,0), behind it (0,1), behind that two violations and a failure
     const std::vector<Fitness> all = {
         Fitness(several, Point{0, 3}),    Fitness(several, Point{1, 2}),
@@ -63,7 +63,7 @@ TEST_CASE(
     CHECK(identities(front_of(scored({all[4], all[5], all[7]}))) == std::vector<Identity>{1});
 }
 
-TEST_CASE("the best come first, equals in their order, and as many as asked for") {
+TEST_CASE("a ranking puts the best first and keeps the order of ties") {
     const auto individuals =
         scored({Fitness(one, 1), Fitness(one, 5), Fitness(one, 3), Fitness(one, 5), Fitness(one, 3)});
     CHECK(ranking(individuals) == std::vector<std::size_t>{1, 3, 2, 4, 0});
@@ -79,14 +79,7 @@ TEST_CASE("the best come first, equals in their order, and as many as asked for"
     CHECK(front_of(Population<int>()).empty());
 }
 
-TEST_CASE("positions stand in the order of a comparison, equals in their own") {
-    const std::vector<int> values = {3, 1, 2, 1, 3, 1};
-    CHECK(in_order(6, [&](std::size_t a, std::size_t b) { return values[a] < values[b]; }) ==
-          std::vector<std::size_t>{1, 3, 5, 2, 0, 4});
-    CHECK(in_order(0, [](std::size_t, std::size_t) { return true; }).empty());
-}
-
-TEST_CASE("what different policies scored is never compared, nor what none did") {
+TEST_CASE("a comparison is refused when policies differ or a fitness is missing") {
     const Fitness f(one, 1), g(Name(std::string("g")), 2), both(several, Point{1, 2}), none;
     CHECK_THROWS_AS(worth({f, g}), UsageError);
     CHECK_THROWS_AS(worth({f, none}), UsageError);
@@ -100,34 +93,32 @@ TEST_CASE("what different policies scored is never compared, nor what none did")
     CHECK(!comparable(scored({f, none})));
 }
 
-TEST_CASE("the hypervolume is that of the union of boxes above the reference") {
-    CHECK(hypervolume({{2.0}, {5.0}, {3.0}}, {1}) == 4);
-    CHECK(hypervolume({{0.5}}, {1}) == 0);
-    CHECK(hypervolume({{3, 1}, {1, 3}, {2, 2}, {0, 9}}, {0, 0}) == 6);
-    CHECK(hypervolume({}, {0, 0}) == 0);
-    Stream stream(3);
-    for (const std::size_t m : {2u, 3u, 4u})
-        for (int round = 0; round < 20; ++round) {
-            std::vector<Point> points(3, Point(m));
-            for (Point& point : points)
-                for (double& value : point)
-                    value = stream.uniform(0, 2);
-            const Point reference(m, 0.25);
-            double volume = 0; // inclusion and exclusion
-            for (unsigned chosen = 1; chosen < 8; ++chosen) {
-                double box = -1;
-                for (std::size_t k = 0; k < m; ++k) {
-                    double least = HUGE_VAL;
-                    for (std::size_t i = 0; i < 3; ++i)
-                        if (chosen >> i & 1)
-                            least = std::min(least, points[i][k]);
-                    box *= std::max(0.0, least - reference[k]);
-                }
-                for (std::size_t i = 0; i < 3; ++i)
-                    if (chosen >> i & 1)
-                        box = -box;
-                volume += box;
-            }
-            CHECK(hypervolume(points, reference) == Approx(volume).margin(1e-12));
-        }
+TEST_CASE("a fingerprint depends on every bit of a genome, its order and its length") {
+    std::string bytes(41, 'a');
+    const Fingerprint whole = fingerprint(std::string_view(bytes));
+    double high = 0, low = 0;
+    for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+        const char before = bytes[bit / 8];
+        bytes[bit / 8] = static_cast<char>(before ^ (1 << bit % 8));
+        const Fingerprint other = fingerprint(std::string_view(bytes));
+        bytes[bit / 8] = before;
+        high += std::popcount(whole.high ^ other.high);
+        low += std::popcount(whole.low ^ other.low);
+    }
+    const double flips = 8 * static_cast<double>(bytes.size());
+    CHECK(std::abs(high / flips - 32) < 1); // the mean of 328 binomials of 64 bits, deviation 0.22
+    CHECK(std::abs(low / flips - 32) < 1);
+    std::set<std::pair<std::uint64_t, std::uint64_t>> all;
+    for (std::size_t length = 0; length < 70; ++length) {
+        const Fingerprint print = fingerprint(std::string_view(std::string(length, '\0')));
+        all.insert({print.high, print.low});
+    }
+    CHECK(all.size() == 70);
+    CHECK(fingerprint(std::string_view("abc")) == // as checkpoints hold it
+          Fingerprint{0x1a7a74f2493112f3u, 0x81be01565d047e5au});
+    CHECK(fingerprint(std::string_view("0123456789abcdefg")) ==
+          Fingerprint{0xd104d0a51fdea976u, 0xea75ae4e6fd17c8eu});
+    CHECK(!(fingerprint(std::vector<double>{1, 2, 3}) == fingerprint(std::vector<double>{2, 1, 3})));
+    CHECK(!(fingerprint(std::vector<double>{1, 2, 3}) == fingerprint(std::vector<double>{1, 2, 4})));
+    CHECK(!(fingerprint(std::vector<bool>{true, false}) == fingerprint(std::vector<bool>{false, true})));
 }

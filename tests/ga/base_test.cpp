@@ -1,6 +1,7 @@
+#include "ga/base/parallel.hpp"
 #include "ga/base/random.hpp"
-#include "ga/problem/fingerprint.hpp"
 #include "ga/run/state.hpp"
+#include "tests/ga/problems.hpp"
 
 #include <boost/random/bernoulli_distribution.hpp>
 #include <boost/random/geometric_distribution.hpp>
@@ -8,29 +9,13 @@
 #include <boost/random/uniform_int_distribution.hpp>
 #include <catch2/catch.hpp>
 
-#include <bit>
+#include <atomic>
 #include <cmath>
-#include <set>
+#include <thread>
 
 using namespace ga;
 
-namespace {
-
-/// Kolmogorov and Smirnov's distance of n numbers from a distribution, in units of 1 / sqrt(n).
-double distance_from(std::vector<double> numbers, double (*distribution)(double)) {
-    std::sort(numbers.begin(), numbers.end());
-    const auto n = static_cast<double>(numbers.size());
-    double most = 0;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const double there = distribution(numbers[i]);
-        most = std::max({most, there - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - there});
-    }
-    return most * std::sqrt(n);
-}
-
-} // namespace
-
-TEST_CASE("streams are splitmix64, by its published numbers") {
+TEST_CASE("a stream draws the published numbers of splitmix64, and keeps its keys") {
     Stream stream(0);
     CHECK(stream() == 0xe220a8397b1dcdafu);
     CHECK(stream() == 0x6e789e6aa1b965f4u);
@@ -43,7 +28,7 @@ TEST_CASE("streams are splitmix64, by its published numbers") {
     CHECK(place.stream(0)() == 0x5534ab290120db41u);
 }
 
-TEST_CASE("the distributions are Boost.Random's, bit by bit and draw by draw") {
+TEST_CASE("the distributions equal those of Boost.Random bit by bit") {
     namespace boosts = boost::random;
     Stream keys(3);
     const auto agree = [&](std::uint64_t key, std::size_t n, double p) {
@@ -70,7 +55,7 @@ TEST_CASE("the distributions are Boost.Random's, bit by bit and draw by draw") {
     CHECK(all);
 }
 
-TEST_CASE("uniform and normal numbers have their distributions, whole numbers equal shares") {
+TEST_CASE("uniform, normal and whole numbers follow their distributions") {
     std::vector<double> uniform, shifted, normal;
     std::vector<long> counts(7);
     for (std::uint64_t key = 0; key < 20000; ++key) { // the first of many streams
@@ -80,9 +65,9 @@ TEST_CASE("uniform and normal numbers have their distributions, whole numbers eq
         ++counts[Stream(fold(4, key)).below(7)];
     }
     const auto line = [](double x) { return x; };
-    CHECK(distance_from(uniform, line) < 1.95); // 0.1 % of right ones are further
-    CHECK(distance_from(shifted, line) < 1.95);
-    CHECK(distance_from(normal, [](double x) { return std::erfc(-x / std::sqrt(2.0)) / 2; }) < 1.95);
+    CHECK(distance(uniform, line) < 1.95); // 0.1 % of right ones are further
+    CHECK(distance(shifted, line) < 1.95);
+    CHECK(distance(normal, [](double x) { return std::erfc(-x / std::sqrt(2.0)) / 2; }) < 1.95);
     double chi_squared = 0;
     for (const long count : counts)
         chi_squared += std::pow(static_cast<double>(count) - 20000 / 7.0, 2) / (20000 / 7.0);
@@ -90,7 +75,7 @@ TEST_CASE("uniform and normal numbers have their distributions, whole numbers eq
     CHECK(Stream(5).below(1) == 0);
 }
 
-TEST_CASE("a chance picks each of a row independently with its probability") {
+TEST_CASE("a chance picks each index independently with its probability") {
     for (const double p : {0.0, 0.003, 0.2, 0.9, 1.0}) {
         const Chance chance(p);
         CHECK(chance.probability() == p);
@@ -114,32 +99,19 @@ TEST_CASE("a chance picks each of a row independently with its probability") {
     CHECK(std::abs(static_cast<double>(first.size()) - 1200) < 4 * std::sqrt(4000 * 0.3 * 0.7));
 }
 
-TEST_CASE("every bit of a genome, its order and its length decide both halves of its fingerprint") {
-    std::string bytes(41, 'a');
-    const Fingerprint whole = fingerprint(std::string_view(bytes));
-    double high = 0, low = 0;
-    for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
-        const char before = bytes[bit / 8];
-        bytes[bit / 8] = static_cast<char>(before ^ (1 << bit % 8));
-        const Fingerprint other = fingerprint(std::string_view(bytes));
-        bytes[bit / 8] = before;
-        high += std::popcount(whole.high ^ other.high);
-        low += std::popcount(whole.low ^ other.low);
+TEST_CASE("parallel work finishes, then throws its first exception in order") {
+    for (const int threads : {1, 4}) {
+        std::atomic<int> done = 0;
+        CHECK_THROWS_WITH(parallel_for(20, threads,
+                                       [&](std::size_t i) {
+                                           ++done;
+                                           if (i % 5 != 3)
+                                               return;
+                                           std::this_thread::sleep_for(std::chrono::milliseconds(20 - i));
+                                           throw std::runtime_error(std::to_string(i));
+                                       }),
+                          "3");
+        CHECK(done == 20);
     }
-    const double flips = 8 * static_cast<double>(bytes.size());
-    CHECK(std::abs(high / flips - 32) < 1); // the mean of 328 binomials of 64 bits, deviation 0.22
-    CHECK(std::abs(low / flips - 32) < 1);
-    std::set<std::pair<std::uint64_t, std::uint64_t>> all;
-    for (std::size_t length = 0; length < 70; ++length) {
-        const Fingerprint print = fingerprint(std::string_view(std::string(length, '\0')));
-        all.insert({print.high, print.low});
-    }
-    CHECK(all.size() == 70);
-    CHECK(fingerprint(std::string_view("abc")) == // as checkpoints hold it
-          Fingerprint{0x1a7a74f2493112f3u, 0x81be01565d047e5au});
-    CHECK(fingerprint(std::string_view("0123456789abcdefg")) ==
-          Fingerprint{0xd104d0a51fdea976u, 0xea75ae4e6fd17c8eu});
-    CHECK(!(fingerprint(std::vector<double>{1, 2, 3}) == fingerprint(std::vector<double>{2, 1, 3})));
-    CHECK(!(fingerprint(std::vector<double>{1, 2, 3}) == fingerprint(std::vector<double>{1, 2, 4})));
-    CHECK(!(fingerprint(std::vector<bool>{true, false}) == fingerprint(std::vector<bool>{false, true})));
+    CHECK_THROWS_WITH(thread_count(100000), Catch::Contains("at most 1024"));
 }

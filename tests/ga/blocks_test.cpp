@@ -1,0 +1,133 @@
+#include "tests/ga/problems.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+
+using namespace ga;
+
+namespace {
+
+const std::string generation = "{ tournament 2 | cross blend | mutate 0.2 | score | elite 1 }";
+
+Vector values_of(const Population<Vector>& population) {
+    Vector values;
+    for (const auto& each : population)
+        values.push_back(each.value());
+    return values;
+}
+
+} // namespace
+
+TEST_CASE("until ends at the first condition that holds") {
+    const auto start = run("sample 20 | score", Reals{}).population;
+    const auto generations = [&](const std::string& end) {
+        std::size_t count = 0;
+        const Observer<Vector> observer = [&](const auto& event) {
+            count += event.path.ends_with("elite.1");
+        };
+        run("until " + end + " " + generation, Reals{}, start, {}, {observer});
+        return count;
+    };
+    CHECK(generations("generations 7") == 7);
+    CHECK(generations("generations 7 evaluations 60") == 3);
+    CHECK(generations("seconds 0") == 0);
+    CHECK(generations("generations 5 fitness -100") == 0);
+    const auto stuck = generations("generations 100000 stagnation 10");
+    CHECK((stuck > 10 && stuck < 100000));
+    CHECK(run("until fitness -1e-3 " + generation, Reals{}, start).best->value() >= -1e-3);
+    CHECK(run("until seconds 0 " + generation, Reals{}, start, {.variant = "v"}).notes ==
+          std::vector<std::string>{"v/until.1: ended on seconds; another run may end elsewhere"});
+}
+
+TEST_CASE("an endless block ends after 10,000 generations without progress, with a note") {
+    for (const std::string end : {"fitness 1", "evaluations 1000"})
+        CHECK(run("sample 3 | score | until " + end + " { best 3 }", Reals{}, {}, {.variant = "v"}).notes ==
+              std::vector<std::string>{
+                  "v/until.1: ended after 10000 generations that brought it no nearer to its end"});
+}
+
+TEST_CASE("islands evolve independently and return one population") {
+    std::vector<std::string> paths;
+    const Observer<Vector> observer = [&](const auto& event) {
+        if (event.path.ends_with("elite.1") && event.generation.back() == 1)
+            paths.push_back(event.path);
+    };
+    const auto result = run("sample 30 | score | islands 3 rounds=20 " + generation, Reals{}, {},
+                            {.variant = "v"}, {observer});
+    CHECK(result.population.size() == 30);
+    CHECK(paths == std::vector<std::string>{"v/islands.1/island1/elite.1", "v/islands.1/island2/elite.1",
+                                            "v/islands.1/island3/elite.1"});
+    CHECK(result.best->value() > -1e-2);
+    const auto apart = run("score | islands 2 rounds=5 migrants=0 { repeat 3 { tournament 2 } }", given(),
+                           individuals({0, 1, 2, 3, 4, 5, 6, 7}));
+    for (std::size_t i = 0; i < 8; ++i) // no ancestor is shared
+        CHECK(apart.population[i].identity % 2 == (i < 4 ? 0 : 1));
+}
+
+TEST_CASE("a migrant replaces the worst of the next island") {
+    Vector values = values_of(
+        run("score | islands 2 rounds=2 { random }", given(), individuals({0, 1, 2, 3})).population);
+    std::sort(values.begin(), values.begin() + 2);
+    std::sort(values.begin() + 2, values.end());
+    CHECK(values == Vector{2, 3, 2, 3});
+}
+
+TEST_CASE("islands inside islands never give one identity to two individuals") {
+    std::map<Identity, Vector> genomes; // of all individuals that ever were
+    const Observer<Vector> observer = [&](const auto& event) {
+        for (const auto& each : event.population)
+            CHECK(genomes.try_emplace(each.identity, each.genome).first->second == each.genome);
+    };
+    const std::string child = "mutate 1 | score", apart = "islands 2 rounds=3 migrants=0 { ";
+    const auto result = run("sample 16 | score | " + apart + child + " | " + apart + child + " } | " + child +
+                                " } | " + child,
+                            Reals{}, {}, {}, {observer});
+    CHECK(genomes.size() == 16 * (1 + 3 * (1 + 3 + 1) + 1));
+    CHECK(result.population.size() == 16);
+    const auto all = identities_of(result.population);
+    CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
+}
+
+TEST_CASE("islands without migrants need no score") {
+    CHECK(run("sample 4 | islands 2 rounds=2 migrants=0 { mutate 1 } | score", Reals{}).population.size() ==
+          4);
+    CHECK_THROWS_AS(run("sample 4 | islands 2 rounds=2 migrants=1 { mutate 1 } | score", Reals{}),
+                    UsageError);
+}
+
+TEST_CASE("islands note remarks under their own paths") {
+    CHECK(run("score | islands 2 rounds=1 migrants=0 { score | above 50 at_least=2 }", given(),
+              individuals({1, 2, 3, 4, 5, 6}))
+              .notes ==
+          std::vector<std::string>{"pipeline/islands.1/island1/above.1: 0 of 3 above 50; took the 2 best",
+                                   "pipeline/islands.1/island2/above.1: 0 of 3 above 50; took the 2 best"});
+}
+
+TEST_CASE("restarts join the answers of different runs") {
+    const auto result = run("restarts 4 { sample 5 | score | best 1 }", Reals{});
+    REQUIRE(result.population.size() == 4);
+    for (std::size_t i = 1; i < 4; ++i)
+        CHECK(result.population[i].genome != result.population[0].genome);
+}
+
+TEST_CASE("a pair takes each child once and skips parents without a child") {
+    const auto result = run("score | pair(score, score, mean) | score", CurveFit{}, CurveFit::start(3));
+    CHECK(result.population.size() == 3); // of nine pairs three are of one parent and three are repeated
+    CHECK(result.population[0].parents == Parents(0, 1));
+}
+
+TEST_CASE("a stage with too few individuals ends the run and says how many") {
+    Reals problem = minimum(2, functions::sphere);
+    problem.features = {{"none", [](const Vector&) { return std::nan(""); }, -1, 1}};
+    const auto ends = [&](const std::string& stage, const std::string& message) {
+        CHECK_THROWS_WITH(run("sample 3 | score | " + stage + " | score", problem), "pipeline/" + message);
+        CHECK_THROWS_AS(run("sample 3 | score | " + stage + " | score", problem), NothingLeft);
+    };
+    ends("islands 4 { score }", "islands.1: 3 individuals for 4 islands; expected one each at least");
+    ends("repeat 2 { l-shade | score }", "repeat.1/l-shade.1: 3 individuals; expected 4 at least");
+    ends("de", "de.1: 3 individuals; expected 4 at least");
+    ends("pair(score | best 2, score, none)", "pair.1: 2 and 3 individuals gave no child by none");
+    ends("repeat 2 { map-elites none | score }",
+         "repeat.1/map-elites.1: nobody has descriptors that are numbers");
+}

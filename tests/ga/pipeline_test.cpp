@@ -1,0 +1,276 @@
+#include "ga/pipeline/ask_tell.hpp"
+#include "tests/ga/problems.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <set>
+
+using namespace ga;
+
+namespace {
+
+double height(const Vector& x) { return -functions::sphere(x); }
+
+const std::string searching =
+    "sample 12 | score | repeat 4 { tournament 2 | cross blend | mutate 0.3 | score | elite 1 } | "
+    "islands 3 rounds=2 { mutate 0.3 | score } | best 3 | refine nlopt LN_COBYLA 5 | best 2";
+
+/// Reals that only the caller evaluates.
+Reals outside() {
+    Reals problem;
+    problem.f = [](const Vector&) -> Vector { throw std::logic_error("evaluated inside"); };
+    return problem;
+}
+
+} // namespace
+
+TEST_CASE("an algorithm of the paper gives the same bits on 1, 2 and 5 threads") {
+    const auto check = [](const std::string& pipeline, double expected) {
+        const auto with = [&](int threads) {
+            return run(pipeline, CurveFit{}, CurveFit::start(60), {.threads = threads});
+        };
+        const auto one = with(1);
+        REQUIRE(one.population.size() == 1);
+        CHECK(one.population[0].value() > expected);
+        CHECK(bits_of(one) == bits_of(with(2)));
+        CHECK(bits_of(one) == bits_of(with(5)));
+    };
+    check("score | best 3 | refine mma 5 genes=tenth | refine minimax 8 | best 1", 0.9); // SOG
+    check(
+        "pair(score low | above 0.8 at_least=3, score high | above 0.9 at_least=3, mean) | score | best 3 | "
+        "refine mma 3 genes=tenth | refine lm 20 | best 1",
+        0.999999); // GCO
+}
+
+TEST_CASE("an observer sees every stage under its path with each candidate's parents") {
+    std::vector<std::string> paths;
+    std::vector<std::size_t> parents;
+    const Observer<Vector> observer = [&](const auto& event) {
+        paths.push_back(event.path);
+        parents.push_back(event.population[0].parents.size());
+    };
+    run("pair(score low | above 0.8 at_least=3, score high | above 0.9 at_least=3, mean) | score | best 3 | "
+        "refine mma 3 genes=tenth | refine mma 2 genes=tenth | best 1",
+        CurveFit{}, CurveFit::start(60), {.variant = "gco"}, {observer});
+    CHECK(paths == std::vector<std::string>{"gco/pair.1/left/score.1", "gco/pair.1/left/above.1",
+                                            "gco/pair.1/right/score.1", "gco/pair.1/right/above.1",
+                                            "gco/pair.1", "gco/score.1", "gco/best.1", "gco/refine.1",
+                                            "gco/refine.2", "gco/best.2"});
+    CHECK(parents == std::vector<std::size_t>{0, 0, 0, 0, 2, 2, 2, 2, 2, 2});
+}
+
+TEST_CASE("a pipeline that cannot work is refused before anything is evaluated") {
+    const auto refused = [](const std::string& pipeline, const std::string& message) {
+        long calls = 0;
+        CurveFit problem;
+        problem.on_evaluation = [&](const Vector&) { ++calls; };
+        CHECK_THROWS_WITH(run(pipeline, problem, CurveFit::start(5)), Catch::Contains(message));
+        CHECK(calls == 0);
+    };
+    refused("best 1 | score", "stage 'best 1' needs a scored population; expected score before it");
+    refused("score | score middle",
+            "stage 'score middle': unknown objective 'middle'; expected one of fit, low, high");
+    refused("refine lm 3",
+            "stage 'refine lm 3 genes=all' needs a scored population; expected score before it");
+    refused("until fitness 1 { turn genes }", "stage 'until fitness 1' needs a scored population");
+    refused("score low | repeat 2 { score high | elite 1 }",
+            "stage 'elite 1' compares the population, scored by 'high', with the generation's start, scored "
+            "by 'low'");
+    refused("pareto fit low | repeat 2 { mutate 1 | score | plus }",
+            "scored by 'pareto fit low'; expected the same for both");
+    refused("pareto fit low | above 1",
+            "stage 'above 1' needs one objective's fitness, the population is ranked by 'pareto fit low'");
+    refused("pareto fit low | until fitness 1 { mutate 1 | pareto fit low }",
+            "needs one objective's fitness");
+    CHECK_THROWS_WITH(run("score", CurveFit{}, {}),
+                      "the population is empty; expected one individual at least, or sample before all");
+    Reals aimless;
+    aimless.list.clear();
+    CHECK_THROWS_WITH(run("sample 1 | score", aimless),
+                      "the problem has no objective; expected one at least");
+}
+
+TEST_CASE("grouping by | changes neither text nor random numbers") {
+    const auto left = (reals("sample 9") | reals("score")) | reals("mutate 1") | reals("score");
+    const auto right = reals("sample 9") | (reals("score | mutate 1") | reals("score"));
+    CHECK(left.text() == right.text());
+    CHECK(bits_of(run(left, Reals{}, {})) == bits_of(run(right, Reals{}, {})));
+}
+
+TEST_CASE("a run draws by seed 1 unless another is given") {
+    const auto with = [](const RunOptions& options) {
+        return bits_of(run("sample 5 | mutate 0.5 | score", Reals{}, {}, options));
+    };
+    CHECK(with({}) == with({.seed = 1}));
+    CHECK(with({}) != with({.seed = 2}));
+}
+
+TEST_CASE("a scored start competes for the best, unless another problem scored it") {
+    const auto first = run("sample 20 | score | best 5", maximum(2, height, -1, 1));
+    const auto kept = run("best 3", maximum(2, height, -1, 1), first.population, {.seed = 2});
+    REQUIRE(kept.best);
+    CHECK(kept.population.size() == 3);
+    CHECK(kept.best->value() == first.best->value());
+    CHECK(run("repeat 3 { random | mutate 1 gaussian 1 | score | elite 1 }", maximum(2, height, -1, 1),
+              first.population, {.seed = 2})
+              .best->value() >= first.best->value());
+    const auto other =
+        run("score | best 1", maximum(2, [](const Vector& x) { return 1000 + x[0]; }), first.population);
+    CHECK(other.counters.evaluations == 5);
+    CHECK(other.best->value() == 1000 + other.best->genome[0]);
+}
+
+TEST_CASE("individuals of two runs get different identities when they are joined") {
+    auto both = run("sample 10 | score", Reals{}, {}, {.seed = 1}).population;
+    const auto other = run("sample 10 | score", Reals{}, {}, {.seed = 2}).population;
+    both.insert(both.end(), other.begin(), other.end());
+    const auto all =
+        identities_of(run("score | repeat 1 { mutate 0.9 | score | parents }", Reals{}, both).population);
+    CHECK(std::set<Identity>(all.begin(), all.end()).size() == 40);
+}
+
+TEST_CASE("a check takes time in proportion to the depth of blocks") {
+    struct Counted : Operator {
+        long* count;
+        std::string text() const { return "counted"; }
+        void check(CheckState&) const { ++*count; }
+        Population<Vector> operator()(Population<Vector> all, Context<Reals>&) const { return all; }
+    };
+    long checks = 0;
+    Stage<Reals> stage = Stage<Reals>(Counted{{}, &checks}) | reals("score");
+    for (int depth = 0; depth < 40; ++depth)
+        stage = Stage<Reals>(repeat(1, stage));
+    run(reals("sample 2") | stage, Reals{}, {});
+    CHECK(checks <= 3 * 40);
+}
+
+TEST_CASE("bounds out of order are refused") {
+    const auto refused = [](std::vector<Variable> box, const std::string& pipeline,
+                            const std::string& message) {
+        Reals problem;
+        problem.box = [box](const Vector&) { return box; };
+        CHECK_THROWS_WITH(run("sample 2 | score | " + pipeline + " | score", problem),
+                          Catch::Contains(message));
+    };
+    refused({{1, -1, 1}, {0, -1, 1}}, "cross blend", "ascending order");
+    refused({{0, 1, -1}, {1, -1, 1}}, "mutate 1", "above the upper");
+}
+
+TEST_CASE("means of replicates flatter the best far less than single noisy draws") {
+    Reals problem = maximum(1, height, -3, 3);
+    problem.noise = 1;
+    const auto flattery = [&](const std::string& scored, std::uint64_t seed) {
+        const auto result =
+            run("sample 20 | " + scored + " | repeat 20 { tournament 2 | cross blend | mutate 0.5 | " +
+                    scored + " | elite 2 }",
+                problem, {}, {.seed = seed});
+        return result.best->value() - height(result.best->genome);
+    };
+    double single = 0, mean = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        single += flattery("score", seed) / 10;
+        mean += flattery("average 25", seed) / 10;
+    }
+    CHECK(single > 1.5);
+    CHECK(mean < 0.8);
+    CHECK(mean > -0.2);
+}
+
+TEST_CASE("an average is the mean of its replicates, of which known ones are not paid again") {
+    Reals problem = given();
+    problem.noise = 1;
+    const auto result = run("score | average 4 | average 10", problem, individuals({1.5}));
+    CHECK(result.counters.evaluations == 10);
+    double mean = 0;
+    for (std::uint64_t replicate = 0; replicate < 10; ++replicate)
+        mean += problem.evaluate({1.5}, replicate)[0] / 10;
+    CHECK(result.population[0].value() == Approx(mean));
+}
+
+TEST_CASE("ask and tell give the bits of a run, whatever the order of answers") {
+    const auto inside = run(searching, Reals{}, {}, {.seed = 5});
+    AskTell<Reals> search(reals(searching), outside(), {}, {.seed = 5});
+    std::size_t told = 0;
+    for (auto questions = search.ask(); !questions.empty(); questions = search.ask()) {
+        CHECK(questions.front().id == told);
+        std::reverse(questions.begin(), questions.end());
+        if (questions.size() > 1) { // a part of the batch; the rest is asked for again
+            const auto [id, genome] = questions.back();
+            questions.pop_back();
+            search.tell(id, genome);
+            CHECK(search.ask().size() == questions.size());
+            ++told;
+        }
+        for (const auto& [id, genome] : questions)
+            search.tell(id, genome);
+        told += questions.size();
+    }
+    CHECK(bits_of(search.result()) == bits_of(inside));
+    CHECK(told == static_cast<std::size_t>(inside.counters.evaluations));
+}
+
+TEST_CASE("ask and tell return what is known when the caller ends early") {
+    AskTell<Reals> search(reals(searching), outside());
+    auto questions = search.ask();
+    REQUIRE(questions.size() == 12);
+    for (std::size_t i = 0; i < 5; ++i)
+        search.tell(questions[i].id, questions[i].genome);
+    search.fail(questions[5].id, "broke");
+    const auto part = search.result();
+    CHECK(part.stopped == "stop requested");
+    CHECK(part.population.size() == 6);
+    CHECK(part.counters.evaluations == 6);
+    CHECK(part.counters.failures == 1);
+    CHECK(search.ask().empty());
+    search.tell(questions[7].id, questions[7].genome); // too late, and no matter
+
+    const AskTell<Reals> never_asked(reals(searching), outside());
+    std::atomic<bool> stop = true;
+    AskTell<Reals> by_budget(reals(searching), outside(), {}, {.budget = {.stop = &stop}});
+    CHECK(by_budget.result().stopped == "stop requested");
+    AskTell<Reals> by_time(reals(searching), outside(), {}, {.budget = {.seconds = 0.01}});
+    while (!by_time.ask().empty()) {
+    }
+    CHECK(by_time.result().stopped == "time budget spent");
+}
+
+TEST_CASE("ask and tell throw the run's errors to the caller") {
+    CHECK_THROWS_WITH(AskTell<Reals>(reals("score | best 1"), outside()),
+                      "the population is empty; expected one individual at least, or sample before all");
+    AskTell<Reals> failing(reals(searching), outside());
+    for (const auto& question : failing.ask())
+        failing.fail(question.id, "broke");
+    CHECK_THROWS_AS(failing.ask(), NothingLeft);
+    CHECK_THROWS_WITH(failing.result(), "every one of 12 evaluations failed; the first: broke");
+
+    const Observer<Vector> breaks = [](const auto&) { throw std::runtime_error("seen enough"); };
+    AskTell<Reals> watched(reals(searching), outside(), {}, {}, {breaks});
+    CHECK_THROWS_WITH(watched.ask(), "seen enough");
+
+    AskTell<Reals> search(reals(searching), outside());
+    const auto questions = search.ask();
+    search.tell(0, questions[0].genome);
+    CHECK_THROWS_WITH(search.tell(0, questions[0].genome),
+                      "question 0 is not open; expected one that ask gave");
+    CHECK_THROWS_AS(search.tell(12, {}), UsageError);
+}
+
+TEST_CASE("ask waits for the next questions while the run is busy") {
+    std::atomic<bool> busy = false;
+    const Observer<Vector> slow = [&](const auto&) {
+        busy = true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+        busy = false;
+    };
+    AskTell<Reals> search(reals("sample 3 | score | mutate 1 | score"), outside(), {}, {}, {slow});
+    std::size_t told = 0;
+    for (auto questions = search.ask(); !questions.empty(); questions = search.ask()) {
+        for (const auto& [id, genome] : questions)
+            search.tell(id, genome);
+        told += questions.size();
+        while (told == 3 && !busy)
+            std::this_thread::yield();
+    }
+    CHECK(told == 6);
+    CHECK(search.result().stopped.empty());
+}

@@ -1,0 +1,339 @@
+#include "tests/ga/problems.hpp"
+
+#include <Eigen/QR>
+#include <catch2/catch.hpp>
+
+using namespace ga;
+
+namespace {
+
+using Eigen::VectorXd;
+
+/// Residuals as a method sees them, in a box of that half width about the start, with as many questions as it
+/// likes.
+Landscape landscape(const VectorXd& start, double half,
+                    std::function<std::optional<Sensitivity>(const VectorXd&)> sensitivity) {
+    Landscape land;
+    land.start = start;
+    land.lower = start.array() - half;
+    land.upper = start.array() + half;
+    land.sensitivity = std::move(sensitivity);
+    land.exhausted = [] { return false; };
+    return land;
+}
+
+/// Rosenbrock's function as residuals of unit `unit`.
+Landscape rosenbrock(double unit) {
+    return landscape(Eigen::Vector2d(-1.2, 1), 100, [unit](const VectorXd& x) {
+        Eigen::MatrixXd jacobian(2, 2);
+        jacobian << -20 * x[0], 10, -1, 0;
+        return Sensitivity{unit * Eigen::Vector2d(10 * (x[1] - x[0] * x[0]), 1 - x[0]), unit * jacobian};
+    });
+}
+
+/// The curve's residuals with noise, so that no curve has none.
+Landscape noisy_curve() {
+    return landscape(Eigen::Vector3d(3.5, 0.4, 1.7), 100, [](const VectorXd& x) {
+        Sensitivity at = CurveFit().sensitivity({x[0], x[1], x[2]}, "");
+        for (Eigen::Index k = 0; k < 5; ++k)
+            at.residuals[k] += k % 2 ? 0.2 : -0.1;
+        return at;
+    });
+}
+
+/// Levenberg-Marquardt as it is published, by another way to solve it: each step h is the least-squares
+/// solution of J h = -r and sqrt(mu) D h = 0 with D the lengths of J's columns (Marquardt 1963), mu follows
+/// the gain (Nielsen 1999, Eq. 2.21), and rows are weighed from evaluation `sharpen` on.
+VectorXd by_the_book(const Landscape& land, int evaluations, int sharpen) {
+    VectorXd x = land.start, best = x;
+    Sensitivity at = *land.sensitivity(x);
+    double mu = 1e-3, nu = 2, least = at.residuals.cwiseAbs().maxCoeff();
+    for (int used = 0; used < evaluations; ++used) {
+        VectorXd weights = VectorXd::Ones(at.residuals.size());
+        if (sharpen > 0 && used >= sharpen)
+            weights = (at.residuals / at.residuals.cwiseAbs().maxCoeff()).cwiseAbs2().array() + 0.05;
+        const VectorXd roots = weights.cwiseSqrt(), here = roots.cwiseProduct(at.residuals);
+        const Eigen::MatrixXd rows = roots.asDiagonal() * at.jacobian;
+        Eigen::MatrixXd system(rows.rows() + x.size(), x.size());
+        system << rows, std::sqrt(mu) * Eigen::MatrixXd(rows.colwise().norm().asDiagonal());
+        VectorXd right = VectorXd::Zero(system.rows());
+        right.head(here.size()) = -here;
+        const VectorXd h = system.colPivHouseholderQr().solve(right);
+        const Sensitivity next = *land.sensitivity(x + h);
+        const double before = here.squaredNorm(), after = roots.cwiseProduct(next.residuals).squaredNorm();
+        if (after < before) {
+            const double gain = (before - after) / (before - (here + rows * h).squaredNorm());
+            mu *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3)), nu = 2;
+            x += h;
+            at = next;
+            if (const double worst = at.residuals.cwiseAbs().maxCoeff(); sharpen == 0 || worst < least)
+                best = x, least = worst;
+        } else {
+            mu *= nu, nu *= 2;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+TEST_CASE("every step of Levenberg-Marquardt is the published one") {
+    for (int n = 1; n <= 12; ++n)
+        for (const int sharpen : {0, 3})
+            for (const Landscape& land : {rosenbrock(1), noisy_curve()}) {
+                CAPTURE(n, sharpen, land.start.size());
+                CHECK((lm(n, sharpen).improve(land) - by_the_book(land, n, sharpen)).norm() < 1e-6);
+            }
+}
+
+TEST_CASE("a step of Levenberg-Marquardt does not depend on the unit of residuals") {
+    for (const double unit : {1e-9, 1e9})
+        CHECK((lm(6).improve(rosenbrock(unit)) - lm(6).improve(rosenbrock(1))).norm() < 1e-6);
+}
+
+TEST_CASE("Levenberg-Marquardt ignores a variable that descent holds at its bound") {
+    // r = (10 (y - x^2), 1 - x, x y - 2) with y held at 1, where descent would raise it
+    const auto row = [](double x, double y, bool both, bool first) {
+        Eigen::MatrixXd jacobian(3, 2);
+        jacobian << -20 * x, 10, -1, 0, y, x;
+        if (first)
+            jacobian.col(0).swap(jacobian.col(1));
+        return Sensitivity{Eigen::Vector3d(10 * (y - x * x), 1 - x, x * y - 2),
+                           both ? jacobian : Eigen::MatrixXd(jacobian.col(first ? 1 : 0))};
+    };
+    const Landscape alone = landscape(VectorXd::Constant(1, 3), 10,
+                                      [&](const VectorXd& x) { return row(x[0], 1, false, false); });
+    for (const bool first : {false, true}) { // of the two
+        Landscape both = landscape(first ? Eigen::Vector2d(1, 3) : Eigen::Vector2d(3, 1), 10,
+                                   [&](const VectorXd& x) { return row(x[first], x[!first], true, first); });
+        both.upper[!first] = 1;
+        for (int n = 1; n <= 5; ++n) {
+            const VectorXd found = lm(n).improve(both);
+            CHECK(found[!first] == 1);
+            CHECK(found[first] == Approx(lm(n).improve(alone)[0]).epsilon(1e-9));
+        }
+    }
+}
+
+TEST_CASE("minimax finds Chebyshev's line through a parabola in ten evaluations") {
+    const Landscape land = landscape(Eigen::Vector2d(0.9, 0.9), 3, [](const VectorXd& x) {
+        Sensitivity at{VectorXd(11), Eigen::MatrixXd(11, 2)};
+        for (int i = 0; i <= 10; ++i) {
+            at.jacobian.row(i) << 1, i / 10.0;
+            at.residuals[i] = at.jacobian.row(i) * x - i * i / 100.0;
+        }
+        return at;
+    });
+    const VectorXd best = minimax(10).improve(land);
+    CHECK(land.sensitivity(best)->residuals.cwiseAbs().maxCoeff() < 0.1251); // 1/8 is the least
+}
+
+TEST_CASE("a gradient method avoids points without a gradient") {
+    for (const VectorXd& none : {VectorXd(), VectorXd(VectorXd::Constant(1, std::nan("")))}) {
+        Landscape land = landscape(VectorXd::Constant(1, 0.5), 10, {});
+        land.fitness = [](const VectorXd& x) { return -std::pow(x[0] - 3, 2); };
+        land.gradient = [&](const VectorXd& x) {
+            return x[0] > 2 ? none : VectorXd(VectorXd::Constant(1, 6 - 2 * x[0]));
+        };
+        const double best = nlopt_method("LD_LBFGS", 40).improve(land)[0];
+        CHECK(best <= 2);
+        CHECK(best >= 0.5);
+    }
+}
+
+TEST_CASE("a refinement never asks for more than the budget, on islands too") {
+    const auto start = run("score", CurveFit{}, CurveFit::start(6)).population;
+    for (const std::string pipeline :
+         {"refine nlopt LN_COBYLA 30", "refine mma 30", "refine minimax 30",
+          "islands 2 rounds=1 { refine lm 30 }", "islands 2 rounds=1 { refine nlopt LN_COBYLA 30 }"})
+        for (const long budget : {20, 40, 41}) {
+            const auto result = run(pipeline, CurveFit{}, start, {.budget = {.evaluations = budget}});
+            CHECK(result.counters.asked <= budget);
+            REQUIRE(result.population.size() == 6);
+            for (const auto& each : result.population)
+                CHECK(each.value() >= start[each.identity].value());
+        }
+}
+
+TEST_CASE("a method spends its evaluations and one for the start on each individual") {
+    CHECK(run("score | refine mma 5", CurveFit{}, CurveFit::start(7)).counters.gradients == 7 * 6);
+    CHECK(run("score | refine lm 3", CurveFit{}, CurveFit::start(7)).counters.gradients == 7 * 4);
+    for (const std::string name : {"LN_COBYLA", "LN_NELDERMEAD", "GN_CRS2_LM", "GN_ESCH"}) {
+        CAPTURE(name);
+        Landscape land = landscape(Eigen::Vector2d(-1.2, 1), 2, {});
+        int asked = 0;
+        land.fitness = [&](const VectorXd& x) { return ++asked, -functions::rosenbrock({x[0], x[1]}); };
+        nlopt_method(name, 25).improve(land);
+        CHECK(asked == 26);
+    }
+}
+
+TEST_CASE("Levenberg-Marquardt finds the curve's parameters from every start") {
+    for (const auto& each : run("score | refine lm 60", CurveFit{}, CurveFit::start(30)).population) {
+        CHECK(each.genome[0] == Approx(2).epsilon(1e-6));
+        CHECK(each.genome[1] == Approx(1.5).epsilon(1e-6));
+        CHECK(each.genome[2] == Approx(0.5).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("minimax improves more than mma in as many evaluations") {
+    const auto by_one_row = run("score | refine mma 40", CurveFit{}, CurveFit::start(30));
+    const auto by_all_rows = run("score | refine minimax 40", CurveFit{}, CurveFit::start(30));
+    int further = 0;
+    for (std::size_t i = 0; i < 30; ++i)
+        further += by_all_rows.population[i].value() > by_one_row.population[i].value();
+    CHECK(further >= 27);
+    CHECK(by_all_rows.best->value() > 0.999);
+    const auto perfect = run("score | refine minimax 9", CurveFit{}, population<Vector>({{2, 1.5, 0.5}}));
+    CHECK(perfect.counters.gradients == 1); // nothing is left to improve
+    CHECK(perfect.population[0].genome == Vector{2, 1.5, 0.5});
+}
+
+TEST_CASE("a refinement never makes an individual worse and never leaves its bounds") {
+    const auto start = run("score", CurveFit{}, CurveFit::start(20)).population;
+    for (const std::string method : {"mma 3", "minimax 3", "lm 3", "lm 20 sharpen=5", "nlopt LN_COBYLA 50",
+                                     "nlopt LN_NELDERMEAD 50", "nlopt GN_DIRECT_L 50"}) {
+        CAPTURE(method);
+        const auto result = run("refine " + method, CurveFit{}, start);
+        for (std::size_t i = 0; i < start.size(); ++i) {
+            CHECK(result.population[i].value() >= start[i].value());
+            for (const double gene : result.population[i].genome)
+                CHECK((gene >= 0 && gene <= 5));
+        }
+        CHECK(result.best->value() > 0.4);
+    }
+}
+
+TEST_CASE("a second refinement keeps the bounds of the original genome") {
+    const auto start = CurveFit::start(1);
+    const auto refined =
+        run("score | repeat 50 { refine lm 5 genes=tenth }", CurveFit{}, start).population[0];
+    for (std::size_t i = 0; i < refined.genome.size(); ++i) {
+        CHECK(refined.genome[i] >= 0.9 * start[0].genome[i]);
+        CHECK(refined.genome[i] <= 1.1 * start[0].genome[i]);
+    }
+    CHECK(*refined.origin == start[0].genome);
+    CHECK(refined.identity == start[0].identity);
+}
+
+TEST_CASE("a refinement follows the direction of its objective") {
+    CurveFit misfit;
+    misfit.list = {{"misfit", [](const VectorXd& r) { return r.cwiseAbs().maxCoeff(); }, true}};
+    const auto before = run("score", misfit, CurveFit::start(5)).population;
+    const auto after = run("refine nlopt LN_COBYLA 60", misfit, before).population;
+    for (std::size_t i = 0; i < 5; ++i)
+        CHECK(after[i].value() < before[i].value());
+}
+
+TEST_CASE("a refinement passes around failing evaluations") {
+    CurveFit hole;
+    hole.on_sensitivity = [](const Vector& g, Sensitivity&) {
+        if (g[0] < 2.2)
+            throw std::domain_error("in the hole");
+    };
+    const auto start = population<Vector>({{3, 1, 0.7}});
+    const double before = run("score", hole, start).population[0].value();
+    for (const std::string method : {"mma", "minimax", "lm"}) {
+        const auto result = run("score | refine " + method + " 30", hole, start);
+        CHECK(result.population[0].genome[0] >= 2.2);
+        CHECK(result.population[0].value() > before + 0.1);
+    }
+}
+
+TEST_CASE("a missing or wrong derivative leaves genome and fitness as they were") {
+    const std::vector<std::function<void(Sensitivity&)>> faults = {
+        [](Sensitivity&) { throw std::domain_error("none here"); },
+        [](Sensitivity&) { throw 7; },
+        [](Sensitivity& at) { at.jacobian.conservativeResize(5, 2); },
+        [](Sensitivity& at) { at.jacobian.conservativeResize(4, 3); },
+        [](Sensitivity& at) { at.residuals[2] = std::nan(""); },
+        [](Sensitivity& at) { at.jacobian(1, 1) = HUGE_VAL; },
+        [](Sensitivity& at) {
+            at = {VectorXd(), Eigen::MatrixXd(0, 3)};
+        }};
+    const auto unchanged = [](const auto& result, const auto& start) {
+        CHECK(result.counters.gradients >= 3);
+        for (std::size_t i = 0; i < 3; ++i) {
+            CHECK(result.population[i].genome == start[i].genome);
+            CHECK(result.population[i].value() == start[i].value());
+        }
+    };
+    const auto start = run("score", CurveFit{}, CurveFit::start(3)).population;
+    for (const auto& fault : faults)
+        for (const std::string method : {"lm 5", "mma 5", "minimax 5"}) {
+            CurveFit faulty;
+            faulty.on_sensitivity = [&](const Vector&, Sensitivity& at) { fault(at); };
+            unchanged(run("refine " + method, faulty, start), start);
+        }
+    const auto three = run("sample 3 | score", minimum(3, functions::sphere)).population;
+    for (const Vector& wrong :
+         {Vector{1, 1}, Vector{1, 1, 1, 1}, Vector{1, std::nan(""), 1}, Vector{1, 1, HUGE_VAL}, Vector{}}) {
+        Reals faulty = minimum(3, functions::sphere);
+        faulty.slope = [&](const Vector&) { return wrong; };
+        unchanged(run("refine nlopt LD_LBFGS 5", faulty, three), three);
+    }
+}
+
+TEST_CASE("a refinement keeps scored individuals when every evaluation fails") {
+    const auto start = run("score", CurveFit{}, CurveFit::start(3)).population;
+    CurveFit broken;
+    broken.on_evaluation = [&](const Vector& genome) {
+        if (std::none_of(start.begin(), start.end(), [&](const auto& each) { return each.genome == genome; }))
+            throw std::domain_error("out of order");
+    };
+    for (const long n : {1, 3}) {
+        const auto result =
+            run("refine nlopt LN_COBYLA 8", broken, Population<Vector>(start.begin(), start.begin() + n));
+        CHECK(result.counters.evaluations >= 3);
+        for (std::size_t i = 0; i < result.population.size(); ++i)
+            CHECK(result.population[i].genome == start[i].genome);
+    }
+}
+
+TEST_CASE("an exception of a problem's conversion passes through NLopt unchanged") {
+    CurveFit brittle;
+    for (const std::size_t n : {1, 3}) {
+        brittle.on_conversion = [] { throw std::domain_error("cannot be"); };
+        for (const std::string method : {"nlopt LN_COBYLA", "minimax"})
+            CHECK_THROWS_WITH(run("score | refine " + method + " 8", brittle, CurveFit::start(n)),
+                              "cannot be");
+        brittle.on_conversion = [] { throw 7; };
+        CHECK_THROWS_AS(run("score | refine mma 8", brittle, CurveFit::start(n)), int);
+    }
+}
+
+TEST_CASE("every algorithm of NLopt runs or is refused by name") {
+    for (int i = 0; i < NLOPT_NUM_ALGORITHMS; ++i) {
+        const std::string name = nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(i));
+        try {
+            CHECK(algorithm_number(name) == i);
+            const auto result = run("score | refine nlopt " + name + " 10", CurveFit{}, CurveFit::start(2));
+            CHECK(result.counters.asked <= 2 + 2 * 11 + 2); // scored, searched, scored
+        } catch (const UsageError& refused) {
+            CHECK(std::string(refused.what()).find(name) != std::string::npos);
+            CHECK(std::string(refused.what()).find("unknown") == std::string::npos);
+        }
+    }
+    const auto refused = [](const std::string& name, const std::string& message) {
+        CHECK_THROWS_WITH(run("score | refine nlopt " + name + " 8", CurveFit{}, CurveFit::start(2)),
+                          Catch::Contains(message));
+    };
+    refused("LN_COBYLE",
+            "refine nlopt: unknown algorithm 'LN_COBYLE'; expected one of NLopt's, e.g. LN_COBYLA");
+    refused("LN_AUGLAG", "refine nlopt: algorithm 'LN_AUGLAG' needs a second optimiser; expected one that "
+                         "works alone, e.g. LN_COBYLA");
+    refused("LD_LBFGS", "needs the problem's gradient; expected a method without, e.g. nlopt LN_COBYLA");
+}
+
+TEST_CASE("a choice of genes that does not fit is refused") {
+    const auto refused = [](std::vector<Variable> box, const std::string& method,
+                            const std::string& message) {
+        Reals problem;
+        problem.box = [box](const Vector&) { return box; };
+        CHECK_THROWS_WITH(run("sample 1 | score | refine " + method, problem), message);
+    };
+    refused({{7, 0, 1}}, "nlopt LN_COBYLA 3", "refine: gene 7 is to move, the genome has 6");
+    refused({{0, -HUGE_VAL, HUGE_VAL}}, "nlopt GN_CRS2_LM 8",
+            "refine Controlled random search (CRS2) with local mutation (global, no-derivative): "
+            "finite domain required for global algorithm");
+}

@@ -1,5 +1,0 @@
-#include "tests/ga/vectors.hpp"
-
-#include "ga/text/compiled_once.hpp"
-
-GA_PIPELINES_HERE(Vectors)
