@@ -39,11 +39,11 @@ struct Boxed : Any<G> {
 using Box = Boxed<Vector>;
 
 template <class P>
-using Pair = std::array<typename P::Genome, 2>;
+using Couple = std::array<typename P::Genome, 2>;
 
 /// Children of two parents, of stream number `seed`.
 template <class P>
-Pair<P> crossed(const auto& way, const P& problem, Pair<P> parents, std::uint64_t seed = 1) {
+Couple<P> crossed(const auto& way, const P& problem, Couple<P> parents, std::uint64_t seed = 1) {
     Stream stream(seed);
     way(problem, parents[0], parents[1], stream);
     return parents;
@@ -322,7 +322,7 @@ TEST_CASE("variation changes the genes that exist when bounds name more") {
     mutating(swap()), mutating(reverse());
     crossing(sbx()), crossing(blend()), crossing(uniform()), crossing(n_points(3));
     CHECK(mutated(gaussian(), three, Vector{0.25}) != Vector{0.25});
-    CHECK(crossed(n_points(2), three, {{{1, 2, 3}, {4}}}) == Pair<Box>{{{1, 2, 3}, {4}}});
+    CHECK(crossed(n_points(2), three, {{{1, 2, 3}, {4}}}) == Couple<Box>{{{1, 2, 3}, {4}}});
     const Permutation one{{0}}, two{{1, 0}};
     CHECK(crossed(order(), Orders(), {{one, one}})[0].order == one.order);
     CHECK(crossed(order(), Orders(), {{one, two}})[1].order == two.order);
@@ -340,8 +340,8 @@ TEST_CASE("a problem's own mutation and cross-over replace the common ones") {
         }
     };
     CHECK(mutated(Natural(), Own(), Vector{1}, 0.25) == Vector{1.25});
-    CHECK(crossed(n_points(3), Own(), {{{1}, {3}}}) == Pair<Own>{{{3}, {3}}});
-    CHECK(crossed(one_point(), Own(), {{{1}, {3}}}) == Pair<Own>{{{1}, {1}}});
+    CHECK(crossed(n_points(3), Own(), {{{1}, {3}}}) == Couple<Own>{{{3}, {3}}});
+    CHECK(crossed(one_point(), Own(), {{{1}, {3}}}) == Couple<Own>{{{1}, {1}}});
     Stream stream(1);
     Vector unchanged{3};
     CHECK_FALSE(Natural()(Own(), unchanged, Chance(0.25), stream));
