@@ -327,7 +327,7 @@ TEST_CASE("a population beyond its memory ends the run with what it has") {
         CHECK(result.stopped == "v/" + message + " exceeds the 4 MB for one");
         CHECK(result.population.size() == left);
     };
-    ends("sample 200 | score | pair(score, score, mean) | score", "pair.1: a population of 40000", 200);
+    ends("sample 300 | score | pair(score, score, mean) | score", "pair.1: a population of 25600", 300);
     ends("sample 10 | score | tournament 2 size=1000000000 | score",
          "tournament.1: a population of 1000000000", 10);
     ends("sample 1000000000 | score", "sample.1: a population of 1000000000", 0);

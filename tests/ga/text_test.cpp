@@ -243,7 +243,7 @@ TEST_CASE("a value out of range is refused with the range") {
             "pipeline, column 9: stage 'islands': n is '10001'; expected a whole number from 2 to 10000");
     refused(
         "until generations { score }",
-        "pipeline, column 15: stage 'until': 'generations' lacks its value; expected a whole number from 1");
+        "pipeline, column 7: stage 'until': 'generations' lacks its value; expected a whole number from 1");
     refused(
         "until { score }",
         "pipeline, column 1: a block of generations needs an end; expected repeat N with N >= 1, or until "
