@@ -13,8 +13,8 @@ struct LevenbergMarquardt {
     static constexpr bool on_residuals = true; ///< and on their derivatives
 
     int evaluations = 30; ///< at most, after the start; >= 1
-    /// After this many of them, row k weighs (|r_k| / max|r|)^2 + 0.05, which drives the squares towards the
-    /// maximum norm; 0 for never.
+    /// After this many of them each step minimises the largest residual of the linear model, not the squares:
+    /// rows are weighed by Lawson's rounds (1961), and the step is judged by max|r|. 0 for never.
     int sharpen = 0;
 
     ///@{
@@ -22,56 +22,48 @@ struct LevenbergMarquardt {
     static Words words() { return {"lm", "refinement", "Levenberg-Marquardt on the residuals' squares"}; }
     static void describe(auto& self, auto visit) {
         visit(self.evaluations, evaluations_parameter("30"));
-        visit(self.sharpen, whole("sharpen", "0", 0, "after so many, great residuals weigh more; 0 for never")
-                                .keyed()
-                                .quiet());
+        visit(self.sharpen,
+              whole("sharpen", "0", 0, "after so many, the largest residual counts; 0 for never")
+                  .keyed()
+                  .quiet());
     }
 
     Eigen::VectorXd improve(const Landscape& land) const {
-        using Eigen::VectorXd;
         std::optional<Sensitivity> at = land.exhausted() ? std::nullopt : land.sensitivity(land.start);
         if (!at)
             return land.start;
+        const auto largest = [](const Eigen::VectorXd& r) { return r.cwiseAbs().maxCoeff(); };
         const auto merit = [&](const Sensitivity& there) {
-            return sharpen > 0 ? -there.residuals.cwiseAbs().maxCoeff() : -there.residuals.squaredNorm();
+            return sharpen > 0 ? -largest(there.residuals) : -there.residuals.squaredNorm();
         };
         BestPoint best{land.start, merit(*at)};
-        VectorXd x = land.start;
+        Eigen::VectorXd x = land.start;
         double damping = 1e-3, growth = 2;
         for (int used = 0; used < evaluations && !land.exhausted(); ++used) {
-            VectorXd weights = VectorXd::Ones(at->residuals.size());
-            if (sharpen > 0 && used >= sharpen) {
-                const double worst = at->residuals.cwiseAbs().maxCoeff();
-                if (worst > 0)
-                    weights = (at->residuals / worst).array().square() + 0.05;
+            const bool sharpened = sharpen > 0 && used >= sharpen;
+            const auto cost = [&](const Eigen::VectorXd& r) {
+                return sharpened ? largest(r) : r.squaredNorm();
+            };
+            Eigen::VectorXd weights = Eigen::VectorXd::Ones(at->residuals.size());
+            std::optional<Step> step = step_from(x, *at, weights, damping, land), last = step;
+            for (int round = 1; sharpened && last && largest(last->left) > 0 && round < lawson_rounds;
+                 ++round) {
+                weights = weights.cwiseProduct(last->left.cwiseAbs());
+                weights = (weights / weights.maxCoeff()).cwiseMax(least_weight);
+                last = step_from(x, *at, weights, damping, land);
+                if (last && largest(last->left) < largest(step->left))
+                    step = last;
             }
-            const auto cost = [&](const VectorXd& r) { return (weights.array() * r.array().square()).sum(); };
-            VectorXd slope = at->jacobian.transpose() * weights.cwiseProduct(at->residuals);
-            Eigen::MatrixXd curvature = at->jacobian.transpose() * weights.asDiagonal() * at->jacobian;
-            const double largest = curvature.diagonal().maxCoeff();
-            for (Eigen::Index i = 0; i < x.size(); ++i)
-                if ((x[i] <= land.lower[i] && slope[i] > 0) || (x[i] >= land.upper[i] && slope[i] < 0)) {
-                    curvature.row(i).setZero();
-                    curvature.col(i).setZero();
-                    slope[i] = 0;
-                }
-            if (largest <= 0 || slope.cwiseAbs().maxCoeff() == 0)
+            if (!step)
                 break;
-            const VectorXd scale = curvature.diagonal().cwiseMax(1e-12 * largest);
-            Eigen::MatrixXd damped = curvature;
-            damped.diagonal() += damping * scale;
-            const VectorXd there = (x - damped.ldlt().solve(slope)).cwiseMax(land.lower).cwiseMin(land.upper);
-            const VectorXd step = there - x;
-            if (!step.allFinite() || step.cwiseAbs().maxCoeff() == 0)
-                break;
-            std::optional<Sensitivity> next = land.sensitivity(there);
+            std::optional<Sensitivity> next = land.sensitivity(step->to);
             const double before = cost(at->residuals), after = next ? cost(next->residuals) : HUGE_VAL;
             if (after < before) {
-                const double predicted = -2 * slope.dot(step) - step.dot(curvature * step);
+                const double predicted = before - cost(step->left);
                 const double gain = predicted > 0 ? (before - after) / predicted : 1;
                 damping *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));
                 growth = 2;
-                x = there;
+                x = step->to;
                 at = std::move(next);
                 best.offer(x, merit(*at));
                 if (before - after < 1e-14 * before)
@@ -84,6 +76,37 @@ struct LevenbergMarquardt {
         return best.x;
     }
     ///@}
+
+  private:
+    static constexpr int lawson_rounds = 20;
+    static constexpr double least_weight = 1e-6;
+
+    /// A point in the box and what is left of the residuals there if they are linear.
+    struct Step {
+        Eigen::VectorXd to, left;
+    };
+    /// The damped step of weighted least squares; none if it stays where it is.
+    static std::optional<Step> step_from(const Eigen::VectorXd& x, const Sensitivity& at,
+                                         const Eigen::VectorXd& weights, double damping,
+                                         const Landscape& land) {
+        Eigen::VectorXd slope = at.jacobian.transpose() * weights.cwiseProduct(at.residuals);
+        Eigen::MatrixXd curvature = at.jacobian.transpose() * weights.asDiagonal() * at.jacobian;
+        const double largest = curvature.diagonal().maxCoeff();
+        for (Eigen::Index i = 0; i < x.size(); ++i)
+            if ((x[i] <= land.lower[i] && slope[i] > 0) || (x[i] >= land.upper[i] && slope[i] < 0)) {
+                curvature.row(i).setZero();
+                curvature.col(i).setZero();
+                slope[i] = 0;
+            }
+        if (largest <= 0 || slope.cwiseAbs().maxCoeff() == 0)
+            return std::nullopt;
+        curvature.diagonal() += damping * curvature.diagonal().cwiseMax(1e-12 * largest).eval();
+        const Eigen::VectorXd to =
+            (x - curvature.ldlt().solve(slope)).cwiseMax(land.lower).cwiseMin(land.upper);
+        if (!to.allFinite() || to == x)
+            return std::nullopt;
+        return Step{to, at.residuals + at.jacobian * (to - x)};
+    }
 };
 
 /// @param evaluations  at most, after the start; >= 1

@@ -1,5 +1,5 @@
 #include "apps/commands/database/parts.hpp"
-#include "domain/numerics/stored.hpp"
+#include "domain/problem/stored.hpp"
 
 namespace app {
 
