@@ -1,4 +1,4 @@
-#include "tests/ga/vectors.hpp"
+#include "tests/ga/problems.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -9,7 +9,7 @@ using namespace ga;
 namespace {
 
 /// Notes the most threads that the process had during an evaluation.
-struct Watched : Vectors {
+struct Watched : Reals {
     std::atomic<long>* most;
 
     Outcome evaluate(const Genome& x) const {

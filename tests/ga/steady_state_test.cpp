@@ -1,5 +1,5 @@
 #include "ga/pipeline/steady_state.hpp"
-#include "tests/ga/vectors.hpp"
+#include "tests/ga/problems.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -9,14 +9,14 @@ using namespace ga;
 
 namespace {
 
-using Search = SteadyState<Vectors>;
+using Search = SteadyState<Reals>;
 
 std::unique_ptr<Search> search_of(long evaluations, std::uint64_t seed = 3, std::size_t size = 10) {
     RunOptions options;
     options.seed = seed;
     options.budget.evaluations = evaluations;
     return std::make_unique<Search>(sample(size), tournament(2, 2) | cross(blend()) | mutate(0.3), plus(),
-                                    Vectors{}, options);
+                                    Reals{}, options);
 }
 
 std::string bits_of(const Search& search) {
@@ -102,7 +102,7 @@ TEST_CASE("nothing is bred before anything is known") {
 }
 
 TEST_CASE("a steady-state search on threads keeps to its budget and replays") {
-    struct Uneven : Vectors {
+    struct Uneven : Reals {
         Outcome evaluate(const Genome& x) const {
             if (x[0] > 0.3)
                 std::this_thread::sleep_for(std::chrono::microseconds(300));
@@ -123,9 +123,9 @@ TEST_CASE("a steady-state search on threads keeps to its budget and replays") {
 }
 
 TEST_CASE("stages that cannot work in a steady-state search are refused before it begins") {
-    CHECK_THROWS_AS(SteadyState<Vectors>(best(1), mutate(0.3), plus(), Vectors{}), UsageError);
-    CHECK_THROWS_AS(SteadyState<Vectors>(sample(3), mutate(0.3), mutate(0.3), Vectors{}), UsageError);
-    SteadyState<Vectors> idle(sample(1), tournament(2, 1), plus(), Vectors{});
+    CHECK_THROWS_AS(SteadyState<Reals>(best(1), mutate(0.3), plus(), Reals{}), UsageError);
+    CHECK_THROWS_AS(SteadyState<Reals>(sample(3), mutate(0.3), mutate(0.3), Reals{}), UsageError);
+    SteadyState<Reals> idle(sample(1), tournament(2, 1), plus(), Reals{});
     const auto question = *idle.ask();
     idle.tell(question.id, question.genome);
     CHECK_THROWS_AS(idle.ask(), NothingLeft);
