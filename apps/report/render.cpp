@@ -51,6 +51,8 @@ data mustache_data(const json& value) {
             data item = mustache_data(one);
             if (item.is_object() && !item.get("row"))
                 item.set("row", std::to_string(1 + list.list_value().size()));
+            if (item.is_object())
+                item.set("more", list.list_value().size() + 1 < value.size());
             list << item;
         }
         return list;
@@ -165,9 +167,9 @@ class Context : public kainjow::mustache::context<std::string> {
     const data* figure(const std::string& name) const {
         const std::size_t colon = name.find(':');
         std::string argument = colon == std::string::npos ? "" : name.substr(colon + 1);
-        if (argument.starts_with('@')) {
-            const data* const value = get(argument.substr(1));
-            argument = value && value->is_string() ? value->string_value() : "";
+        if (const std::size_t at = argument.find('@'); at != std::string::npos) {
+            const data* const value = get(argument.substr(at + 1));
+            argument = argument.substr(0, at) + (value && value->is_string() ? value->string_value() : "");
         }
         const std::string script = name.substr(0, colon) + ".gp";
         return kept(data(figure_svg({.script = file_text(script, rendering_),

@@ -26,12 +26,12 @@ struct Rendering {
 /// - `{{#tables.NAME}}` repeats for each row of NAME.csv; a cell is found by the name of its column;
 /// - `{{{figures.NAME}}}` is the picture that apps/report/figures/NAME.gp draws from the tables. Behind a
 /// colon
-///   stands the script's variable `arg`: `figures.NAME:TEXT`, or `figures.NAME:@KEY` for a value;
+///   stands the script's variable `arg`: `figures.NAME:TEXT`; `@KEY` at its end is replaced by a value;
 /// - `{{KEY|FILTER}}` formats a value. Numbers: `3` (digits, the default), `percent`, `brief`, `length` (from
 ///   mm) and `pressure` (from MPa) with the unit that suits. Conditions for sections: `is:TEXT`, `above:X`,
 ///   `below:X`. Lists and objects: `count`, `some` (a
 ///   condition), and `items`, the entries of an object, each with its `key`. In a loop `row` is its number,
-///   from 1.
+///   from 1, and `more` is true unless it is the last.
 ///
 /// Throws rough::InputError if the kind has no template, a template cannot be parsed, or a table cannot be
 /// read.

@@ -1,52 +1,67 @@
 #pragma once
 
-#include "apps/experiments/paper/chromosome_example.hpp"
-#include "apps/experiments/paper/fractal_study.hpp"
-#include "apps/experiments/paper/readings.hpp"
-#include "apps/experiments/paper/ridge_study.hpp"
-#include "apps/experiments/paper/run.hpp"
+#include "apps/experiments/paper/studies.hpp"
 
-#include <optional>
-#include <string>
-#include <vector>
+#include <variant>
 
 namespace app {
 
 enum class Verdict { reproduced, contradicted, undecidable };
+/// "reproduced", "contradicted" or "undecidable"
+const char* name_of(Verdict verdict);
 
-/// One thing the paper says, beside what was measured here. Texts are HTML.
+/// The number that a rule is applied to, and the values it comes from, by their names. NaN: not in this run.
+struct Finding {
+    double number = unknown;
+    std::vector<std::pair<std::string, double>> parts = {};
+};
+
+/// One row of the table of claims. A condition is "> 0.95", ">= 30 and <= 120" or "never".
 struct Claim {
-    std::string place;    ///< e.g. "Figure 7"
-    std::string says;     ///< the paper
-    std::string measured; ///< here, with numbers
-    std::string rule;     ///< from the numbers to the verdict
+    std::string id;
+    std::string place;    ///< in the paper, e.g. "Figure 8A"
+    std::string sentence; ///< what the paper says
+    std::string measure;  ///< what the number is
+    /// The number once, or for each target.
+    std::variant<Finding (*)(const PaperRun&, const Studies&), Finding (*)(const PaperRun&, const TargetRun&)>
+        find;
+    std::string reproduced;                 ///< condition, on every target
+    std::string contradicted = "otherwise"; ///< condition, on every target; "otherwise": not `reproduced`
+    std::string remark = {};
+    bool depends_on_reading = true; ///< of the paper's text
+
+    std::string rule() const; ///< both conditions in words
+};
+
+/// The claims of the paper, in its order.
+const std::vector<Claim>& paper_claims();
+
+/// A claim with what was found, for each target or once.
+struct EvaluatedClaim {
+    const Claim* claim;
+    std::vector<std::pair<std::string, Finding>> findings; ///< by the target's title; "" if found once
     Verdict verdict = Verdict::undecidable;
 };
 
-/// What is measured beside the run for the claims that no search bears on.
-struct Studies {
-    std::vector<ChromosomeExample> chromosomes; ///< n = 1, 2
-    std::vector<RidgeCount> ridges;
-    std::vector<FractalStudy> fractals; ///< one a profile
-    Readings readings;
+/// Reproduced or contradicted if all numbers meet that condition; undecidable if a number is unknown, if
+/// there is none, or if the targets differ.
+Verdict verdict_of(const Claim& claim, const std::vector<double>& numbers);
+EvaluatedClaim evaluated(const Claim& claim, const PaperRun& run, const Studies& studies);
+
+/// The variant of that name, or null.
+const VariantRun* find_variant(const TargetRun& target, const std::string& name);
+
+/// One candidate's similarity at GCMMA (0), (1) and (2).
+struct Refinement {
+    std::uint64_t id;
+    std::array<double, 3> similarity;
 };
-Studies studies_of(const PaperRun& run);
+/// The candidates of a variant's first "refine", best first, followed by their ids. (2) copies (1) after one
+/// refinement only (CCO). Empty if the variant has none.
+std::vector<Refinement> refinements(const VariantRun& variant);
 
-std::vector<Claim> formula_claims(const Studies& studies); ///< Figures 1 and 2, Eq. 8
-std::vector<Claim> part_claims(const Studies& studies);    ///< Figure 3 and sections 1, 2.3
-std::vector<Claim> database_claims(const PaperRun& run);   ///< Figures 4 to 6 and section 4
-std::vector<Claim> series_claims(const PaperRun& run, const Studies& studies); ///< all these
-std::vector<Claim> search_claims(const PaperRun& run);                         ///< Figures 7 and 8
-std::vector<Claim> answer_claims(const PaperRun& run);                         ///< Figures 9 to 11
-
-/// All of them, in the paper's order.
-std::vector<Claim> paper_claims(const PaperRun& run, const Studies& studies);
-
-/// How the rule of a claim ends that holds or not on each target.
-inline const std::string both = " on every target; contradicted if on none.";
-
-/// True, false or unknown for each target: all true is reproduced, all false contradicted; undecidable where
-/// it depends on the target or nothing is known.
-Verdict verdict_over(const std::vector<std::optional<bool>>& targets);
+/// Figure 4: among genomes whose similarity over all pressures is at most 0.95, the one that is best over the
+/// low (or high) pressures.
+std::optional<std::size_t> best_in_part(const TargetRun& target, bool low);
 
 } // namespace app

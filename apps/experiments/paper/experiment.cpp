@@ -1,9 +1,7 @@
 #include "apps/experiments/experiment.hpp"
 
 #include "apps/cluster/evaluator.hpp"
-#include "apps/experiments/paper/page.hpp"
-#include "apps/experiments/paper/settings.hpp"
-#include "apps/experiments/paper/tables.hpp"
+#include "apps/experiments/paper/studies.hpp"
 #include "apps/experiments/paper/variant_runs.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/recorder.hpp"
@@ -139,7 +137,7 @@ class Paper {
     std::optional<VariantRun> run_variant(const Variant& variant, const DesignProblem& problem) const {
         std::vector<StageRecord> stages;
         const Run result = run_pipeline(variant, problem, {recorder(stages)});
-        return told(variant.name, problem, result, std::move(stages));
+        return finished_run(variant.name, problem, result, std::move(stages));
     }
 
     /// The same with a checkpoint and a log of every stage in the run's folder.
@@ -159,7 +157,7 @@ class Paper {
         const Run result =
             run_pipeline(variant, problem, {recorder(stages), log.observer(problem)}, &checkpoints);
         log.close();
-        std::optional<VariantRun> run = told(variant.name, problem, result, std::move(stages));
+        std::optional<VariantRun> run = finished_run(variant.name, problem, result, std::move(stages));
         tell_notes(result.notes);
         if (!log.trouble.empty())
             tell_notes({log.trouble});
@@ -188,8 +186,8 @@ Findings run_paper(const Settings& settings, const Conditions& conditions) {
         paper.sweep(target);
     }
     run->seconds = clock.seconds();
-    return {[run, folder = conditions.folder] { write_paper(*run, folder); },
-            [run] { return paper_page(*run); }};
+    conditions.progress.show("claims");
+    return {[run, folder = conditions.folder] { write_paper(*run, studies_of(*run), folder); }};
 }
 
 } // namespace
@@ -198,7 +196,26 @@ Experiment paper_experiment() {
     return {.kind = "paper",
             .summary = "the paper's experiment: SOG, GCO and CCO on one or two targets, every claim tried",
             .settings = paper_settings(),
-            .files = {"genomes.csv", "scores.csv", "stages.csv", "curves.csv", "thresholds.csv", "heldout",
+            .files = {"claims.csv",
+                      "genomes.csv",
+                      "database.csv",
+                      "scores.csv",
+                      "stages.csv",
+                      "refinements.csv",
+                      "convergence.csv",
+                      "curves.csv",
+                      "stiffness.csv",
+                      "heights.csv",
+                      "spectra.csv",
+                      "lines.csv",
+                      "target.csv",
+                      "thresholds.csv",
+                      "chromosomes.csv",
+                      "ridges.csv",
+                      "fractal-heights.csv",
+                      "fractal-bands.csv",
+                      "fractal-curves.csv",
+                      "heldout",
                       "log"},
             .run = run_paper,
             .resumes = true};

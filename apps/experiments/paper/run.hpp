@@ -1,15 +1,24 @@
 #pragma once
 
+#include "apps/prompt/settings.hpp"
 #include "apps/report/record.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/paper/dominance.hpp"
 #include "domain/target/target.hpp"
 
+#include <array>
+#include <filesystem>
+#include <limits>
 #include <map>
 
-/// What the paper's experiment found, as its figures and claims read it. The runner fills it; nothing here
-/// computes. Pressures in MPa, lengths in mm, stiffness in MPa/mm. An unknown number is NaN.
+/// What the paper's experiment found. Pressures in MPa, lengths in mm, stiffness in MPa/mm. An unknown number
+/// is NaN.
 namespace app {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// The paper's algorithms, as variants are named.
+inline constexpr std::array<const char*, 3> algorithms{"sog", "gco", "cco"};
 
 /// Similarity of one genome with a target (Eq. 12).
 struct Scores {
@@ -52,7 +61,18 @@ struct PaperRun {
     rough::DatabaseLayout layout;
     std::vector<Answered> database;                    ///< pair by pair, each with every phase column
     std::vector<TargetRun> targets;                    ///< drawn, then held-out
-    std::map<std::string, std::string> other_readings; ///< of claims by what the paper says, in words
+    std::map<std::string, std::string> other_readings; ///< what other readings make of a claim, by its id
 };
+
+/// The keys that experiments/paper.ini may set.
+std::vector<Setting> paper_settings();
+
+/// What they ask for, nothing run yet: models, targets, database, seed. Reads targets and scans; relative
+/// paths in the file are looked for beside it. Throws rough::InputError.
+PaperRun paper_from(const Settings& settings, const Origin& origin);
+
+struct Studies;
+/// Writes result.json and tables, those of a second target to the folder heldout.
+void write_paper(const PaperRun& run, const Studies& studies, const std::filesystem::path& folder);
 
 } // namespace app

@@ -1,5 +1,4 @@
-#include "apps/experiments/paper/settings.hpp"
-
+#include "apps/experiments/paper/run.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/scan_settings.hpp"
 #include "domain/errors.hpp"

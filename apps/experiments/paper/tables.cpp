@@ -1,70 +1,346 @@
-#include "apps/experiments/paper/tables.hpp"
-
+#include "apps/experiments/paper/claims.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
+#include "domain/mwm/discrete_spectrum.hpp"
+#include "domain/numerics/statistics.hpp"
+#include "domain/profile/spectrum.hpp"
 #include "domain/text/atomic_file.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace app {
 
 namespace {
 
-void write_database_table(const PaperRun& run, const std::filesystem::path& folder) {
-    Csv table("id,H,gamma,phase_column,chromosomes,amplitude_after_rescaling");
-    for (std::size_t i = 0; i < run.database.size(); ++i) {
-        const auto& series = run.database[i].genome.series.front();
-        table.row(i, series.H, series.gamma, i % static_cast<std::size_t>(run.layout.phase_columns) + 1,
-                  series.chromosomes.size(), series.A * run.database[i].genome.scale);
-    }
-    rough::write_atomically(folder / "genomes.csv", table.text());
+using nlohmann::json;
+
+bool is_papers(const std::string& name) {
+    return std::find(algorithms.begin(), algorithms.end(), name) != algorithms.end();
 }
 
-void write_target_tables(const TargetRun& target, const std::filesystem::path& folder) {
+/// Whether figures show an answer: those of the paper's algorithms and of the experiment's own variants.
+bool is_shown(const std::string& name) { return is_papers(name) || !name.ends_with("-minimax"); }
+
+/// "sog-minimax" as "SOG, minimax"; an experiment's own variant by its own name.
+std::string shown_name(const std::string& name) {
+    const std::string algorithm = name.substr(0, name.find("-minimax"));
+    if (!is_papers(algorithm))
+        return name;
+    std::string result;
+    for (const char c : algorithm)
+        result += static_cast<char>(c - 'a' + 'A');
+    return result + (name == algorithm ? "" : ", minimax");
+}
+
+/// Tables of one folder.
+class Tables {
+  public:
+    explicit Tables(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    void write(const std::string& name, const Csv& table) const {
+        rough::write_atomically(folder_ / (name + ".csv"), table.text());
+    }
+
+  private:
+    std::filesystem::path folder_;
+};
+
+void write_database_tables(const PaperRun& run, const Tables& tables) {
+    Csv genomes("id,H,gamma,phase_column,chromosomes,amplitude_after_rescaling");
+    Csv curves("id,pressure_MPa,stiffness_MPa_per_mm", 8);
+    for (std::size_t i = 0; i < run.database.size(); ++i) {
+        const auto& series = run.database[i].genome.series.front();
+        genomes.row(i, series.H, series.gamma, i % static_cast<std::size_t>(run.layout.phase_columns) + 1,
+                    series.chromosomes.size(), series.A * run.database[i].genome.scale);
+        const rough::Curve K = to_its_end(secant_stiffness(run.database[i].response));
+        for (Eigen::Index j = 0; j < K.x.size(); ++j)
+            curves.row(i, K.x[j], K.y[j]);
+    }
+    tables.write("genomes", genomes);
+    tables.write("database", curves);
+}
+
+void write_study_tables(const Studies& studies, const Tables& tables) {
+    Csv chromosomes("n,ridge,x_mm,height_mm", 8);
+    for (const ChromosomeExample& example : studies.chromosomes)
+        for (std::size_t m = 0; m <= example.ridges.size(); ++m) { // 0: their sum
+            const Eigen::VectorXd& heights = m ? example.ridges[m - 1] : example.sum;
+            for (Eigen::Index i = 0; i < heights.size(); ++i)
+                chromosomes.row(example.n, m, example.x[i], heights[i]);
+        }
+    tables.write("chromosomes", chromosomes);
+
+    Csv ridges("ridges,as_printed,last_missing,right_phase");
+    for (const RidgeCount& row : studies.ridges)
+        ridges.row(row.ridges, row.as_printed, row.last_missing, row.right_phase);
+    tables.write("ridges", ridges);
+
+    const FractalStudy& study = studies.fractals.front();
+    Csv heights("x_mm,whole_mm,reduced_mm", 8), bands("longest_mm,shortest_mm,dominant");
+    for (Eigen::Index i = 0; i < study.whole.nodes(); ++i)
+        heights.row(static_cast<double>(i) * study.whole.spacing, study.whole.heights[i],
+                    study.reduced.heights[i]);
+    for (std::size_t b = 0; b < study.bands.size(); ++b)
+        bands.row(study.bands[b].longest, study.bands[b].shortest, study.dominant[b] ? 1 : 0);
+    Csv curves("profile,quantity,pressure_MPa,value", 8);
+    for (const auto& [name, response] :
+         {std::pair("whole", &study.whole_response), {"reduced", &study.reduced_response}})
+        for (const auto& [quantity, curve] : {std::pair("stiffness", secant_stiffness(*response)),
+                                              {"area", area_against_pressure(*response)}})
+            for (Eigen::Index j = 0; j < curve.x.size(); ++j)
+                curves.row(name, quantity, curve.x[j], curve.y[j]);
+    tables.write("fractal-heights", heights);
+    tables.write("fractal-bands", bands);
+    tables.write("fractal-curves", curves);
+}
+
+/// Stages, refinements and the best similarity known after each stage.
+void write_search_tables(const TargetRun& target, const Tables& tables) {
     Csv scores("id,similarity,similarity_low,similarity_high");
     for (std::size_t i = 0; i < target.database.size(); ++i)
         scores.row(i, target.database[i].all, target.database[i].low, target.database[i].high);
-    rough::write_atomically(folder / "scores.csv", scores.text());
+    tables.write("scores", scores);
 
-    Csv stages("variant,path,id,parent1,parent2,similarity");
-    Csv curves(
-        "variant,displacement_mm,pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm,kkt_residual");
+    Csv stages("variant,path,id,parent1,parent2,similarity"), refined("variant,rank,id,stage,similarity"),
+        convergence("variant,name,spent,best_similarity");
     for (const VariantRun& variant : target.variants) {
-        for (const StageRecord& stage : variant.stages)
+        double best = unknown;
+        for (const StageRecord& stage : variant.stages) {
             for (const Candidate& one : stage.candidates) {
                 const auto parent = [&](std::size_t i) {
                     return i < one.parents.size() ? std::to_string(one.parents[i]) : std::string();
                 };
                 stages.row(variant.name, stage.path, one.id, parent(0), parent(1), one.similarity);
+                best = std::fmax(best, one.similarity);
             }
-        const rough::Response& response = variant.answer.response;
-        for (rough::Index j = 0; j < response.steps(); ++j)
-            curves.row(variant.name, response.displacement[j], response.pressure[j],
-                       response.contact_fraction[j], response.tangent_stiffness[j], response.kkt_residual[j]);
+            if (std::isfinite(best))
+                convergence.row(variant.name, shown_name(variant.name), stage.spent, best);
+        }
+        const auto candidates = refinements(variant);
+        for (std::size_t rank = 0; rank < candidates.size(); ++rank)
+            for (std::size_t stage = 0; stage < 3; ++stage)
+                refined.row(variant.name, rank + 1, candidates[rank].id, stage,
+                            candidates[rank].similarity[stage]);
     }
-    rough::write_atomically(folder / "stages.csv", stages.text());
-    rough::write_atomically(folder / "curves.csv", curves.text());
-
+    tables.write("stages", stages);
+    tables.write("refinements", refined);
+    tables.write("convergence", convergence);
     if (target.thresholds.empty())
         return;
     Csv thresholds("p_bar_MPa,variant,U1,U2,at_least_used,children,share_above,best_child,similarity");
     for (const ThresholdRow& row : target.thresholds)
         thresholds.row(row.p_bar, row.variant, row.u1, row.u2, row.at_least_used, row.children,
                        row.share_above, row.best_child, row.similarity);
-    rough::write_atomically(folder / "thresholds.csv", thresholds.text());
+    tables.write("thresholds", thresholds);
+}
+
+/// Curves, heights and spectra of the answers.
+void write_answer_tables(const PaperRun& run, const TargetRun& target, const Tables& tables) {
+    Csv curves(
+        "variant,displacement_mm,pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm,kkt_residual");
+    Csv stiffness("variant,pressure_MPa,stiffness_MPa_per_mm", 8), heights("variant,x_mm,height_mm", 8),
+        spectra("variant,wavenumber_rad_per_mm,density_mm3", 8),
+        lines("variant,wavenumber_rad_per_mm,power_mm2,density_mm3", 8);
+    for (const VariantRun& variant : target.variants) {
+        const rough::Response& response = variant.answer.response;
+        for (rough::Index j = 0; j < response.steps(); ++j)
+            curves.row(variant.name, response.displacement[j], response.pressure[j],
+                       response.contact_fraction[j], response.tangent_stiffness[j], response.kkt_residual[j]);
+        if (!is_shown(variant.name))
+            continue;
+        const rough::Curve K = to_its_end(secant_stiffness(response));
+        for (Eigen::Index j = 0; j < K.x.size(); ++j)
+            stiffness.row(variant.name, K.x[j], K.y[j]);
+        const rough::Profile profile = sample(variant.answer.genome, run.model.grid);
+        const double mean = profile.heights.mean();
+        for (rough::Index i = 0; i < profile.nodes(); ++i)
+            heights.row(variant.name, static_cast<double>(i) * profile.spacing, profile.heights[i] - mean);
+        const rough::Spectrum spectrum = continuous_spectrum(profile);
+        for (Eigen::Index k = 0; k < spectrum.density.size(); ++k)
+            spectra.row(variant.name, spectrum.wave_number[k], spectrum.density[k]);
+        // The peak of a cosine's density under a Hann window, whose mean square is 1.5 times its squared
+        // mean.
+        for (const rough::SpectralLine& line : discrete_spectrum(variant.answer.genome))
+            lines.row(variant.name, line.wave_number, line.power,
+                      line.power / (1.5 * spectrum.wave_number[0]));
+    }
+    Csv points("pressure_MPa,stiffness_MPa_per_mm");
+    for (rough::Index k = 0; k < target.target.points(); ++k)
+        points.row(target.target.x[k], target.target.y[k]);
+    tables.write("curves", curves);
+    tables.write("stiffness", stiffness);
+    tables.write("heights", heights);
+    tables.write("spectra", spectra);
+    tables.write("lines", lines);
+    tables.write("target", points);
+}
+
+/// The runs on one target as the page shows them.
+json target_page(const TargetRun& target, const std::string& folder) {
+    json result = {{"title", target.title},
+                   {"folder", folder},
+                   {"shown", folder},
+                   {"runs", json::array()},
+                   {"parts", json::array()}};
+    double best = unknown;
+    std::vector<Eigen::VectorXd> surfaces;
+    for (const VariantRun& variant : target.variants) {
+        best = std::fmax(best, variant.similarity);
+        if (is_shown(variant.name)) {
+            result["shown"] = result["shown"].get<std::string>() + " " + variant.name;
+            result["shown_variants"].push_back({{"title", shown_name(variant.name)},
+                                                {"on", target.title},
+                                                {"figure", variant.name + " " + folder}});
+        }
+        std::string descent;
+        if (!variant.stages.empty() && !variant.stages.back().candidates.empty()) {
+            const Candidate& answer = variant.stages.back().candidates.front();
+            for (const std::uint64_t parent : answer.parents)
+                descent += (descent.empty() ? "" : " + ") + std::to_string(parent);
+            if (descent.empty())
+                descent = std::to_string(answer.id);
+        }
+        const auto candidates = refinements(variant);
+        result["runs"].push_back({{"name", shown_name(variant.name)},
+                                  {"similarity", variant.similarity},
+                                  {"similarity_refined", variant.similarity_refined},
+                                  {"similarity_worst", variant.similarity_worst},
+                                  {"before", candidates.empty() ? json() : json(candidates[0].similarity[0])},
+                                  {"genomes", descent},
+                                  {"curves", variant.curves},
+                                  {"gradients", variant.gradients},
+                                  {"seconds", variant.seconds}});
+    }
+    result["best_similarity"] = best;
+    const VariantRun *const sog = find_variant(target, "sog"), *const gco = find_variant(target, "gco");
+    result["one_surface"] =
+        sog && gco &&
+        gap(area_against_pressure(sog->answer.response), area_against_pressure(gco->answer.response)) < 1e-9;
+    std::string parts = folder;
+    for (const bool low : {true, false})
+        if (const auto genome = best_in_part(target, low)) {
+            const Scores& scores = target.database[*genome];
+            parts += " " + std::to_string(*genome);
+            result["parts"].push_back({{"genome", *genome},
+                                       {"part", low ? "below" : "above"},
+                                       {"similarity_all", scores.all},
+                                       {"similarity_part", low ? scores.low : scores.high}});
+        }
+    result["part_figure"] = parts;
+    return result;
+}
+
+/// One reading of Algorithm 1: what it keeps of the database, and the answers with it.
+json dominance_json(const PaperRun& run, const std::vector<Reduction>& rows, const std::string& name,
+                    bool ours) {
+    json result = {{"reading", name},
+                   {"ours", ours},
+                   {"similarity", rough::median(rough::column(rows, &Reduction::similarity))},
+                   {"kept", rough::mean(rough::column(rows, &Reduction::kept))},
+                   {"only_best", std::count_if(rows.begin(), rows.end(),
+                                               [](const Reduction& row) { return row.only_best; })},
+                   {"answers", json::array()}};
+    for (const TargetRun& target : run.targets)
+        for (const VariantRun& variant : ours ? target.variants : target.other_reading)
+            if (is_papers(variant.name))
+                result["answers"].push_back({{"on", target.title},
+                                             {"name", shown_name(variant.name)},
+                                             {"similarity", variant.similarity}});
+    return result;
+}
+
+json datum_json(const PaperRun& run, const Studies& studies) {
+    const auto [least, greatest] =
+        std::minmax_element(studies.datum_similarity.begin(), studies.datum_similarity.end());
+    json result = {{"factor", studies.datum_factor},
+                   {"similarity_least", *least},
+                   {"similarity_greatest", *greatest},
+                   {"targets", json::array()}};
+    for (std::size_t t = 0; t < run.targets.size(); ++t) {
+        double best = unknown;
+        for (const Scores& scores : run.targets[t].database)
+            best = std::fmax(best, scores.all);
+        result["targets"].push_back({{"on", run.targets[t].title},
+                                     {"best_similarity", best},
+                                     {"best_similarity_there", studies.datum_best[t]}});
+    }
+    return result;
+}
+
+/// The claims and how many have each verdict; also as claims.csv.
+json claims_json(const PaperRun& run, const Studies& studies, const Tables& tables) {
+    json claims = json::array(), counts = {{"reproduced", 0}, {"contradicted", 0}, {"undecidable", 0}};
+    Csv table("id,figure,sentence,measure,rule,verdict,number,number_heldout");
+    for (const Claim& claim : paper_claims()) {
+        const EvaluatedClaim result = evaluated(claim, run, studies);
+        const std::string verdict = name_of(result.verdict);
+        counts[verdict] = counts[verdict].get<int>() + 1;
+        json numbers = json::array();
+        for (const auto& [title, finding] : result.findings) {
+            numbers.push_back({{"on", title},
+                               {"number", finding.number},
+                               {"known", !std::isnan(finding.number)},
+                               {"parts", json::array()}});
+            for (const auto& [name, value] : finding.parts)
+                numbers.back()["parts"].push_back({{"name", name}, {"value", value}});
+        }
+        const auto number = [&](std::size_t i) {
+            return i < result.findings.size() ? result.findings[i].second.number : unknown;
+        };
+        table.row(claim.id, claim.place, claim.sentence, claim.measure, claim.rule(), verdict, number(0),
+                  number(1));
+        const auto other = run.other_readings.find(claim.id);
+        const std::string figure = claim.place.starts_with("Figure ")
+                                       ? claim.place.substr(7, claim.place.find_last_of("0123456789") - 6)
+                                       : "";
+        claims.push_back({{"id", claim.id},
+                          {"place", claim.place},
+                          {"figure_number", figure},
+                          {"sentence", claim.sentence},
+                          {"measure", claim.measure},
+                          {"rule", claim.rule()},
+                          {"remark", claim.remark},
+                          {"verdict", verdict},
+                          {"numbers", std::move(numbers)},
+                          {"other_readings", other == run.other_readings.end() ? "" : other->second}});
+    }
+    tables.write("claims", table);
+    return {{"claims", std::move(claims)}, {"verdicts", std::move(counts)}};
 }
 
 } // namespace
 
-void write_paper(const PaperRun& run, const std::filesystem::path& folder) {
+void write_paper(const PaperRun& run, const Studies& studies, const std::filesystem::path& folder) {
+    const Tables tables(folder);
+    json page = claims_json(run, studies, tables);
+    page["seconds"] = run.seconds;
+    page["database_size"] = run.database.size();
+    const bool by_pressure = run.dominance == rough::DominanceReading::same_pressure;
+    page["dominance"] = {dominance_json(run, studies.same_pressure, "pressure", by_pressure),
+                         dominance_json(run, studies.same_step, "step", !by_pressure)};
+    page["datum"] = datum_json(run, studies);
+    std::string target_figure;
     for (const TargetRun& target : run.targets) {
-        const auto place = &target == &run.targets.front() ? folder : subfolder(folder, "heldout");
-        write_target_tables(target, place);
-        nlohmann::json result = result_json(
+        const std::string place = &target == &run.targets.front() ? "./" : "heldout/";
+        page["targets"].push_back(target_page(target, place));
+        target_figure += place + " " + target.title + " ";
+    }
+    page["target_figure"] = target_figure;
+    for (const TargetRun& target : run.targets) {
+        const bool first = &target == &run.targets.front();
+        const auto place = first ? folder : subfolder(folder, "heldout");
+        write_search_tables(target, Tables(place));
+        write_answer_tables(run, target, Tables(place));
+        json result = result_json(
             {run.origin, run.searched, {run.searched}, run.max_pressure, target.target, target.variants});
         result["threshold_MPa"] = target.p_bar;
+        if (first)
+            result.update(page);
         write_json(place / "result.json", result);
     }
-    write_database_table(run, folder);
+    write_database_tables(run, tables);
+    write_study_tables(studies, tables);
 }
 
 } // namespace app

@@ -12,8 +12,9 @@ std::vector<NamedPipeline> paper_three(const rough::Vocabulary& words) {
     return {{"sog", sog(words)}, {"gco", gco(words)}, {"cco", cco(words)}};
 }
 
-std::optional<VariantRun> told(const std::string& name, const rough::DesignProblem& problem,
-                               const ga::Result<rough::Genome>& result, std::vector<StageRecord> stages) {
+std::optional<VariantRun> finished_run(const std::string& name, const rough::DesignProblem& problem,
+                                       const ga::Result<rough::Genome>& result,
+                                       std::vector<StageRecord> stages) {
     if (result.population.empty())
         return std::nullopt;
     VariantRun run;

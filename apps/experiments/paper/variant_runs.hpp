@@ -18,8 +18,9 @@ std::vector<NamedPipeline> paper_three(const rough::Vocabulary& words);
 
 /// What a run of a pipeline came to, its answer solved throughout; nothing when it was stopped before a
 /// genome was scored.
-std::optional<VariantRun> told(const std::string& name, const rough::DesignProblem& problem,
-                               const ga::Result<rough::Genome>& result, std::vector<StageRecord> stages);
+std::optional<VariantRun> finished_run(const std::string& name, const rough::DesignProblem& problem,
+                                       const ga::Result<rough::Genome>& result,
+                                       std::vector<StageRecord> stages);
 
 /// A run of gco or cco at one threshold (MPa).
 ThresholdRow threshold_row(const VariantRun& run, double p_bar);

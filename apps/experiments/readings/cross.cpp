@@ -95,10 +95,8 @@ std::vector<rough::Genome> database_of(const rough::DatabaseLayout& layout, std:
     return genomes;
 }
 
-/// Claims that hang on a clock, or that no reading can decide.
-bool is_verified(const Claim& claim) {
-    return !claim.says.starts_with("Each algorithm takes") && !claim.says.starts_with("The target's trend") &&
-           !claim.says.starts_with("p̄ =");
+char sign_of(const EvaluatedClaim& claim) {
+    return claim.verdict == Verdict::reproduced ? '1' : claim.verdict == Verdict::contradicted ? '0' : '?';
 }
 
 class ReadingsTrial {
@@ -160,7 +158,7 @@ class ReadingsTrial {
         const auto genomes = database_of(run.layout, number, run.origin.seed);
         run.database = answered(genomes, run.model, max_pressure_, run.origin.threads);
         Studies studies;
-        add_removals(run, studies.readings);
+        add_removals(run, studies);
         const auto responses = std::make_shared<rough::LoneResponses>(run.model);
         const auto memory = std::make_shared<rough::ResponseMemory>();
 
@@ -180,8 +178,12 @@ class ReadingsTrial {
                             fractal_studies(run.model, run.origin.seed, run.origin.threads,
                                             static_cast<rough::DominanceReading>(c), dominant_above[d]);
                     studies.fractals = fractals;
-                    studies.readings.same_pressure = reductions(run, *rule);
-                    const auto own = part_claims(studies);
+                    studies.same_pressure = reductions(run, *rule);
+                    std::vector<char> own;
+                    for (const Claim& claim : paper_claims())
+                        own.push_back(claim.find.index() == 0 && claim.depends_on_reading
+                                          ? sign_of(evaluated(claim, run, studies))
+                                          : '?');
                     for (const rough::Target& target : pressed.targets)
                         parts.push_back({reading,
                                          number,
@@ -225,7 +227,7 @@ class ReadingsTrial {
         std::size_t database;
         const rough::Target* target;
         rough::Vocabulary words;
-        std::vector<Claim> own; ///< that hang on no target
+        std::vector<char> own; ///< signs of the claims that do not depend on a target; one for each claim
     };
     struct Found {
         std::vector<ReadingCell> cells;
@@ -251,7 +253,7 @@ class ReadingsTrial {
             std::vector<StageRecord> stages;
             const auto result =
                 ga::run(way.pipeline, problem, ga::population(genomes), options, {recorder(stages)});
-            auto one = told(way.name, problem, result, std::move(stages));
+            auto one = finished_run(way.name, problem, result, std::move(stages));
             if (!one || conditions_.stop)
                 throw ga::Stopped{"interrupted"};
             ++found.searches;
@@ -289,15 +291,14 @@ class ReadingsTrial {
                     run.targets = {target};
                     found.cells.push_back({reading, part.database, part.target->name, ""});
                     found.claims.clear();
-                    for (const auto& some :
-                         {part.own, database_claims(run), search_claims(run), answer_claims(run)})
-                        for (const Claim& claim : some)
-                            if (is_verified(claim)) {
-                                found.claims.emplace_back(claim.place, claim.says);
-                                found.cells.back().holds += claim.verdict == Verdict::reproduced     ? '1'
-                                                            : claim.verdict == Verdict::contradicted ? '0'
-                                                                                                     : '?';
-                            }
+                    for (std::size_t c = 0; c < paper_claims().size(); ++c) {
+                        const Claim& claim = paper_claims()[c];
+                        if (!claim.depends_on_reading)
+                            continue;
+                        found.claims.emplace_back(claim.place, claim.sentence);
+                        found.cells.back().holds +=
+                            claim.find.index() == 0 ? part.own[c] : sign_of(evaluated(claim, run, {}));
+                    }
                 }
             }
         } catch (const ga::Stopped&) {
@@ -357,7 +358,7 @@ std::size_t deviations(const Reading& reading) {
 double ReadingCross::share(std::size_t claim, const std::function<bool(const ReadingCell&)>& counts) const {
     std::vector<double> holds;
     for (const ReadingCell& cell : cells)
-        if (cell.holds[claim] != '?' && counts(cell))
+        if (counts(cell))
             holds.push_back(cell.holds[claim] == '1');
     return rough::mean(holds);
 }

@@ -33,14 +33,14 @@ struct ReadingCell {
 struct ReadingCross {
     bool quick = false;
     std::size_t databases = 0;                               ///< with other phases
-    std::vector<std::pair<std::string, std::string>> claims; ///< place, what the paper says (HTML)
+    std::vector<std::pair<std::string, std::string>> claims; ///< place, what the paper says
     std::vector<std::string> targets;
     std::vector<ReadingCell> cells;
     std::string runs;              ///< rows of runs.csv
     long searches = 0, curves = 0; ///< runs of an algorithm, and the curves and gradients they asked for
 
-    /// Of the cells that `counts` admits and where it can be said, the share in which a claim holds; NaN of
-    /// none.
+    /// Share of the cells that `counts` admits in which a claim holds; NaN if it admits none. A cell in which
+    /// the claim is undecidable counts as one in which it does not hold.
     double share(std::size_t claim, const std::function<bool(const ReadingCell&)>& counts) const;
     /// Claims that hold under a reading, in the mean over the targets, from Sobol phases.
     double holding(const Reading& reading) const;

@@ -1,3 +1,4 @@
+#include "apps/experiments/paper/claims.hpp"
 #include "apps/experiments/readings/cross.hpp"
 #include "apps/experiments/study.hpp"
 #include "apps/prompt/model_settings.hpp"
@@ -63,8 +64,10 @@ Findings run_readings(const Settings& settings, const Conditions& conditions) {
         return {};
     Study study = study_of(cross);
     nlohmann::json told{{"command", conditions.origin.command}, {"version", conditions.origin.version}};
-    for (std::size_t c = 0; c < cross.claims.size(); ++c)
-        told["claims"][cross.claims[c].second] = claim_words(cross, c);
+    std::size_t column = 0;
+    for (const Claim& claim : paper_claims())
+        if (claim.depends_on_reading)
+            told["claims"][claim.id] = claim_words(cross, column++);
     study.files.emplace_back("readings.json", rough::json_text(told) + "\n"); // what the paper's page takes
     return findings_of(conditions, "The paper under every reading", std::move(study),
                        [cross](Page& page) { fill_readings_page(page, cross); });

@@ -133,7 +133,7 @@ Table claims_table(const ReadingCross& cross) {
                 return (cell.database > 0) == drawn && cell.reading == reading;
             }));
         };
-        table.rows.push_back({std::to_string(c + 1), cross.claims[c].first, Html::raw(cross.claims[c].second),
+        table.rows.push_back({std::to_string(c + 1), cross.claims[c].first, cross.claims[c].second,
                               under(ours, false), under(best, false), share_words(cross.share(c, from_sobol)),
                               under(ours, true), hangs_on(cross, c)});
     }
@@ -143,12 +143,18 @@ Table claims_table(const ReadingCross& cross) {
 } // namespace
 
 std::string claim_words(const ReadingCross& cross, std::size_t claim) {
-    const double share = cross.share(claim, from_sobol);
+    std::array<double, 2> shares{}; // holds, undecidable
+    double cells = 0;
+    for (const ReadingCell& cell : cross.cells)
+        if (from_sobol(cell)) {
+            ++cells;
+            shares[0] += cell.holds[claim] == '1', shares[1] += cell.holds[claim] == '?';
+        }
     const std::string by = hangs_on(cross, claim);
-    return std::isnan(share)
-               ? "cannot be said under any"
-               : "holds in " + percent(share, 3) + " of " + std::to_string(cross.ranked().size()) +
-                     " readings and targets" + (by.empty() ? "" : "; most by " + by);
+    return "holds in " + percent(shares[0] / cells, 3) +
+           (shares[1] > 0 ? ", is undecidable in " + percent(shares[1] / cells, 3) : "") + " of " +
+           std::to_string(cross.ranked().size()) + " readings on " + std::to_string(cross.targets.size()) +
+           " targets" + (by.empty() ? "" : "; depends most on " + by);
 }
 
 std::vector<std::string> readings_words(const ReadingCross& cross) {
@@ -219,7 +225,7 @@ void fill_readings_page(Page& page, const ReadingCross& cross) {
     page.section("The claims");
     page.prose(
         "Shares of targets under one reading, or of readings and targets. “Other phases” are runs from "
-        "databases with other phases. A claim that cannot be said counts nowhere.");
+        "databases with other phases. An undecidable claim counts as one that does not hold.");
     page.table(claims_table(cross));
     page.section("The readings");
     nlohmann::json best;

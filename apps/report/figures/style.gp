@@ -20,3 +20,5 @@ pressure_factor(m) = m < 1e-3 ? 1e6 : m < 1 ? 1e3 : m < 1e3 ? 1 : 1e-3
 pressure_unit(m) = m < 1e-3 ? "Pa" : m < 1 ? "kPa" : m < 1e3 ? "MPa" : "GPa"
 length_factor(m) = m < 1e-3 ? 1e6 : m < 1 ? 1e3 : m < 1e3 ? 1 : 1e-3
 length_unit(m) = m < 1e-3 ? "nm" : m < 1 ? "µm" : m < 1e3 ? "mm" : "m"
+# The title of a variant.
+titled(name) = (at = strstrt("sog gco cco", name)) && strlen(name) == 3 ? substr("SOG GCO CCO", at, at + 2) : name

@@ -1,0 +1,251 @@
+#include "apps/experiments/paper/studies.hpp"
+
+#include "domain/mwm/waves.hpp"
+#include "domain/numerics/statistics.hpp"
+#include "domain/target/similarity.hpp"
+#include "ga/base/parallel.hpp"
+#include "ga/base/random.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace app {
+
+namespace {
+
+/// What `difference` makes of the two curves at each point of `a` within the range of `b`.
+template <class Difference>
+std::vector<double> differences(const rough::Curve& a, const rough::Curve& b, Difference difference) {
+    std::vector<double> all;
+    for (Eigen::Index i = 0; i < a.x.size(); ++i)
+        if (a.x[i] >= b.from && a.x[i] <= b.to && a.y[i] != 0)
+            all.push_back(difference(a.y[i], b.at(a.x[i])));
+    return all;
+}
+
+constexpr double rounding = 1e-12; ///< of M: where |g1| = R exactly, the last bit must not decide
+
+bool holds(double g1, double radicand, double ridges) {
+    return std::abs(g1) <= std::sqrt(std::max(radicand, 0.0)) + rounding * ridges;
+}
+
+/// g3 = sum over pairs m < l of cos(phi_m - phi_l), as running sums of cosines and sines.
+double pair_sum(const std::vector<double>& phases) {
+    double g3 = 0, cosines = 0, sines = 0;
+    for (double phase : phases) {
+        const double c = std::cos(phase), s = std::sin(phase);
+        g3 += cosines * c + sines * s;
+        cosines += c;
+        sines += s;
+    }
+    return g3;
+}
+
+constexpr double hurst = 0.8; ///< of fracture surfaces (Bouchaud, Lapasset and Planes 1990)
+constexpr double rms = 1e-3;  ///< mm; a profile's K does not depend on its amplitude
+
+FractalStudy study_of(const rough::Model& model, std::uint64_t seed, rough::DominanceReading reading,
+                      double threshold) {
+    const auto answer = [&](const rough::Profile& profile) {
+        return respond(profile, model.body, model.loading, model.contact);
+    };
+    FractalStudy study;
+    study.whole = rough::fractal_profile(model.grid, hurst, rms, seed);
+    study.whole_response = answer(study.whole);
+    study.bands = rough::octave_bands(study.whole);
+    std::vector<std::optional<rough::Curve>> alone;
+    for (const rough::Band& band : study.bands)
+        alone.push_back(compared_curve(answer({band.heights, study.whole.spacing}), reading));
+    const rough::DominantParts parts =
+        dominant_parts(compared_curve(study.whole_response, reading), alone, threshold, reading);
+    study.dominant.assign(parts.dominant.begin(), parts.dominant.end());
+    study.reduced = {Eigen::VectorXd::Zero(study.whole.nodes()), study.whole.spacing};
+    for (std::size_t b = 0; b < study.bands.size(); ++b)
+        if (study.dominant[b])
+            study.reduced.heights += study.bands[b].heights;
+    study.reduced_response = answer(study.reduced);
+    return study;
+}
+
+using rough::Curve;
+using rough::Genome;
+
+Curve at_pressure(const rough::Response& response, double max_pressure) {
+    return stretched(secant_stiffness(response),
+                     max_pressure / response.pressure[response.steps() - 1]); // Eq. 11
+}
+
+Reduction reduction_of(const Genome& genome, const Curve& whole, const PaperRun& run,
+                       const rough::DominanceRule& rule) {
+    const rough::Dominance dominance = rule(genome);
+    const Genome kept = reduced(genome, dominance);
+    return {static_cast<double>(waves(kept).size()) / static_cast<double>(waves(genome).size()),
+            similarity(whole, at_pressure(respond(kept, run.model), run.max_pressure)), dominance.only_best};
+}
+
+/// The coarser (longer) or the finer half of a genome's waves alone.
+Genome half_of(const Genome& genome, bool coarse) {
+    return filtered(genome, [&](std::size_t s, std::size_t c) {
+        return (2 * c < genome.series[s].chromosomes.size()) == coarse;
+    });
+}
+
+/// How the whole's curves change to those of what is left; NaN where that has no height at the nodes.
+Removal removal(const rough::Response& whole, const Genome& left, const rough::Model& model) {
+    const rough::Profile profile = sample(left, model.grid);
+    if (is_flat(profile, left))
+        return {};
+    const rough::Response rest = respond(profile, model.body, model.loading, model.contact);
+    return {relative_gap(secant_stiffness(whole), secant_stiffness(rest)),
+            relative_gap(area_against_pressure(whole), area_against_pressure(rest))};
+}
+
+/// The contact sets of a genome's own load steps, one compared with the next.
+Contacts contacts_of(const Answered& member, const rough::Model& model) {
+    const Eigen::VectorXd& steps = member.response.displacement;
+    rough::ContactOptions options = model.contact;
+    options.states = true;
+    const auto states = solve_contact(sample(member.genome, model.grid), model.body,
+                                      {steps.data(), steps.data() + steps.size()}, options)
+                            .states;
+    Contacts contacts;
+    for (std::size_t j = 0; j + 1 < states.size(); ++j) {
+        const std::set<int> next(states[j + 1].nodes.begin(), states[j + 1].nodes.end());
+        contacts.nodes += static_cast<long>(states[j].nodes.size());
+        for (const int node : states[j].nodes)
+            contacts.lost += !next.contains(node);
+    }
+    return contacts;
+}
+
+} // namespace
+
+ChromosomeExample chromosome_example(int n, std::uint64_t seed) {
+    const rough::Series series{1e-2, 0.8, 1.5, 0.1, {}};
+    constexpr std::size_t ridges = 8;
+    const double k = rough::wave_number(series, n), G = rough::amplitude(series, n, ridges);
+    ga::Stream random(ga::fold(ga::fold(seed, "chromosomes"), static_cast<std::uint64_t>(n)));
+
+    ChromosomeExample example{
+        n, rough::wave_length(series, n), Eigen::VectorXd::LinSpaced(201, 0, 0.1), {}, {}, 0};
+    example.sum.setZero(example.x.size());
+    for (std::size_t m = 0; m < ridges; ++m) {
+        const double phase = random.uniform(0, 2 * std::numbers::pi);
+        example.ridges.push_back(G * (std::cos(phase) - (k * example.x.array() + phase).cos())); // Eq. 1
+        example.sum += example.ridges.back();
+    }
+    Eigen::MatrixXd cosine(example.x.size(), 3);
+    cosine << Eigen::VectorXd::Ones(example.x.size()), (k * example.x.array()).cos().matrix(),
+        (k * example.x.array()).sin().matrix();
+    const Eigen::VectorXd best = cosine * cosine.colPivHouseholderQr().solve(example.sum);
+    example.misfit =
+        (example.sum - best).cwiseAbs().maxCoeff() / (example.sum.maxCoeff() - example.sum.minCoeff());
+    return example;
+}
+
+std::vector<RidgeCount> ridge_study(const std::vector<int>& ridge_counts, int sets, std::uint64_t seed) {
+    std::vector<RidgeCount> counts;
+    for (int M : ridge_counts) {
+        ga::Stream random(ga::fold(ga::fold(seed, "ridges"), static_cast<std::uint64_t>(M)));
+        const double ridges = M;
+        int printed = 0, missing = 0, right = 0;
+        for (int set = 0; set < sets; ++set) {
+            std::vector<double> phases(static_cast<std::size_t>(M));
+            for (double& phase : phases)
+                phase = random.uniform(0, 2 * std::numbers::pi);
+            const rough::Ridge ridge = rough::collapsed(phases);
+            const double g3 = pair_sum(phases);
+            const double last = std::cos(phases[phases.size() - 2] - phases.back());
+            printed += holds(ridge.g1, ridges + 2 * g3, ridges); // Eq. 10
+            missing += holds(ridge.g1, ridges + 2 * (g3 - last), ridges);
+            const double by_arccos = std::acos(std::clamp(ridge.g1 / ridge.R, -1.0, 1.0)); // Eq. 8
+            right += std::abs(std::remainder(by_arccos - ridge.theta, 2 * std::numbers::pi)) < 1e-6;
+        }
+        const auto share = [&](int count) { return static_cast<double>(count) / sets; };
+        counts.push_back({M, share(printed), share(missing), share(right)});
+    }
+    return counts;
+}
+
+std::vector<FractalStudy> fractal_studies(const rough::Model& model, std::uint64_t seed, int threads,
+                                          rough::DominanceReading reading, double threshold) {
+    std::vector<FractalStudy> studies(20);
+    ga::parallel_for(studies.size(), threads, [&](std::size_t i) {
+        studies[i] = study_of(model, ga::fold(seed, i), reading, threshold);
+    });
+    return studies;
+}
+
+std::vector<Reduction> reductions(const PaperRun& run, const rough::DominanceRule& rule) {
+    std::vector<Reduction> rows(run.database.size());
+    ga::parallel_for(rows.size(), run.origin.threads, [&](std::size_t i) {
+        const Answered& member = run.database[i];
+        rows[i] = reduction_of(member.genome, secant_stiffness(member.response), run, rule);
+    });
+    return rows;
+}
+
+void add_removals(const PaperRun& run, Studies& studies) {
+    studies.without_coarse.resize(run.database.size());
+    studies.without_fine.resize(run.database.size());
+    ga::parallel_for(run.database.size(), run.origin.threads, [&](std::size_t i) {
+        const Answered& member = run.database[i];
+        studies.without_fine[i] = removal(member.response, half_of(member.genome, true), run.model);
+        studies.without_coarse[i] = removal(member.response, half_of(member.genome, false), run.model);
+    });
+}
+
+Studies studies_of(const PaperRun& run) {
+    constexpr int phase_sets = 1000; // as many as the paper's Figure 2
+    const std::vector<int> ridges = {2,  3,  4,   6,   8,   12,  16,  24,  32,  48,
+                                     64, 96, 128, 192, 256, 384, 512, 768, 1024};
+    const std::uint64_t seed = run.origin.seed;
+    Studies studies{.chromosomes = {chromosome_example(1, seed), chromosome_example(2, seed)},
+                    .ridges = ridge_study(ridges, phase_sets, seed),
+                    .fractals = fractal_studies(run.model, seed, run.origin.threads)};
+    const auto responses = std::make_shared<rough::LoneResponses>(run.model);
+    const auto kept_by = [&](rough::DominanceReading reading) {
+        return reductions(run, rough::DominanceRule(responses, reading, rough::dominance_threshold));
+    };
+    studies.same_pressure = kept_by(rough::DominanceReading::same_pressure);
+    studies.same_step = kept_by(rough::DominanceReading::same_step);
+    add_removals(run, studies);
+
+    rough::Model other = run.model;
+    other.body.datum *= studies.datum_factor;
+    const std::size_t count = run.database.size();
+    studies.datum_similarity.resize(count);
+    std::vector<Curve> elsewhere(count);
+    std::vector<Contacts> contacts(count);
+    ga::parallel_for(count, run.origin.threads, [&](std::size_t i) {
+        const Answered& member = run.database[i];
+        elsewhere[i] = at_pressure(respond(member.genome, other), run.max_pressure);
+        studies.datum_similarity[i] = similarity(secant_stiffness(member.response), elsewhere[i]);
+        contacts[i] = contacts_of(member, run.model);
+    });
+    for (const Contacts& one : contacts)
+        studies.contacts.nodes += one.nodes, studies.contacts.lost += one.lost;
+    for (const TargetRun& target : run.targets) {
+        double best = -std::numeric_limits<double>::infinity();
+        for (const Curve& curve : elsewhere)
+            best = std::max(best, similarity(target.target, curve));
+        studies.datum_best.push_back(best);
+    }
+    return studies;
+}
+
+double relative_gap(const Curve& a, const Curve& b) {
+    return rough::mean(
+        differences(a, b, [](double here, double there) { return std::abs(there / here - 1); }));
+}
+
+double gap(const Curve& a, const Curve& b) {
+    const auto all = differences(a, b, [](double here, double there) { return std::abs(there - here); });
+    return all.empty() ? unknown : *std::max_element(all.begin(), all.end());
+}
+
+} // namespace app

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "apps/experiments/paper/run.hpp"
+#include "domain/paper/dominance.hpp"
+#include "domain/profile/fractal.hpp"
+#include "domain/response/curve.hpp"
+
+/// What is measured beside the searches, for claims that no search bears on.
+namespace app {
+
+/// Figure 1: chromosome n of a series with M = 8, gamma = 1.5, L = lambda_1 = 0.1 mm (H = 0.8, A = 1e-2), its
+/// phases drawn at random, summed ridge by ridge as Eq. 1 prints it.
+struct ChromosomeExample {
+    int n;
+    double wave_length;                  ///< lambda gamma^(1-n), mm
+    Eigen::VectorXd x;                   ///< mm
+    std::vector<Eigen::VectorXd> ridges; ///< G [cos(phi) - cos(k x + phi)], mm
+    Eigen::VectorXd sum;                 ///< mm
+    double misfit; ///< largest distance of the sum from the best cosine of that wavelength, over its range
+};
+ChromosomeExample chromosome_example(int n, std::uint64_t seed);
+
+/// Figure 2: how often the paper's condition (10), |g1| <= sqrt(M + 2 g3), holds for random phases.
+struct RidgeCount {
+    int ridges;          ///< M >= 2
+    double as_printed;   ///< share of phase sets for which it holds as the formula stands, 0..1
+    double last_missing; ///< share with the last pair left out of g3 and a negative radicand read as 0
+    double right_phase;  ///< share for which Eq. 8's arccos(g1/R) gives the sum's own phase
+};
+/// For each M, `sets` sets of phases, uniform over a turn.
+std::vector<RidgeCount> ridge_study(const std::vector<int>& ridge_counts, int sets, std::uint64_t seed);
+
+/// Figure 3: a profile that is no MWM series, in octave bands instead of chromosomes. Algorithm 1 correlates
+/// the K of each band with the whole profile's; the dominant bands make the reduced profile.
+struct FractalStudy {
+    rough::Profile whole, reduced;
+    std::vector<rough::Band> bands;
+    std::vector<bool> dominant; ///< correlation > 0.95, or the best one if none passes
+    rough::Response whole_response, reduced_response;
+};
+/// Twenty such profiles, on the model's grid and body.
+std::vector<FractalStudy>
+fractal_studies(const rough::Model& model, std::uint64_t seed, int threads,
+                rough::DominanceReading reading = rough::DominanceReading::same_pressure,
+                double threshold = rough::dominance_threshold);
+
+/// What Algorithm 1 keeps of one genome under one reading of its correlation.
+struct Reduction {
+    double kept = 0;        ///< share of the chromosomes, 0..1
+    double similarity = 0;  ///< of the reduced profile's K(p) with the whole's, both at p_max (Eq. 12)
+    bool only_best = false; ///< none passed 0.95
+};
+/// What a rule of Algorithm 1 keeps of each genome of the run's database.
+std::vector<Reduction> reductions(const PaperRun& run, const rough::DominanceRule& rule);
+
+/// Mean relative change of a genome's curves when half of its waves go, at equal pressures that both profiles
+/// reach; NaN if the remaining profile is flat.
+struct Removal {
+    double stiffness = unknown, area = unknown;
+};
+
+/// Nodes in contact, summed over the load steps of a database, and how many of them left contact later.
+struct Contacts {
+    long nodes = 0, lost = 0;
+};
+
+/// The studies of one run. Vectors over the database have one entry per genome.
+struct Studies {
+    std::vector<ChromosomeExample> chromosomes = {}; ///< n = 1, 2
+    std::vector<RidgeCount> ridges = {};
+    std::vector<FractalStudy> fractals = {};
+    std::vector<Reduction> same_pressure = {}, same_step = {};
+    std::vector<Removal> without_coarse = {}, without_fine = {}; ///< without the longer, the shorter half
+    double datum_factor = 4;                                     ///< the other datum, times the run's
+    std::vector<double> datum_similarity = {}; ///< of a genome's K(p) at the other datum with its own
+    std::vector<double> datum_best = {};       ///< best similarity of the database there, for each target
+    Contacts contacts = {};
+};
+Studies studies_of(const PaperRun& run);
+/// Adds how each genome's curves change without one half of its waves.
+void add_removals(const PaperRun& run, Studies& studies);
+
+/// Mean relative difference |b - a|/a at the points of `a` that both can be read at; NaN if there is none.
+double relative_gap(const rough::Curve& a, const rough::Curve& b);
+/// Largest difference |b - a| at the points of `a` that both can be read at; NaN if there is none.
+double gap(const rough::Curve& a, const rough::Curve& b);
+
+} // namespace app

@@ -1,0 +1,72 @@
+#include "apps/experiments/paper/studies.hpp"
+#include "apps/experiments/paper/variant_runs.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace app;
+
+TEST_CASE("condition (10) holds always, Eq. 8 for half of all phases, and a lost pair costs what an integral "
+          "says") {
+    // For M = 2 the lost pair leaves |cos a + cos b| <= sqrt(2); the share by the midpoint rule.
+    constexpr int cells = 1000;
+    int held = 0;
+    for (int i = 0; i < cells; ++i)
+        for (int j = 0; j < cells; ++j)
+            held += std::abs(std::cos(2 * M_PI * (i + 0.5) / cells) +
+                             std::cos(2 * M_PI * (j + 0.5) / cells)) <= std::sqrt(2.0);
+    const double share = held / double(cells * cells);
+    constexpr int sets = 20000;
+    for (const RidgeCount& count : ridge_study({2, 3, 17, 200}, sets, 4)) {
+        CHECK(count.as_printed == 1);
+        CHECK(count.right_phase == Approx(0.5).margin(4 * 0.5 / std::sqrt(sets)));
+        if (count.ridges == 2)
+            CHECK(count.last_missing == Approx(share).margin(4 * 0.5 / std::sqrt(sets)));
+        else
+            CHECK(count.last_missing < 1);
+    }
+}
+
+TEST_CASE("a genome's curves change without half of its waves and at another datum; no node loses contact") {
+    PaperRun run;
+    run.model.grid.nodes = 64;
+    run.model.loading.steps = 8;
+    run.model = completed(run.model);
+    run.max_pressure = 1e-4;
+    run.database = answered({rough::Genome{1, {{1, 0.8, 2, run.model.grid.length, {{1, {0.3}}, {2, {1}}}}}}},
+                            run.model, run.max_pressure, 1);
+    const Studies studies = studies_of(run);
+    for (const Removal& removal : {studies.without_coarse.at(0), studies.without_fine.at(0)}) {
+        CHECK(removal.stiffness > 0);
+        CHECK(removal.area > 0);
+    }
+    CHECK(studies.without_coarse[0].stiffness > studies.without_fine[0].stiffness);
+    CHECK(studies.datum_similarity.at(0) < 1);
+    double nodes = 0; // of all steps but the last
+    for (int j = 0; j < 7; ++j)
+        nodes += 64 * run.database[0].response.contact_fraction[j];
+    CHECK(studies.contacts.nodes == Approx(nodes));
+    CHECK(studies.contacts.lost == 0);
+}
+
+TEST_CASE("eight ridges are one cosine of their wavelength") {
+    for (int n : {1, 2}) {
+        const ChromosomeExample example = chromosome_example(n, 3);
+        CHECK(example.wave_length == Approx(n == 1 ? 0.1 : 0.1 / 1.5));
+        CHECK(example.misfit < 1e-13);
+        Eigen::VectorXd sum = Eigen::VectorXd::Zero(example.x.size());
+        for (const Eigen::VectorXd& ridge : example.ridges)
+            sum += ridge;
+        CHECK((sum - example.sum).cwiseAbs().maxCoeff() < 1e-15);
+    }
+}
+
+TEST_CASE("curves are compared at pressures that both reach") {
+    const rough::Curve line{Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(1, 2, 3), 0, 3};
+    const rough::Curve half{Eigen::Vector2d(0, 2), Eigen::Vector2d(0, 3), 0, 2};
+    CHECK(relative_gap(line, half) == Approx(0.5));
+    CHECK(relative_gap(line, line) == 0);
+    CHECK(gap(line, half) == Approx(1));
+    CHECK(std::isnan(gap(line, {Eigen::Vector2d(4, 5), Eigen::Vector2d(1, 1), 4, 5})));
+}
