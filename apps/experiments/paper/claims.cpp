@@ -1,6 +1,6 @@
 #include "apps/experiments/paper/claims.hpp"
 
-#include "domain/mwm/discrete_spectrum.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/profile/spectrum.hpp"

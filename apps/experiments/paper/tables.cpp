@@ -2,7 +2,7 @@
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
-#include "domain/mwm/discrete_spectrum.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "domain/text/atomic_file.hpp"
