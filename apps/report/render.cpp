@@ -39,6 +39,7 @@ data mustache_data(const json& value) {
             for (const auto& [key, one] : value.items()) {
                 data item = mustache_data(one);
                 item.set("key", key);
+                item.set("row", std::to_string(1 + items.list_value().size()));
                 items << item;
             }
             object.set("|items", items);

@@ -60,9 +60,6 @@ std::vector<GroupResult> analysed(const Contest& contest);
 /// Mean area of a variant over a group's problems.
 double mean_area(const GroupResult& group, std::size_t variant);
 
-/// The report as a web page.
-std::string contest_page(const Contest& contest, const std::vector<GroupResult>& groups);
-
 /// The runs on BBOB's functions as COCO has them (ga::write_coco): a folder for each variant.
 void write_coco_runs(const Contest& contest, const std::filesystem::path& folder);
 

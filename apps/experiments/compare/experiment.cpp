@@ -219,12 +219,13 @@ Findings run_compare(const Settings& settings, const Conditions& conditions) {
         best +=
             (best.empty() ? "best on " : ", on ") + group.name + " " + group.bouts[0]->variants[first].first;
     }
-    return {[=, folder = conditions.folder, coco = settings.is_on("compare.coco")] {
-                write_contest(*contest, *groups, folder);
-                if (coco)
-                    write_coco_runs(*contest, folder / "coco");
-            },
-            [=] { return contest_page(*contest, *groups); }, best};
+    return {.write =
+                [=, folder = conditions.folder, coco = settings.is_on("compare.coco")] {
+                    write_contest(*contest, *groups, folder);
+                    if (coco)
+                        write_coco_runs(*contest, folder / "coco");
+                },
+            .summary = best};
 }
 
 } // namespace

@@ -28,10 +28,47 @@ long reached(const Reached& run) {
                          [](double e) { return !std::isnan(e); });
 }
 
+/// Whether a variant is better than another over the group ("") or on a problem, after the correction.
+bool beats(const GroupResult& group, const std::string& problem, std::size_t better, std::size_t worse) {
+    constexpr double significant = 0.05;
+    return std::any_of(group.duels.begin(), group.duels.end(), [&](const Duel& duel) {
+        return duel.problem == problem && duel.corrected <= significant &&
+               ((duel.first == better && duel.second == worse && duel.difference > 0) ||
+                (duel.first == worse && duel.second == better && duel.difference < 0));
+    });
+}
+
+/// The group's variants, the best mean rank first.
+json standing_json(const GroupResult& group) {
+    const Contestants& variants = group.bouts.front()->variants;
+    const std::string over = group.bouts.size() == 1 ? group.bouts[0]->problem.name : "";
+    json rows = json::array();
+    const auto order = ga::in_order(variants.size(), [&](std::size_t a, std::size_t b) {
+        return group.ranks.mean_ranks[a] < group.ranks.mean_ranks[b];
+    });
+    for (const std::size_t v : order) {
+        std::string better;
+        long wins = 0;
+        for (const std::size_t other : order) {
+            if (beats(group, over, v, other))
+                better += (better.empty() ? "" : ", ") + variants[other].first;
+            for (const Bout* bout : group.bouts)
+                wins += beats(group, bout->problem.name, v, other);
+        }
+        rows.push_back({{"variant", variants[v].first},
+                        {"mean_rank", group.ranks.mean_ranks[v]},
+                        {"area", mean_area(group, v)},
+                        {"better_than", better},
+                        {"wins", wins}});
+    }
+    return rows;
+}
+
 json group_json(const GroupResult& group) {
     const Contestants& variants = group.bouts.front()->variants;
     json result = {{"friedman", {{"statistic", group.ranks.statistic}, {"p", group.ranks.p}}},
-                   {"evaluations_per_gene", group.evaluations}};
+                   {"evaluations_per_gene", group.evaluations},
+                   {"standing", standing_json(group)}};
     for (const Bout* bout : group.bouts)
         result["problems"].push_back(bout->problem.name);
     for (std::size_t v = 0; v < variants.size(); ++v)
@@ -43,7 +80,8 @@ json group_json(const GroupResult& group) {
 }
 
 json bout_json(const Bout& bout) {
-    json result = {{"group", bout.problem.group},
+    json result = {{"problem", bout.problem.name},
+                   {"group", bout.problem.group},
                    {"genes", bout.problem.genes},
                    {"budget", bout.budget},
                    {"targets", bout.problem.targets}};

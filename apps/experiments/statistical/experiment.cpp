@@ -1,9 +1,14 @@
-#include "apps/experiments/study.hpp"
+#include "apps/experiments/experiment.hpp"
+
+#include "apps/report/csv.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/result.hpp"
 #include "apps/report/units.hpp"
 #include "domain/design/statistical.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/target/target.hpp"
+#include "domain/text/atomic_file.hpp"
 
 namespace app {
 
@@ -34,41 +39,22 @@ rough::StatisticalTask task_of(const Settings& settings) {
 
 nlohmann::json result_of(const StatisticalRun& run) {
     const rough::SelfAffine& of = run.answer.parameters;
-    return {{"theory", name_of(run.task.theory)},
-            {"parameters",
-             {{"H", of.hurst},
-              {"longest_mm", of.longest},
-              {"shortest_mm", of.shortest},
-              {"rms_slope", of.rms_slope}}},
-            {"similarity", run.answer.similarity},
-            {"evaluations", run.answer.evaluations},
-            {"similarity_realised", rough::column(run.surfaces, &rough::RealisedAnswer::similarity)}};
-}
-
-void fill_page(Page& page, const StatisticalRun& run) {
-    const rough::SelfAffine& of = run.answer.parameters;
-    const rough::Target& target = run.task.target;
-    page.tiles({{"Hurst exponent H", readable(of.hurst)},
-                {"Long cut-off, mm", readable(of.longest)},
-                {"Short cut-off, mm", readable(of.shortest)},
-                {"Root mean square slope", readable(of.rms_slope)},
-                {"Similarity by the theory", readable(run.answer.similarity, 4)}});
-    Plot plot;
-    plot.alt = "The target, the theory's curve and the exact curves of realised surfaces against pressure";
-    plot.x = {"Mean pressure p (MPa)", true};
-    plot.y = {is_contact_fraction(target.quantity) ? "Contact fraction A" : "Stiffness K (MPa/mm)", true};
-    plot.series = {{"target", target.x, target.y, Colour::text, Style::points, 3},
-                   {name_of(run.task.theory), target.x, run.answer.foretold, Colour::orange, Style::line, 2}};
-    nlohmann::json rows{{{"curve", name_of(run.task.theory)}, {"similarity", run.answer.similarity}}};
-    for (std::size_t k = 0; k < run.surfaces.size(); ++k) {
-        const std::string name = "surface " + std::to_string(k + 1) + ", exact";
-        plot.series.push_back({name, target.x, run.surfaces[k].exact, Colour::blue, Style::line, 1.2});
-        rows.push_back({{"curve", name}, {"similarity", run.surfaces[k].similarity}});
-    }
-    page.figure({"curves", "Foretold and exact.", "A surface is one draw of random phases.", {plot}});
-    page.table(
-        shown(rows, {{"curve", "Curve"}, {"similarity", "Similarity"}}, "Similarity (Eq. 12) to the target"));
-    page.section("How");
+    nlohmann::json result{
+        {"theory", name_of(run.task.theory)},
+        {"quantity",
+         is_contact_fraction(run.task.target.quantity) ? "Contact fraction A" : "Stiffness K (MPa/mm)"},
+        {"parameters",
+         {{"H", of.hurst},
+          {"longest_mm", of.longest},
+          {"shortest_mm", of.shortest},
+          {"rms_slope", of.rms_slope}}},
+        {"similarity", run.answer.similarity},
+        {"evaluations", run.answer.evaluations},
+        {"similarity_realised", rough::column(run.surfaces, &rough::RealisedAnswer::similarity)},
+        {"surfaces", nlohmann::json::array()}};
+    for (const rough::RealisedAnswer& one : run.surfaces)
+        result["surfaces"].push_back({{"similarity", one.similarity}});
+    return result;
 }
 
 Findings run_statistical(const Settings& settings, const Conditions& conditions) {
@@ -87,7 +73,7 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
     };
     add("target", target.y);
     add(name_of(run.task.theory), run.answer.foretold);
-    Study study;
+    std::map<std::string, std::string> files;
     const long count = settings.whole("statistical.realisations", 0, 100);
     for (long k = 1; k <= count && !conditions.stop; ++k) {
         const std::string name = "surface-" + std::to_string(k);
@@ -95,17 +81,20 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
         run.surfaces.push_back(realised_answer(run.task, run.answer.parameters,
                                                conditions.origin.seed + static_cast<std::uint64_t>(k)));
         add(name, run.surfaces.back().exact);
-        study.files.emplace_back(name + ".x3p", x3p(run.surfaces.back().surface));
+        files[name + ".x3p"] = x3p(run.surfaces.back().surface);
     }
-    study.words = {
-        "Similarity " + readable(run.answer.similarity, 4) + " by " + name_of(run.task.theory) + "'s theory" +
-        (run.surfaces.empty()
-             ? ""
-             : ", " + readable(run.surfaces.front().similarity, 4) + " of the first surface, exact")};
-    study.tables.emplace_back("curves.csv", "curves", curves);
-    study.result = result_of(run);
-    return findings_of(conditions, "A design without heights", std::move(study),
-                       [run](Page& page) { fill_page(page, run); });
+    nlohmann::json result = origin_json(conditions.origin);
+    result.update(result_of(run));
+    result["curves"] = curves.rows();
+    files["curves.csv"] = curves.text();
+    return {.write =
+                [files, result, folder = conditions.folder] {
+                    for (const auto& [name, text] : files)
+                        rough::write_atomically(folder / name, text);
+                    write_json(folder / "result.json", result);
+                },
+            .summary = "similarity " + readable(run.answer.similarity, 4) + " by " +
+                       name_of(run.task.theory) + "'s theory"};
 }
 
 } // namespace

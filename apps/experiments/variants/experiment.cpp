@@ -51,7 +51,9 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
     std::vector<std::string> names;
     for (const RaceTarget& target : targets)
         names.push_back(target.setup.targets[0].name);
-    expect_distinct(names, {"result.json", "variants.csv", "report.html"}, settings.place("targets.files"));
+    expect_distinct(
+        names, {"result.json", "variants.csv", "shortfall.csv", "ended.csv", "surfaces.csv", "report.html"},
+        settings.place("targets.files"));
     return targets;
 }
 
@@ -233,26 +235,125 @@ Race raced(const Settings& settings, const Conditions& conditions) {
     return race;
 }
 
-/// result.json (further targets' in a folder of their name) and variants.csv.
+/// 1 less the best similarity so far, in the median over the seeds, against what was spent.
+Csv shortfall_table(const Race& race) {
+    constexpr int points = 60;
+    Csv table("target,variant,axis,spent,shortfall", 6);
+    for (const RaceTarget& target : race.targets) {
+        double longest = 0.1;
+        for (const auto& variant : target.variants)
+            for (const auto& run : variant.runs)
+                longest = std::max(longest, run.run.seconds);
+        for (const auto& variant : target.variants)
+            for (const auto& [axis, from, to] :
+                 {std::tuple("evaluations", 10.0, static_cast<double>(race.budget)),
+                  std::tuple("seconds", 0.02, longest)})
+                for (int k = 0; k < points && !variant.runs.empty(); ++k) {
+                    const double spent = from * std::pow(to / from, k / (points - 1.0));
+                    const double similarity = axis[0] == 'e' ? variant.median_at(static_cast<long>(spent))
+                                                             : variant.median_at_seconds(spent);
+                    if (similarity > -1)
+                        table.row(target.setup.targets[0].name, variant.name, axis, spent,
+                                  std::max(1e-5, 1 - similarity));
+                }
+    }
+    return table;
+}
+
+/// Variants that ran, the highest similarity first.
+std::vector<const RaceVariant*> ranked(const RaceTarget& target) {
+    std::vector<const RaceVariant*> order;
+    for (const auto& variant : target.variants)
+        if (!variant.runs.empty())
+            order.push_back(&variant);
+    std::stable_sort(order.begin(), order.end(), [](const RaceVariant* a, const RaceVariant* b) {
+        return a->median_lowest() > b->median_lowest();
+    });
+    return order;
+}
+
+/// Medians at the end of each variant's runs.
+Csv ended_table(const Race& race) {
+    Csv table("target,surface,variant,similarity,seconds,curves,gradients,children_of_two,better_than_both");
+    for (const RaceTarget& target : race.targets)
+        for (const RaceVariant* variant : ranked(target)) {
+            const VariantRun& run = variant->median_run().run;
+            long crossed = 0, better = 0;
+            for (const auto& each : variant->runs)
+                crossed += each.crossed, better += each.better;
+            table.row(target.setup.targets[0].name, target.setup.model.grid.is_2d() ? "map" : "profile",
+                      variant->name, variant->median_lowest(), run.seconds, run.curves, run.gradients,
+                      crossed,
+                      crossed > 0 ? std::optional(static_cast<double>(better) / static_cast<double>(crossed))
+                                  : std::nullopt);
+        }
+    return table;
+}
+
+/// Heights and last contact pressure of the best variant's median run on each map, on at most 128 x 128
+/// nodes.
+Csv surfaces_table(const Race& race) {
+    Csv table("target,x_mm,y_mm,height_mm,pressure_MPa", 6);
+    for (const RaceTarget& target : race.targets) {
+        const rough::Model& model = target.setup.model;
+        const rough::Grid& grid = model.grid;
+        const auto order = ranked(target);
+        if (!grid.is_2d() || order.empty())
+            continue;
+        const RaceRun& best = order.front()->median_run();
+        const rough::Profile surface = sample(best.run.answer.genome, grid);
+        rough::ContactOptions options = model.contact;
+        options.states = true;
+        const auto state = solve_contact(surface, model.body, {best.last_displacement}, options).states[0];
+        Eigen::VectorXd pressure = Eigen::VectorXd::Zero(surface.nodes());
+        for (std::size_t i = 0; i < state.nodes.size(); ++i)
+            pressure[state.nodes[i]] = state.pressure[static_cast<rough::Index>(i)];
+        const rough::Index every = 1 + (std::max(grid.nodes, grid.rows) - 1) / 128;
+        for (rough::Index j = 0; j < grid.rows; j += every)
+            for (rough::Index i = 0; i < grid.nodes; i += every)
+                table.row(target.setup.targets[0].name, static_cast<double>(i) * grid.spacing(),
+                          static_cast<double>(j) * grid.row_spacing(), surface.heights[j * grid.nodes + i],
+                          pressure[j * grid.nodes + i]);
+    }
+    return table;
+}
+
+/// What the page says of a target's grid.
+json told(const RaceTarget& target) {
+    json result = model_json(target.setup.model);
+    result["name"] = target.setup.targets[0].name;
+    result["is_2d"] = target.setup.model.grid.is_2d();
+    result["ridges"] = target.setup.ridges;
+    return result;
+}
+
+/// result.json (a further target's in a folder of its name) and the tables.
 void write_race(const Race& race, const std::filesystem::path& folder) {
     Csv table("target,variant,seed,curves_and_gradients,seconds,similarity");
     for (const RaceTarget& target : race.targets) {
         const bool first = &target == &race.targets.front();
         const auto place = first ? folder : subfolder(folder, target.setup.targets[0].name);
-        write_json(place / "result.json", race_json(race, target));
+        json result = race_json(race, target);
+        for (const RaceTarget& one : race.targets)
+            if (first)
+                result["targets"].push_back(told(one));
+        write_json(place / "result.json", result);
         for (const RaceVariant& variant : target.variants)
             for (const RaceRun& run : variant.runs)
                 for (const Spent& spent : run.history)
                     table.row(target.setup.targets[0].name, variant.name, run.seed, spent.asked,
                               spent.seconds, spent.similarity);
     }
-    rough::write_atomically(folder / "variants.csv", table.text());
+    for (const auto& [name, text] : {std::pair("variants.csv", table.text()),
+                                     {"shortfall.csv", shortfall_table(race).text()},
+                                     {"ended.csv", ended_table(race).text()},
+                                     {"surfaces.csv", surfaces_table(race).text()}})
+        rough::write_atomically(folder / name, text);
 }
 
 Findings run_variants(const Settings& settings, const Conditions& conditions) {
     const auto race = std::make_shared<Race>(raced(settings, conditions));
-    return {[race, folder = conditions.folder] { write_race(*race, folder); },
-            [race] { return race_page(*race); }};
+    return {[race, folder = conditions.folder] { write_race(*race, folder); }};
 }
 
 } // namespace
@@ -261,7 +362,7 @@ Experiment variants_experiment() {
     return {.kind = "variants",
             .summary = "ways to search, on the same targets with the same budget and seeds",
             .settings = variants_settings(),
-            .files = {"variants.csv"},
+            .files = {"variants.csv", "shortfall.csv", "ended.csv", "surfaces.csv"},
             .run = run_variants};
 }
 

@@ -45,7 +45,4 @@ struct Race {
     long budget = 0;
 };
 
-/// The report as a web page.
-std::string race_page(const Race& race);
-
 } // namespace app

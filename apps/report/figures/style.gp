@@ -1,6 +1,6 @@
 # The look of all figures. A colour stands for a meaning; the page replaces it by its own.
 # Another height: `eval sized(340)`.
-sized(height) = sprintf("set terminal svg size 480,%d dynamic rounded enhanced font 'Arial,14' name '%s'", height, figure)
+sized(h) = sprintf("set terminal svg size 480,%d dynamic rounded enhanced font 'Arial,14' name '%s'", h, figure)
 eval sized(300)
 set encoding utf8; set minussign
 set datafile separator comma; set datafile columnheaders; set datafile missing NaN
@@ -13,7 +13,9 @@ ink = "#010203"; faint = "#808182"
 set linetype 1 lc rgb blue lw 2 pt 7 ps 0.6;    set linetype 2 lc rgb orange lw 2 pt 5 ps 0.6
 set linetype 3 lc rgb green lw 2 pt 9 ps 0.6;   set linetype 4 lc rgb purple lw 2 pt 13 ps 0.6
 set linetype 5 lc rgb sky lw 2 pt 7 ps 0.6;     set linetype 6 lc rgb red lw 2 pt 5 ps 0.6
-set linetype cycle 6
+colours = blue." ".orange." ".green." ".purple." ".sky." ".red
+do for [i = 7:12] { set linetype i lc rgb word(colours, i - 6) lw 2 dt 2 }
+set linetype cycle 12
 set palette defined (0 "#352a87", 0.25 "#0f5cdd", 0.5 "#06a4ca", 0.75 "#b1be59", 1 "#f9fb0e") maxcolors 64
 # The unit in which the largest of some values (MPa, mm) is a number below 1000, and its factor.
 pressure_factor(m) = m < 1e-3 ? 1e6 : m < 1 ? 1e3 : m < 1e3 ? 1 : 1e-3
@@ -22,3 +24,9 @@ length_factor(m) = m < 1e-3 ? 1e6 : m < 1 ? 1e3 : m < 1e3 ? 1 : 1e-3
 length_unit(m) = m < 1e-3 ? "nm" : m < 1 ? "µm" : m < 1e3 ? "mm" : "m"
 # The title of a variant.
 titled(name) = (at = strstrt("sog gco cco", name)) && strlen(name) == 3 ? substr("SOG GCO CCO", at, at + 2) : name
+# The different words of a column, in their order: `names = ""; stats FILE using (collect(strcol("NAME"))) nooutput`,
+# then nth(names, i) for i from 1 to parts(names).
+names = ""
+collect(s) = (strstrt("|".names, "|".s."|") == 0 ? (names = names.s."|", 1) : 0)
+parts(s) = strstrt(s, "|") == 0 ? 0 : 1 + parts(s[strstrt(s, "|") + 1:*])
+nth(s, i) = i == 1 ? s[1:strstrt(s, "|") - 1] : nth(s[strstrt(s, "|") + 1:*], i - 1)
