@@ -45,7 +45,4 @@ struct ChartData {
 /// chart.csv: a row a run, of solvers and of models.
 Csv chart_table(const ChartData& data);
 
-/// A page that says which method to take, with the pictures. Needs gnuplot.
-std::string chart_page(const ChartData& data);
-
 } // namespace app

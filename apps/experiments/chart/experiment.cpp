@@ -32,19 +32,11 @@ void write_chart(const ChartData& data, const Origin& origin, const std::filesys
     rough::write_atomically(folder / "chart.csv", table.text());
     rough::write_atomically(folder / "models.csv", models_table(data.models).text());
     nlohmann::json result = origin_json(origin);
+    rough::write_atomically(folder / "points.csv", points_table(data).text());
+    rough::write_atomically(folder / "model_errors.csv", model_errors_table(data.models).text());
+    result.update(chart_facts(data));
     result["runs"] = table.rows();
     write_json(folder / "result.json", result);
-}
-
-void draw_chart(const ChartData& data, const std::filesystem::path& folder) {
-    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene) {
-        const auto draw = [&](const std::string& what, const Plot& plot) {
-            write_picture(folder / (data.scenes[scene].name + "-" + what + ".svg"), plot);
-        };
-        for (const ErrorKind& kind : error_kinds)
-            draw(kind.name, error_plot(data, scene, kind));
-        draw("time", time_plot(data, scene));
-    }
 }
 
 Findings run_chart_experiment(const Settings& settings, const Conditions& conditions) {
@@ -61,13 +53,9 @@ Findings run_chart_experiment(const Settings& settings, const Conditions& condit
     if (data->runs.empty())
         return {};
     const std::string left_out = left_out_in_a_line(*data);
-    return {[=, origin = conditions.origin] { write_chart(*data, origin, folder); },
-            [=] {
-                draw_chart(*data, folder);
-                return chart_page(*data);
-            },
-            std::to_string(data->runs.size()) + " settings charted" +
-                (left_out.empty() ? "" : "; " + left_out)};
+    return {.write = [=, origin = conditions.origin] { write_chart(*data, origin, folder); },
+            .summary = std::to_string(data->runs.size()) + " settings charted" +
+                       (left_out.empty() ? "" : "; " + left_out)};
 }
 
 } // namespace
@@ -80,14 +68,14 @@ Experiment chart_experiment() {
             "every contact solver, grid, "
             "number of load steps and tolerance, on scenes with a known or a refined solution: from "
             "coarse grids to fine, so that a chart that ends early has the same of every scene. Writes "
-            "chart.csv (as it goes), models.csv, pictures (SVG) and a page that says which model and method "
+            "chart.csv (as it goes), models.csv and a page that says which model and method "
             "to "
             "take when, and "
             "what was left out and why. Ctrl-C ends it; what was measured is kept.",
         .settings = {{"chart.minutes", "10",
                       "begin nothing that would not end within so many; the coarsest grid is always done"},
                      {"chart.quick", "", "fewer and smaller grids: under a minute", true}},
-        .files = {"chart.csv", "models.csv", "*.svg"},
+        .files = {"chart.csv", "points.csv", "models.csv", "model_errors.csv"},
         .run = run_chart_experiment,
         .examples = {"chart --quick --out out/chart", "chart --minutes 3 --out out/chart"}};
 }

@@ -69,7 +69,7 @@ struct Answer {
 Answer pressed(const Profile& surface, const VectorXd& pressures) {
     rough::Body body;
     body.kernel = rough::Kernel::periodic;
-    const VectorXd none = VectorXd::Constant(pressures.size(), unset);
+    const VectorXd none = VectorXd::Constant(pressures.size(), std::nan(""));
     Answer answer{none, none};
     std::vector<double> loads(pressures.begin(), pressures.end());
     rough::ContactCurve curve;
@@ -185,7 +185,7 @@ double root_mean_square(const VectorXd& errors) {
     for (const double error : errors)
         if (std::isfinite(error))
             sum += error * error, ++count;
-    return count > 0 ? std::sqrt(sum / count) : unset;
+    return count > 0 ? std::sqrt(sum / count) : std::nan("");
 }
 
 std::pair<double, double> errors_of(const ModelRun& run, const ModelScene& scene) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "apps/report/csv.hpp"
-#include "apps/report/page.hpp"
 #include "domain/profile/profile.hpp"
 
 #include <functional>
@@ -56,9 +55,5 @@ Csv models_table(const ModelChart& chart);
 double root_mean_square(const Eigen::VectorXd& errors);
 /// Of a run over its loads, root mean square, relative: of the area, and of the stiffness; NaN of none.
 std::pair<double, double> errors_of(const ModelRun& run, const ModelScene& scene);
-
-/// The page's first section: where theories end, where a profile is enough, where a map is needed, in
-/// sentences with figures, a table and pictures.
-void add_models(Page& page, const ModelChart& chart);
 
 } // namespace app

@@ -1,6 +1,6 @@
 #include "apps/experiments/chart/scenes.hpp"
 
-#include "apps/experiments/chart/words.hpp"
+#include "apps/report/units.hpp"
 #include "domain/contact/exact.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 
@@ -135,7 +135,7 @@ ChartTruth truth_of(const ChartScene& scene, Index most_nodes, const std::functi
     }
     truth.origin = "a grid of " + std::to_string(nodes) + " nodes and " + std::to_string(steps) +
                    " load steps, whose pressures a grid of a quarter of the nodes misses by " +
-                   share_words(moved);
+                   brief(100 * moved) + " %";
     truth.finest_verified = (nodes - 1) / 4;
     return truth;
 }

@@ -1,12 +1,8 @@
 #include "apps/experiments/experiment.hpp"
 
-#include "apps/experiments/stability/page.hpp"
+#include "apps/experiments/stability/cells.hpp"
 #include "apps/experiments/stability/reference.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/csv.hpp"
-#include "apps/report/output.hpp"
-#include "apps/report/result.hpp"
-#include "domain/text/atomic_file.hpp"
 
 #include <algorithm>
 
@@ -50,23 +46,6 @@ std::vector<StabilityCell> tried(const Settings& settings, const Conditions& con
     return cells;
 }
 
-void write_stability(const std::vector<StabilityCell>& cells, const Origin& origin,
-                     const std::filesystem::path& folder) {
-    Csv table("scene,kernel,method,outcome,kkt_residual,iterations,seconds,message", 6);
-    for (const StabilityCell& cell : cells) {
-        const ContactTrial& trial = cell.trial;
-        std::optional<double> residual;
-        if (!trial.curve.steps.empty())
-            residual = trial.kkt_residual();
-        table.row(cell.scene, cell.kernel, cell.method, name_of(trial.outcome), residual,
-                  trial.curve.iterations, trial.seconds, trial.message);
-    }
-    rough::write_atomically(folder / "stability.csv", table.text());
-    nlohmann::json result = origin_json(origin);
-    result["runs"] = table.rows();
-    write_json(folder / "result.json", result);
-}
-
 Findings run_stability(const Settings& settings, const Conditions& conditions) {
     const auto cells = std::make_shared<const std::vector<StabilityCell>>(tried(settings, conditions));
     if (cells->empty())
@@ -74,10 +53,10 @@ Findings run_stability(const Settings& settings, const Conditions& conditions) {
     const bool wrong = std::any_of(cells->begin(), cells->end(), [](const StabilityCell& cell) {
         return cell.trial.outcome == Outcome::wrong;
     });
-    return {[cells, origin = conditions.origin, folder = conditions.folder] {
-                write_stability(*cells, origin, folder);
-            },
-            [cells] { return stability_page(*cells); }, summary_of(*cells), wrong ? 3 : 0};
+    return {.write = [cells, origin = conditions.origin,
+                      folder = conditions.folder] { write_stability(*cells, origin, folder); },
+            .summary = summary_of(*cells),
+            .code = wrong ? 3 : 0};
 }
 
 } // namespace

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "apps/experiments/contact_trial.hpp"
+#include "apps/report/record.hpp"
+
+#include <filesystem>
 
 namespace app {
 
@@ -11,10 +14,11 @@ struct StabilityCell {
     ContactTrial trial;
 };
 
-/// "433 cells: 380 solved, …"
+/// "433 cells: 380 solved, ..."
 std::string summary_of(const std::vector<StabilityCell>& cells);
 
-/// A web page: which methods break, where, and what rugosa says then.
-std::string stability_page(const std::vector<StabilityCell>& cells);
+/// Writes result.json and stability.csv.
+void write_stability(const std::vector<StabilityCell>& cells, const Origin& origin,
+                     const std::filesystem::path& folder);
 
 } // namespace app

@@ -1,0 +1,14 @@
+# A quantity of contact of all models beside the exact one against pressure.
+what = word(arg, 1); scene = arg[strlen(what) + 2:*]
+set logscale xy; set format "10^{%T}"
+set xlabel "Mean pressure p over E*"; set ylabel (what eq "area" ? "Contact fraction A" : "Stiffness K (MPa/mm)")
+file = tables."models.csv"; value = what eq "area" ? "contact_fraction" : "stiffness_MPa_per_mm"
+error = what eq "area" ? "error_contact" : "error_stiffness"
+here(i) = strcol("scene") eq scene
+stats file using (here(0) ? collect(strcol("model")) : 0) nooutput
+plot file using (here(0) ? column("pressure_MPa") : NaN):(column(value) / (1 + column(error))) with points \
+    lc rgb ink pt 7 ps 0.5 title "exact", \
+    for [i = 1:parts(names)] file using (here(0) && strcol("model") eq nth(names, i) && column("nodes") == 0 || \
+    here(0) && strcol("model") eq nth(names, i) && nth(names, i) ne "map" ? column("pressure_MPa") : \
+    NaN):(column(value)) \
+    with lines lc i title nth(names, i)
