@@ -1,5 +1,5 @@
-# Writes the pages' templates and the figures' scripts into a C++ file of RUGOSA_TEMPLATES_SOURCE.
-file(GLOB TEMPLATE_FILES CONFIGURE_DEPENDS apps/report/templates/*.mustache apps/report/figures/*.gp)
+# Writes templates of pages, scripts of figures and of experiments into a C++ file, RUGOSA_TEMPLATES_SOURCE.
+file(GLOB TEMPLATE_FILES CONFIGURE_DEPENDS apps/report/templates/*.mustache apps/report/figures/*.gp experiments/*.py)
 set(RUGOSA_TEMPLATES_SOURCE ${PROJECT_BINARY_DIR}/builtin.cpp)
 set(content "#include \"apps/report/builtin.hpp\"\n\nnamespace app {\nconst std::map<std::string, std::string>& builtin_files() {\n    static const std::map<std::string, std::string> files{\n")
 foreach(file ${TEMPLATE_FILES})

@@ -1,0 +1,94 @@
+#include "apps/experiments/experiment.hpp"
+#include "apps/external/process.hpp"
+#include "apps/prompt/model_settings.hpp"
+#include "apps/prompt/target_files.hpp"
+#include "apps/report/builtin.hpp"
+#include "apps/report/result.hpp"
+#include "domain/errors.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <sys/wait.h>
+
+/// Experiments that are Python scripts: experiments/KIND.py, built into the program.
+namespace app {
+
+namespace {
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// The last line that a script wrote to standard error.
+std::string last_line(std::FILE* file) {
+    std::rewind(file);
+    std::string line, last;
+    for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file))
+        if (c == '\n')
+            last = std::exchange(line, "");
+        else
+            line += static_cast<char>(c);
+    return line.empty() ? last : line;
+}
+
+/// Runs an experiment's script with the settings as JSON; it writes result.json and tables to the folder.
+Findings findings_of_script(const Experiment& experiment, const Settings& settings,
+                            const Conditions& conditions) {
+    const std::string& kind = experiment.kind;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+    nlohmann::json given{{"folder", std::filesystem::absolute(conditions.folder).string()},
+                         {"program", program.string()},
+                         {"seed", conditions.origin.seed},
+                         {"threads", conditions.origin.threads},
+                         {"origin", origin_json(conditions.origin)}};
+    for (const Setting& one : experiment.settings)
+        given["settings"][one.name] = settings.text(one.name);
+    for (const auto& file : target_files(settings, "targets.files"))
+        given["targets"].push_back(std::filesystem::absolute(file).string());
+    const char* const before = std::getenv("PYTHONPATH");
+    const std::string path =
+        (program.parent_path() / "python").string() + (before ? ":" + std::string(before) : "");
+    setenv("PYTHONPATH", path.c_str(), 1);
+    const File nothing(std::fopen("/dev/null", "r+"), std::fclose), errors(std::tmpfile(), std::fclose);
+    pid_t child = 0;
+    if (!nothing || !errors ||
+        start_process(child, {"python3", "-c", builtin_files().at(kind + ".py"), given.dump()},
+                      fileno(nothing.get()), fileno(nothing.get()), fileno(errors.get())) != 0)
+        throw rough::InputError(kind + ": python3 was not found; install the Debian package python3");
+    conditions.progress.show(kind + ".py");
+    int status = 0;
+    while (!process_ended_within(0.2, child, status))
+        if (conditions.stop)
+            kill(-child, SIGTERM);
+    if (!conditions.stop && (!WIFEXITED(status) || WEXITSTATUS(status) != 0))
+        throw rough::InputError(kind + ": " + last_line(errors.get()) +
+                                "; the script needs python3, numpy and the Python module rugosa");
+    if (!std::filesystem::exists(conditions.folder / "result.json"))
+        return {};
+    return {.write = [] {}};
+}
+
+} // namespace
+
+Experiment features_experiment() {
+    return {.kind = "features",
+            .summary = "which features of a surface drive its response, and which may be chosen",
+            .settings = joined(
+                {{{"features.answers", "200", "different answers for each target, and as many that miss"},
+                  {"features.similarity", "0.99", "lowest similarity of an answer"},
+                  {"features.difference", "0.001",
+                   "least difference of two answers: 1 less the correlation of their heights"},
+                  {"features.starts", "6000", "maximum number of starts"},
+                  {"features.held-out", "128", "starts of the held-out check"},
+                  {"targets.files", "", "target curves (CSV), separated by commas"},
+                  {"targets.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"}},
+                 model_settings("model.")}),
+            .files = {"features.csv", "waves.csv", "heldout.csv", "best"},
+            .run = [](const Settings& settings, const Conditions& conditions) {
+                return findings_of_script(features_experiment(), settings, conditions);
+            }};
+}
+
+} // namespace app
