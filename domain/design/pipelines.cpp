@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace rough {
 
@@ -74,12 +75,22 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
         "where no individual is within the limits on shape: the pipeline on each without its shortest waves",
         {}, [](const ga::Arguments&, const Pipeline& body) { return within_limits(body); });
     const double length = setup.model.grid.length;
-    registry.add(
-        ga::Variables<Genome>{"macro", [length](const Genome& g) { return macro_phases(g, length); }},
-        "phases of waves of at least an eighth of the length");
-    registry.add(
-        ga::Variables<Genome>{"micro", [length](const Genome& g) { return micro_phases(g, length); }},
-        "phases of shorter waves");
+    const auto waves = [&](const std::string& name, double from, double to, PhaseReach reach,
+                           const std::string& meaning) {
+        registry.add(
+            ga::Variables<Genome>{
+                name, [=](const Genome& genome) { return phases_of_waves(genome, from, to, reach); }},
+            meaning);
+    };
+    waves("macro", length / 8, HUGE_VAL, {}, "phases of waves of at least an eighth of the length");
+    waves("micro", 0, length / 8, {}, "phases of shorter waves");
+    for (const int parts : {1, 2, 4, 8, 16, 32, 64}) {
+        const std::string part = std::to_string(parts);
+        const PhaseReach free{0, std::numbers::pi};
+        waves("longer-" + part, length / parts, HUGE_VAL, free,
+              "phases of waves of L/" + part + " and longer, freely");
+        waves("shorter-" + part, 0, length / parts, free, "phases of the waves below L/" + part + ", freely");
+    }
     return registry;
 }
 

@@ -6,14 +6,6 @@
 
 namespace rough {
 
-namespace {
-
-bool is_macro(const Genome& genome, std::size_t s, std::size_t c, double length) {
-    return wave_length(genome.series[s], genome.series[s].chromosomes[c].n) >= length / 8;
-}
-
-} // namespace
-
 std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach,
                                           const ChosenChromosomes& chosen) {
     std::vector<ga::Variable> variables;
@@ -28,14 +20,11 @@ std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach
     return variables;
 }
 
-std::vector<ga::Variable> macro_phases(const Genome& genome, double length, PhaseReach reach) {
-    return phase_variables(genome, reach,
-                           [&](std::size_t s, std::size_t c) { return is_macro(genome, s, c, length); });
-}
-
-std::vector<ga::Variable> micro_phases(const Genome& genome, double length, PhaseReach reach) {
-    return phase_variables(genome, reach,
-                           [&](std::size_t s, std::size_t c) { return !is_macro(genome, s, c, length); });
+std::vector<ga::Variable> phases_of_waves(const Genome& genome, double from, double to, PhaseReach reach) {
+    return phase_variables(genome, reach, [&](std::size_t s, std::size_t c) {
+        const double length = wave_length(genome.series[s], genome.series[s].chromosomes[c].n);
+        return length >= from && length < to;
+    });
 }
 
 } // namespace rough

@@ -20,10 +20,8 @@ using ChosenChromosomes = std::function<bool(std::size_t series, std::size_t chr
 std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach,
                                           const ChosenChromosomes& chosen = {});
 
-/// Those of macro-roughness, waves of at least an eighth of the profile's length (mm). Where the one ends
-/// and the other begins is our reading.
-std::vector<ga::Variable> macro_phases(const Genome& genome, double length, PhaseReach reach = {});
-/// Those of micro-roughness, the shorter waves.
-std::vector<ga::Variable> micro_phases(const Genome& genome, double length, PhaseReach reach = {});
+/// The phases of waves whose wavelength (mm) is at least `from` and below `to`.
+std::vector<ga::Variable> phases_of_waves(const Genome& genome, double from, double to,
+                                          PhaseReach reach = {});
 
 } // namespace rough

@@ -80,8 +80,8 @@ TEST_CASE("phases move by their reach about where they are, those of waves from 
           "apart from the shorter ones") {
     Genome genome{1, {{1, 0.8, 2, L, {{1, {-2}}, {4, {1, 3}}, {5, {0.5}}}}}}; // L, L/8, L/16
     const PhaseReach reach{0.1, 0.01};
-    const auto all = phase_variables(genome, reach), macro = macro_phases(genome, L, reach),
-               micro = micro_phases(genome, L, reach);
+    const auto all = phase_variables(genome, reach), macro = phases_of_waves(genome, L / 8, HUGE_VAL, reach),
+               micro = phases_of_waves(genome, 0, L / 8, reach);
     REQUIRE(all.size() == 4);
     CHECK(all[0].gene == 4); // behind A, H, gamma, lambda
     CHECK(all[0].lower == Approx(-2.21));

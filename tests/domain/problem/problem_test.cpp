@@ -214,7 +214,8 @@ TEST_CASE("what is reduced to a target keeps the chromosomes that follow it, one
         CHECK(count(reduced_to_target(setup, genome, 0, -1.5)) == count(genome));
         CHECK(count(reduced_to_target(setup, genome, 0, 1)) == 1);
         CHECK(count(reduced_to_target(setup, genome, 0)) >= 1);
-        CHECK(macro_phases(genome, 0.84942).size() + micro_phases(genome, 0.84942).size() == count(genome));
+        CHECK(phases_of_waves(genome, 0.1, HUGE_VAL).size() + phases_of_waves(genome, 0, 0.1).size() ==
+              count(genome));
     }
 }
 
