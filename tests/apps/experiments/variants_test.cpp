@@ -67,8 +67,9 @@ TEST_CASE("the paper's algorithms run on areas and on profiles, and the page sho
     CHECK(result_in(folder / "r")["nodes"] == json({16, 16}));
     CHECK(result_in(folder / "r" / "drawn-32")["nodes"] == 32);
     const std::string page = rough::read_whole(folder / "r" / "report.html");
-    for (const char* words : {"An area of 16 x 16 nodes", "A profile of 32 nodes", "Areas beside profiles",
-                              "Where it touches at the last load", "<image", "Figure 1."}) {
+    for (const char* words :
+         {"A map of 16 16 nodes", "A profile of 32 nodes", "<td>map</td>", "<td>profile</td>",
+          "Contact pressure at the last load", "<image", "Figure 1."}) {
         INFO(words);
         CHECK(page.find(words) != std::string::npos);
     }
