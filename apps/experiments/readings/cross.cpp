@@ -2,13 +2,15 @@
 
 #include "apps/experiments/paper/claims.hpp"
 #include "apps/experiments/paper/variant_runs.hpp"
-#include "apps/experiments/study.hpp"
 #include "apps/prompt/model_settings.hpp"
+#include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/recorder.hpp"
+#include "domain/errors.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/target/like.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "domain/text/json.hpp"
 #include "ga/base/parallel.hpp"
 
 #include <algorithm>
@@ -125,7 +127,6 @@ class ReadingsTrial {
                 cross_.targets.push_back(target.name);
                 std::string name = reading_axes()[body].values[which] + " " + target.name + ".csv";
                 std::replace(name.begin(), name.end(), ' ', '-');
-                std::erase(name, ',');
                 rough::write_atomically(subfolder(conditions_.folder, "targets") / name, to_csv(target));
             }
         }
@@ -332,6 +333,28 @@ class ReadingsTrial {
 
 } // namespace
 
+json part_of(const Conditions& conditions, const std::string& name, const std::function<json()>& find) {
+    const auto file = conditions.folder / "checkpoints" / (name + ".json");
+    if (conditions.resume && std::filesystem::exists(file)) {
+        json kept = rough::parsed_json(rough::read_whole(file), "--resume: " + file.string());
+        if (!kept.is_object() || !kept.contains("found") ||
+            kept.value("settings", json()) != conditions.settings)
+            throw rough::InputError("--resume: " + file.string() +
+                                    " is damaged or was kept under other settings, expected those of the "
+                                    "interrupted run");
+        return std::move(kept.at("found"));
+    }
+    if (conditions.stop)
+        return {};
+    const json found = find();
+    if (conditions.stop)
+        return {};
+    std::filesystem::create_directories(file.parent_path());
+    const std::string text = json{{"settings", conditions.settings}, {"found", found}}.dump();
+    rough::write_atomically(file, text);
+    return json::parse(text).at("found"); // as another run will read it
+}
+
 const std::string& run_columns() {
     static const std::string columns = "body,first_point,database,correlation,dominant_above,phases_within,"
                                        "target,variant,reduced,p_bar_over_p_max,"
@@ -341,7 +364,7 @@ const std::string& run_columns() {
 
 const std::array<ReadingAxis, reading_axes_count>& reading_axes() {
     static const std::array<ReadingAxis, reading_axes_count> axes{
-        {{"Body", {"free, d = L", "free, d = 4 L", "strip", "periodic"}},
+        {{"Body", {"free d = L", "free d = 4 L", "strip", "periodic"}},
          {"Algorithm 1 compares", {"K at equal pressures", "K by load step", "raw tangents"}},
          {"Dominant above", {"0.95", "0.90", "0.99"}},
          {"CCO reduces", {"parents", "children"}},

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "apps/experiments/experiment.hpp"
-#include "apps/report/page.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <array>
 
@@ -55,11 +56,10 @@ const std::string& run_columns();
 /// at a time. Keeps each body and database in `checkpoints`.
 ReadingCross tried_readings(const Settings& settings, const Conditions& conditions);
 
-/// What follows the words.
-void fill_readings_page(Page& page, const ReadingCross& cross);
-/// What the readings make of a claim, in words.
-std::string claim_words(const ReadingCross& cross, std::size_t claim);
-/// What came out, in sentences (HTML); the page's first screen.
-std::vector<std::string> readings_words(const ReadingCross& cross);
+/// The findings of one part of a run. A resumed run reads them from `checkpoints` if it can; otherwise `find`
+/// computes them and they are saved. Null if the run is stopped. Throws rough::InputError if the saved part
+/// is damaged or was saved under other settings.
+nlohmann::json part_of(const Conditions& conditions, const std::string& name,
+                       const std::function<nlohmann::json()>& find);
 
 } // namespace app

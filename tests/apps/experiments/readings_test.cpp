@@ -1,4 +1,5 @@
 #include "apps/experiments/readings/cross.hpp"
+#include "domain/errors.hpp"
 #include "tests/apps/experiments/finished.hpp"
 
 #include <map>
@@ -45,20 +46,25 @@ TEST_CASE(
     CHECK(deviations({2, 0, 1}) == 2);
 }
 
-TEST_CASE("a claim stands in the picture's row of a value by the share of cells in which it holds") {
-    ReadingCross cross;
-    cross.claims = {{"a", "A"}, {"b", "B"}};
-    cross.targets = {"t"};
-    cross.databases = 1;
-    cross.cells = {cell({}, 0, "1?"), cell({2}, 0, "0?")};
-    Page page("", "");
-    fill_readings_page(page, cross);
-    const std::string html = page.html();
-    // Of the body's values the first holds always, the third never; other choices' first, half of the time.
-    for (const char* key : {"always", "never", "&lt; 90 %"})
-        CHECK_THAT(html, Catch::Contains(std::string(">") + key));
-    for (const char* none : {"&lt; 50 %", "&lt; 100 %"})
-        CHECK_THAT(html, !Catch::Contains(std::string(">") + none));
+TEST_CASE("a saved part of a run is resumed unless it is damaged or of other settings") {
+    const Folder folder;
+    Progress progress;
+    const std::atomic<bool> stop{false};
+    Conditions conditions{{}, progress, stop, folder.path(), true, "sizes=1"};
+    const auto part = [&] { return part_of(conditions, "a", [] { return json{0.1, "b"}; }); };
+    CHECK(part() == json{0.1, "b"});
+    CHECK(part_of(conditions, "a", [] { return json(2); }) == json{0.1, "b"});
+    conditions.settings = "sizes=2";
+    CHECK_THROWS_AS(part(), rough::InputError);
+
+    const auto file = folder / "checkpoints/a.json";
+    const std::string whole = rough::read_whole(file);
+    for (const std::string& text :
+         {whole.substr(0, whole.size() - 3), std::string("[]"), std::string(R"({"settings":"sizes=2"})")}) {
+        rough::write_atomically(file, text);
+        INFO(text);
+        CHECK_THROWS_AS(part(), rough::InputError);
+    }
 }
 
 TEST_CASE(
