@@ -2,7 +2,6 @@
 #include "apps/commands/commands.hpp"
 #include "apps/commands/design/files.hpp"
 #include "apps/commands/design/page.hpp"
-#include "apps/commands/design/schedule.hpp"
 #include "apps/commands/design/settings.hpp"
 #include "apps/commands/design/summary.hpp"
 #include "apps/prompt/interrupt.hpp"
@@ -11,7 +10,6 @@
 #include "apps/report/output.hpp"
 #include "apps/report/recorder.hpp"
 #include "apps/report/units.hpp"
-#include "domain/design/starts.hpp"
 #include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -26,6 +24,10 @@
 namespace app {
 
 namespace {
+
+/// Shares of --seconds after which the search and the further checks of its answer end. The rest is left for
+/// drawing the report.
+constexpr double searched_by = 0.8, checked_by = 0.9;
 
 int exit_code(const DesignRun& run) {
     if (run.interrupted)
@@ -104,10 +106,8 @@ int design(const Words& words) {
 
     const Interrupt interrupt;
     Progress progress;
-    const rough::Genome start =
-        run.from ? run.from->genome : shaped_start(run.setup, ga::Stream(run.options.seed));
-    const Schedule schedule(clock, run.options.seconds, run.setup, start, run.options.threads, pictures);
-    run.options.seconds = schedule.for_search();
+    const double limit = run.options.seconds;
+    run.options.seconds = searched_by * limit - clock.seconds();
     run.options.stop = &interrupt.flag();
     const auto evaluator = design_evaluator(run.options.threads);
     run.options.evaluator = evaluator.get();
@@ -136,22 +136,23 @@ int design(const Words& words) {
         run.not_asked = off_unasked(run);
     run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
     run.summary = summary_of(run);
-    run.seconds = schedule.spent();
+    run.seconds = clock.seconds();
     write_design_result(run, output.restored());
     write_design_tables(run, folder);
     if (!run.interrupted) {
         progress.show("verifying");
-        run.trust_options.seconds = schedule.for_trust();
+        run.trust_options.seconds = checked_by * limit - clock.seconds();
         run.trust_options.stop = run.options.stop;
         run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best, &run.own);
         run.interrupted = interrupt.asked();
         run.summary = summary_of(run);
-        run.seconds = schedule.spent();
+        run.seconds = clock.seconds();
         write_design_result(run, folder);
     }
     if (!run.interrupted) {
-        if (pictures && schedule.has_time_for_page())
-            rough::write_atomically(folder / "report.html", design_page(run, schedule.for_drawing()));
+        if (pictures && clock.seconds() < limit)
+            rough::write_atomically(folder / "report.html",
+                                    design_page(run, std::min(3600., limit - clock.seconds())));
         else if (pictures)
             say("note: no time was left for report.html; expected more --seconds for it");
     }
@@ -168,7 +169,7 @@ int design(const Words& words) {
     }
     for (const Fact& fact : run.summary.facts)
         say(fact.name + ": " + fact.text);
-    say(folder.string() + ": " + run.summary.verdict + " (" + readable(schedule.spent()) + " s)" +
+    say(folder.string() + ": " + run.summary.verdict + " (" + readable(clock.seconds()) + " s)" +
         (std::filesystem::exists(checkpoint) ? "; --resume goes on with the search" : ""));
     return exit_code(run);
 }

@@ -2,6 +2,7 @@
 
 #include "domain/contact/body.hpp"
 #include "domain/profile/profile.hpp"
+#include "domain/target/target.hpp"
 
 #include <functional>
 #include <vector>
@@ -21,6 +22,13 @@ struct InverseProfile {
 /// answer's k-th number is the displacement (mm, >= 0) over which just those nodes do; the last one is not
 /// read.
 using Advance = std::function<std::vector<double>(const Eigen::VectorXd& stiffness)>;
+
+/// How the approach must advance for a profile to meet the target: node k + 1 touches where the curve asked
+/// for passes from the value with k nodes to that with k + 1. The target is read as rising, linear between
+/// its points, continued to no load with the first two points' slope and beyond the last with the last two's.
+/// A part that falls is held at the highest value before it. `nodes` is N; contact fractions count nodes over
+/// it.
+Advance advance_for(const Target& target, Index nodes);
 
 /// Solves the contact problem backwards. On a contact set A pressures grow by w = H_AA^-1 1 > 0 for each unit
 /// of displacement, so any order of nodes and any advance give pressures that are never negative, and node k

@@ -1,7 +1,6 @@
 #include "domain/design/pipelines.hpp"
 
 #include "domain/design/scan_waves.hpp"
-#include "domain/design/target_dominance.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/paper/variants.hpp"
 #include "ga/base/number.hpp"
@@ -13,26 +12,28 @@
 
 namespace rough {
 
-ga::Population<Genome> Shape::operator()(ga::Population<Genome>, ga::Context<DesignProblem>& context) const {
-    ga::Population<Genome> fresh(n);
-    ga::parallel_for(n, context.threads(), [&](std::size_t i) {
-        fresh[i].genome = shaped_start(context.problem().setup(), context.stream(i));
-    });
-    for (auto& individual : fresh)
-        individual.identity = context.new_identity();
-    return fresh;
+namespace {
+
+/// The stage `NAME n`: puts n genomes in the place of the population, the i-th as `make(setup, i, stream)`.
+template <class Make>
+Pipeline starts(const std::string& name, std::size_t n, Make make) {
+    ga::Step<DesignProblem> step;
+    step.text = name + " " + std::to_string(n);
+    step.check = [](ga::CheckState& known) { known.scored.reset(); };
+    step.begins = true;
+    step.apply = [n, make](ga::Population<Genome>, ga::Context<DesignProblem>& context) {
+        ga::Population<Genome> fresh(n);
+        ga::parallel_for(n, context.threads(), [&](std::size_t i) {
+            fresh[i].genome = make(context.problem().setup(), i, context.stream(i));
+        });
+        for (auto& individual : fresh)
+            individual.identity = context.new_identity();
+        return fresh;
+    };
+    return step;
 }
 
-ga::Population<Genome> Own::operator()(ga::Population<Genome>, ga::Context<DesignProblem>& context) const {
-    ga::Population<Genome> fresh(n);
-    ga::parallel_for(n, context.threads(), [&](std::size_t i) {
-        const DesignSetup& setup = context.problem().setup();
-        fresh[i].genome = scan_waves(setup, max_scan_waves(setup) >> i);
-    });
-    for (auto& individual : fresh)
-        individual.identity = context.new_identity();
-    return fresh;
-}
+} // namespace
 
 ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
     auto registry = engine_words();
@@ -40,8 +41,21 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
                                    .fitted = [setup](const Genome& genome) {
                                        return with_fitting_amplitude(setup, genome);
                                    }});
-    registry.add<Shape>();
-    registry.add<Own>();
+    const auto start = [&](const char* name, const char* meaning, auto make) {
+        registry.add({name, "roughness", meaning, {ga::whole("n", std::nullopt, 1, "how many")}},
+                     [name, make](const ga::Arguments& a, const auto&...) {
+                         return starts(name, a.count("n"), make);
+                     });
+    };
+    start(
+        "shape", "n genomes made for the target, contact solved backwards, in the population's place",
+        [](const DesignSetup& asked, std::size_t, ga::Stream random) { return shaped_start(asked, random); });
+    start("own",
+          "n sums of the measured profile's own waves, each with half as many as the one before, in the "
+          "population's place",
+          [](const DesignSetup& asked, std::size_t i, ga::Stream) {
+              return scan_waves(asked, max_scan_waves(asked) >> i);
+          });
     registry.add("fit", "roughness",
                  "each genome in the amplitude at which it meets the first target best; nothing under Eq. 11",
                  ga::transform(
@@ -255,15 +269,14 @@ ga::Variants design_variants(double required) {
     // The paper's algorithms (Algorithms 3-5); a target without Eq. 11 gives each genome its amplitude.
     ga::Variants variants = paper_variants({});
     const std::string until = "until fitness " + ga::number(required) + " generations ";
-    // Starts near the target; the best are brought down the squares, then towards the maximum norm. While
-    // that is not enough, fresh ones join and length scales of good ones cross. More load steps and a finer
-    // grid at the end.
+    // Starts near the target. The best are brought down the squares, then towards the least largest misfit,
+    // in more load steps as well: steps are the larger part of the error. Contact sets make the misfits kink,
+    // so the best are moved a little and brought back again and again. The last stage counts the finer grid,
+    // too.
     const std::string pass =
-        "shape 24 | score | best 8 | refine lm 15 | best 5 | refine lm 25 sharpen=8 | "
-        "until fitness 0.9995 generations 8 { shape 8 | score | best 2 | refine lm 20 | parents | "
-        "tournament 2 size=6 | cross uniform rate=0.7 | mutate 0.05 gaussian 0.02 | score | "
-        "refine lm 25 sharpen=10 | plus 5 } | best 2 | score more_steps | refine lm 30 sharpen=8 | best 1 | "
-        "score verified | refine lm 12 sharpen=8";
+        "shape 32 | score | best 10 | refine lm 15 | best 5 | score more_steps | refine lm 25 sharpen=8 | "
+        "until fitness 0.9985 generations 3 { parents | mutate 0.2 gaussian 0.001 | score more_steps | "
+        "refine lm 20 sharpen=4 | plus 5 } | best 1 | score verified | refine lm 15 sharpen=1";
     variants["pass"] = pass;
     variants["default"] = "pass | " + until + "3 { pass | plus 2 }";
     // An area's, from coarser grids, whose curves cost less, to its own.

@@ -6,51 +6,6 @@
 
 namespace rough {
 
-/// Puts n genomes made for the target (shaped_start) in the place of the population.
-struct Shape : ga::Operator {
-    std::size_t n = 1; ///< how many
-
-    ///@{
-    /// What every operator has (ga::Operator).
-    static constexpr bool begins = true;
-    static ga::Words words() {
-        return {"shape", "roughness",
-                "n genomes made for the target, contact solved backwards, in the population's place"};
-    }
-    static void describe(auto& self, auto visit) {
-        visit(self.n, ga::whole("n", std::nullopt, 1, "how many"));
-    }
-    void check(ga::CheckState& known) const { known.scored.reset(); }
-
-    ga::Population<Genome> operator()(ga::Population<Genome> population,
-                                      ga::Context<DesignProblem>& context) const;
-    ///@}
-};
-
-/// Puts n sums of the measured profile's own waves (scan_waves) in the place of the population: of all waves
-/// that can be made, of half as many, and on.
-struct Own : ga::Operator {
-    std::size_t n = 1; ///< how many
-
-    ///@{
-    /// What every operator has (ga::Operator).
-    static constexpr bool begins = true;
-    static ga::Words words() {
-        return {
-            "own", "roughness",
-            "n sums of the measured profile's own waves, each with half as many as the one before, in the "
-            "population's place"};
-    }
-    static void describe(auto& self, auto visit) {
-        visit(self.n, ga::whole("n", std::nullopt, 1, "how many"));
-    }
-    void check(ga::CheckState& known) const { known.scored.reset(); }
-
-    ga::Population<Genome> operator()(ga::Population<Genome> population,
-                                      ga::Context<DesignProblem>& context) const;
-    ///@}
-};
-
 /// An area's set-up on a grid of half the nodes a side, `halvings` times, as far as 32 nodes remain and the
 /// shortest wave can still be told.
 DesignSetup on_coarser_grid(DesignSetup setup, std::size_t halvings);

@@ -1,6 +1,6 @@
 #include "domain/design/starts.hpp"
 
-#include "domain/design/advance.hpp"
+#include "domain/design/inverse.hpp"
 #include "domain/design/shape_to_waves.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/problem/harmonics.hpp"

@@ -2,6 +2,7 @@
 
 #include "domain/accuracy/respond.hpp"
 #include "domain/mwm/sampling.hpp"
+#include "domain/problem/setup.hpp"
 #include "domain/response/curve.hpp"
 
 #include <map>
@@ -95,5 +96,12 @@ class DominanceRule {
 
 /// The genome's dominant chromosomes alone.
 Genome reduced(const Genome& genome, const Dominance& dominance);
+
+/// The genome's length scales that by themselves follow a target: the curve of one alone, in the genome's own
+/// amplitude and loaded as far as the target goes, correlates with the target's at its points by more than
+/// the threshold (Pearson). The best correlated where none does, all where none has an answer. After Cinat,
+/// Paggi and Gnecco (2019), who keep such chromosomes for each of two targets.
+Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target,
+                         double threshold = dominance_threshold);
 
 } // namespace rough

@@ -160,6 +160,27 @@ void find_concave(const Target& target, const StiffnessLimits& limits, std::vect
         found.push_back(worst);
 }
 
+/// A load that rises by less, between two points or from (0, 0) on, than that of a single node does.
+void find_too_light(const Target& target, const StiffnessLimits& limits, std::vector<OutOfReach>& found) {
+    const Allowed allowed{target};
+    OutOfReach worst;
+    worst.on_this_grid = true;
+    for (Index i = -1; i < target.points(); ++i)
+        for (Index j = i + 1; j < target.points(); ++j) {
+            const double x_i = i < 0 ? 0 : target.x[i], y_i = i < 0 ? 0 : target.y[i];
+            const double least = (i < 0 ? 0 : allowed.lower(i)) + limits.least * (target.x[j] - x_i);
+            const double misfit = target.weight * (least - allowed.upper(j)) / (target.y[j] + y_i);
+            if (misfit > negligible && 1 - misfit < worst.bound)
+                worst = {line_of("pressure rises to ", target.y[j], " MPa at ", target.x[j],
+                                 " mm slower than with a single node in contact, ", limits.least, " MPa/mm"),
+                         {target.x[j]},
+                         1 - misfit,
+                         true};
+        }
+    if (worst.bound < 1)
+        found.push_back(worst);
+}
+
 } // namespace
 
 std::string OutOfReach::verdict() const {
@@ -176,10 +197,12 @@ std::vector<OutOfReach> out_of_reach(const std::vector<Target>& targets, const M
             load.last = std::max(load.last, target.last());
     std::vector<OutOfReach> found;
     for (const Target& target : targets) {
-        if (target.quantity == Quantity::load_at_displacement)
+        if (target.quantity == Quantity::load_at_displacement) {
             find_concave(target, load.secants, found);
-        else
+            find_too_light(target, load.secants, found);
+        } else {
             find_fall(target, found);
+        }
         if (target.quantity == Quantity::stiffness)
             find_too_stiff(target, load, found);
         if (target.quantity == Quantity::stiffness || target.quantity == Quantity::interface_stiffness)

@@ -25,7 +25,8 @@ struct OutOfReach {
 ///   continued, between scored_limits(); the lower of them is the less the finer the grid;
 /// - K_i never falls either. It has no upper limit, and from the middle of the first load step on, which no
 ///   curve's first secant lies beyond, is at least that of one node alone; on a periodic body it is K;
-/// - P(Delta) is convex from (0, 0) on, for the same reason, and no steeper than full contact.
+/// - P(Delta) is convex from (0, 0) on, for the same reason, no steeper than full contact and no flatter than
+///   one node alone.
 /// The load of K(P) ends at `max_pressure` (MPa, Eq. 11), or without it at the last pressure of all targets.
 /// Nothing is found where a band allows a curve of that kind. The worst of each kind is returned.
 std::vector<OutOfReach> out_of_reach(const std::vector<Target>& targets, const Model& model,

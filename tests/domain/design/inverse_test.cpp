@@ -1,5 +1,5 @@
 #include "domain/contact/solve.hpp"
-#include "domain/design/advance.hpp"
+#include "domain/design/inverse.hpp"
 #include "domain/design/shape_to_waves.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/problem/response.hpp"

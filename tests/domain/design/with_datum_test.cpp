@@ -39,8 +39,13 @@ TEST_CASE(
         stiffness.upper = own.y;
         const Target load = target_of(Quantity::load_at_displacement, from.displacement, from.pressure);
         const Target area = target_of(Quantity::area_at_pressure, from.pressure, from.contact_fraction);
-        const auto moved = with_datum({stiffness, load, area}, of, factor);
-        REQUIRE(moved.size() == 3);
+        const Curve interface = curve_of(Quantity::interface_stiffness, from);
+        const auto moved = with_datum(
+            {stiffness, load, area, target_of(Quantity::interface_stiffness, interface.x, interface.y)}, of,
+            factor);
+        REQUIRE(moved.size() == 4);
+        CHECK(moved[3].y == interface.y);
+        CHECK(moved[3].y.isApprox(curve_of(Quantity::interface_stiffness, to).y, 1e-6));
         CHECK(moved[0].x.isApprox(other.x, 1e-9));
         CHECK(moved[0].y.isApprox(other.y, 1e-6));
         CHECK(moved[0].lower.isApprox(other.y, 1e-6));

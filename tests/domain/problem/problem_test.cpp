@@ -1,7 +1,7 @@
 #include "domain/design/pipelines.hpp"
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
-#include "domain/design/target_dominance.hpp"
+#include "domain/paper/dominance.hpp"
 #include "domain/problem/drawn_start.hpp"
 #include "ga/problem/ranking.hpp"
 #include "tests/domain/problem/jacobian.hpp"
