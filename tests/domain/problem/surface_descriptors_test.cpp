@@ -24,10 +24,10 @@ TEST_CASE("descriptors of one cosine are its height, slope and length, and no sk
     const Genome wave{0.01, {{1, 0.8, 2, L, {{3, {0.3}}}}}}; // a quarter of L long, four of them
     const auto all = surface_descriptors(grid);
     const Roughness r = roughness(sample(wave, grid));
-    CHECK(named(all, "height").of(wave) == Approx(std::log10(r.Rq / L)));
-    CHECK(std::pow(10, named(all, "slope").of(wave)) == Approx(r.Rdq).epsilon(5e-3));
+    CHECK(named(all, "height").of(wave) == Approx(std::log10(r["Pq"] / L)));
+    CHECK(std::pow(10, named(all, "slope").of(wave)) == Approx(r["Pdq"]).epsilon(5e-3));
     CHECK(std::pow(10, named(all, "wavelength").of(wave)) == Approx(0.25).epsilon(2e-3));
-    CHECK(named(all, "skewness").of(wave) == Approx(r.Rsk).margin(1e-12));
+    CHECK(named(all, "skewness").of(wave) == Approx(r["Psk"]).margin(1e-12));
     CHECK(std::abs(named(all, "skewness").of(wave)) < 0.01);
 }
 
