@@ -5,9 +5,10 @@
 #include "apps/prompt/scan_settings.hpp"
 #include "apps/prompt/verbosity.hpp"
 #include "apps/report/account.hpp"
-#include "apps/report/contact_page.hpp"
+#include "apps/report/contact_tables.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
+#include "apps/report/render.hpp"
 #include "apps/report/shape_notes.hpp"
 #include "apps/report/units.hpp"
 #include "domain/accuracy/line_of_map.hpp"
@@ -243,8 +244,18 @@ int contact(const Words& words) {
         throw rough::InputError("--out: " + settings.text("out") +
                                 " is no file, expected one that an area's spots can stand beside");
     std::filesystem::path page;
-    if (settings.has("report"))
+    std::map<std::string, std::filesystem::path> tables;
+    if (settings.has("report")) {
+        if (!has_account)
+            throw rough::InputError(
+                "--report: " + settings.text("out") +
+                " is not a regular file; choose one that the page's tables can stand beside");
         page = expect_writable(settings.text("report"), settings);
+        for (const std::string& name : contact_table_names(area))
+            tables[name] = expect_writable(std::filesystem::path(account).replace_filename(
+                                               account.stem().string() + "-" + name + ".csv"),
+                                           settings);
+    }
     const auto [source, map, model, result, notes] =
         area ? pressed_area(settings, expect_writable(beside(settings.text("out"), "spots"), settings))
              : pressed(settings);
@@ -252,8 +263,9 @@ int contact(const Words& words) {
         say(note);
     const rough::Response& response = result.response;
     rough::write_atomically(out, csv(response));
+    nlohmann::json values = account_json(result.account);
     if (has_account)
-        write_json(account, account_json(result.account));
+        write_json(account, values);
     if (settings.has("friction")) {
         const double friction = settings.positive("friction");
         rough::write_atomically(slip_file, slip_csv(partial_slip(response, friction)));
@@ -262,27 +274,26 @@ int contact(const Words& words) {
              "Dundurs' beta = 0; a rigid profile at nu = 0.5 only)");
     }
     if (settings.has("report")) {
-        ContactShown shown{settings.text(settings.has("genome")    ? "genome"
-                                         : settings.has("surface") ? "surface"
-                                                                   : "profile"),
-                           notes,
-                           area ? map : source.on(model.grid),
-                           completed(model),
-                           response,
-                           {}};
-        shown.notes.push_back(in_words(result.account));
+        const ContactTables shown =
+            contact_tables(area ? map : source.on(model.grid), completed(model), response);
+        for (const auto& [name, file] : tables)
+            rough::write_atomically(file, shown.tables.at(name));
+        values.update(shown.values);
+        values["name"] = settings.text(settings.has("genome")    ? "genome"
+                                       : settings.has("surface") ? "surface"
+                                                                 : "profile");
+        values["notes"] = notes;
+        values["notes"].push_back(in_words(result.account));
         if (!settings.given("modulus"))
-            shown.notes.push_back(modulus_note);
-        std::vector<std::filesystem::path> files{out};
-        if (has_account)
-            files.push_back(account);
+            values["notes"].push_back(modulus_note);
+        values["curve"] = out.filename().string().substr(account.stem().string().size());
+        values["files"] = {from_page(out, page), from_page(account, page)};
         if (settings.has("friction"))
-            files.push_back(slip_file);
+            values["files"].push_back(from_page(slip_file, page));
         if (area)
-            files.push_back(beside(settings.text("out"), "spots"));
-        for (const auto& file : files)
-            shown.files.push_back(from_page(file, page));
-        rough::write_atomically(page, contact_page(shown));
+            values["files"].push_back(from_page(beside(settings.text("out"), "spots"), page));
+        write_json(account, values);
+        rough::write_atomically(page, render(page_source(account)));
     }
     for (const auto& note : without_effect(settings))
         say(note);

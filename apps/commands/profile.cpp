@@ -1,12 +1,13 @@
 #include "apps/commands/commands.hpp"
 #include "apps/commands/profile/map.hpp"
+#include "apps/commands/profile/parameters.hpp"
 #include "apps/prompt/area_settings.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/scan_settings.hpp"
 #include "apps/prompt/verbosity.hpp"
 #include "apps/report/csv.hpp"
+#include "apps/report/drawn.hpp"
 #include "apps/report/output.hpp"
-#include "apps/report/profile_page.hpp"
 #include "apps/report/shape_notes.hpp"
 #include "apps/report/solids.hpp"
 #include "apps/report/units.hpp"
@@ -94,8 +95,13 @@ rough::Extrusion extrusion_from(const Settings& settings) {
     return extrusion;
 }
 
-nlohmann::json numbers_of(const Shape& shape, const rough::Roughness& r, const Settings& settings) {
+nlohmann::json numbers_of(const Shape& shape, const rough::Roughness& r, const Settings& settings,
+                          const std::string& name, const std::vector<std::string>& files) {
     nlohmann::json numbers{
+        {"kind", "profile"},
+        {"name", name},
+        {"account", shape.account},
+        {"files", files},
         {"nodes", shape.profile.nodes()},
         {"length_mm", shape.profile.spacing * static_cast<double>(shape.profile.nodes() - 1)},
         {"lambda_s_mm", settings.has("lambda-s") ? nlohmann::json(settings.positive("lambda-s")) : nullptr},
@@ -103,8 +109,7 @@ nlohmann::json numbers_of(const Shape& shape, const rough::Roughness& r, const S
         {"section_length_mm", r.section_length},
         {"sections", r.sections},
         {"version", RUGOSA_VERSION}};
-    for (const Parameter& one : r.rows)
-        numbers[one.key()] = one.value;
+    add_parameters(numbers, r.rows);
     if (!shape.lines.empty()) { // exact, over lengths that all waves divide
         double m0 = 0, m2 = 0, m4 = 0;
         for (const auto& [k, power] : shape.lines)
@@ -170,40 +175,38 @@ int profile(const Words& words) {
     const Solids solids = solids_of(shape.profile, extrusion);
 
     const std::filesystem::path source = settings.text(settings.has("genome") ? "genome" : "profile");
-    const OutputFolder out(
-        settings.text("out"), source.stem().string(),
-        {{numbers_file, "heights.csv", "profile.x3p", "profile.stl", "profile.3mf", "spectrum.csv",
-          "lines.csv", "bearing.csv", "profile.svg", "spectrum.svg", "report.html"},
-         settings.files(),
-         settings.is_on("force")});
+    const OutputFolder out(settings.text("out"), source.stem().string(),
+                           {{numbers_file, "heights.csv", "heights-drawn.csv", "profile.x3p", "profile.stl",
+                             "profile.3mf", "spectrum.csv", "spectrum-drawn.csv", "lines.csv", "bearing.csv",
+                             "profile.svg", "spectrum.svg", "report.html"},
+                            settings.files(),
+                            settings.is_on("force")});
     const auto write = [&](const char* name, const std::string& content) {
         rough::write_atomically(out.path() / name, content);
     };
     write("heights.csv", csv({"x_mm", "height_mm"}, {positions(shape.profile), shape.profile.heights}));
     write("profile.x3p", x3p(shape.profile));
     const std::vector<std::string> solid_files = write_solids(solids, out.path(), "profile");
-    const auto [ratio, level] = bearing_curve(shape.profile.heights);
-    write("bearing.csv", csv({"material_ratio", "height_mm"}, {ratio, level}));
+    write("bearing.csv", bearing_csv(shape.profile.heights));
     write("spectrum.csv",
           csv({"wave_number_rad_per_mm", "density_mm3"}, {spectrum.wave_number, spectrum.density}));
+    write("heights-drawn.csv", heights_csv(shape.profile));
+    write("spectrum-drawn.csv",
+          drawn_csv({"wave_number_rad_per_mm", "density"}, {spectrum.wave_number, spectrum.density}, true));
     if (!shape.lines.empty()) {
         const auto [k, power] = columns(shape.lines);
         write("lines.csv", csv({"wave_number_rad_per_mm", "power_mm2"}, {k, power}));
     }
-    if (pictures) {
-        write_picture(out.path() / "profile.svg", profile_plot(shape.profile));
-        write_picture(out.path() / "spectrum.svg", spectrum_plot(spectrum));
-        std::vector<std::string> files{numbers_file, "heights.csv", "bearing.csv", "spectrum.csv",
-                                       "profile.x3p"};
-        files.insert(files.end(), solid_files.begin(), solid_files.end());
-        write("report.html", profile_page({source.filename().string(), shape.account, shape.profile,
-                                           roughness, is_roughness, spectrum, files}));
-    }
-    write_json(out.path() / numbers_file, numbers_of(shape, roughness, settings));
+    std::vector<std::string> files{numbers_file, "heights.csv", "bearing.csv", "spectrum.csv", "profile.x3p"};
+    files.insert(files.end(), solid_files.begin(), solid_files.end());
+    write_json(out.path() / numbers_file,
+               numbers_of(shape, roughness, settings, source.filename().string(), files));
+    if (pictures)
+        write_pages(out.path(), {{"profile.svg", "profile-heights"}, {"spectrum.svg", "spectrum:mm³"}});
     say(shape.account);
     if (!shape.jump.empty())
         say(shape.jump);
-    tell_parameters(roughness.rows, roughness[is_roughness ? "Rt" : "Pt"]);
+    print_parameters(roughness.rows, roughness[is_roughness ? "Rt" : "Pt"]);
     say("written to " + out.path().string());
     return 0;
 }

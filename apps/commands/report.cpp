@@ -10,23 +10,23 @@ namespace app {
 
 int report(const Words& words) {
     const std::vector<Setting> settings{
-        {"folder", "", "the folder of a result (may be given without the flag)"},
+        {"folder", "", "the folder of a result, or CURVE.json of a contact (may be given without the flag)"},
         {"templates", "",
          "folder of templates (.mustache) and figures (.gp) used instead of the built-in ones"},
-        {"out", "", "the page to write [report.html, or chart.html and stability.html, in the folder]"}};
-    if (shows_help(
-            words, "report DIR [--templates DIR] [--out PAGE.html]",
-            "Renders the page of a result folder again, from its result.json and tables. A template or "
-            "figure of your own with the same file name takes the place of the built-in one.",
-            settings, {"report out/paper", "report out/paper --templates mine --out mine.html"}))
+        {"out", "",
+         "the page to write [report.html, or chart.html and stability.html, in the folder; CURVE.html]"}};
+    if (shows_help(words, "report (DIR | CURVE.json) [--templates DIR] [--out PAGE.html]",
+                   "Renders the page of a result again, from its result.json (CURVE.json of a contact) and "
+                   "tables. A template or "
+                   "figure of your own with the same file name takes the place of the built-in one.",
+                   settings, {"report out/paper", "report out/paper --templates mine --out mine.html"}))
         return 0;
     const Settings given = read_command_line(words, settings, {"folder"});
     if (!given.has("folder"))
         throw rough::InputError("report: no folder given; name the folder of a result");
     const PageSource source = page_source(given.text("folder"));
-    std::filesystem::path page = source.folder / page_name(source.values["kind"]);
-    if (given.has("out"))
-        page = given.text("out");
+    const std::filesystem::path page =
+        given.has("out") ? std::filesystem::path(given.text("out")) : page_of(source);
     rough::write_atomically(page, render(source, {.templates = given.text("templates")}));
     tell(page.string());
     return 0;

@@ -2,6 +2,7 @@
 
 #include "apps/report/gnuplot.hpp"
 #include "apps/report/html.hpp"
+#include "domain/errors.hpp"
 
 #include <array>
 #include <string_view>
@@ -36,18 +37,26 @@ std::string told_by(const std::string& script) {
 
 } // namespace
 
+std::string figure_document(const FigureScript& figure) {
+    const Drawn drawn =
+        run_gnuplot("tables = " + gnuplot_text(figure.tables) + "\narg = " + gnuplot_text(figure.argument) +
+                        "\nfigure = " + gnuplot_text(figure.name) + "\n" + figure.style + figure.script,
+                    figure.seconds);
+    if (drawn.pictures.find("<svg") == std::string::npos)
+        throw rough::InputError("gnuplot did not draw it" +
+                                (drawn.failure.empty() ? "" : " (" + drawn.failure + ")") +
+                                "; install the Debian package gnuplot-nox");
+    return drawn.pictures;
+}
+
 std::string figure_svg(const FigureScript& figure) {
-    const std::string given = "tables = " + gnuplot_text(figure.tables) +
-                              "\narg = " + gnuplot_text(figure.argument) +
-                              "\nfigure = " + gnuplot_text(figure.name) + "\n";
-    Drawn drawn = run_gnuplot(given + figure.style + figure.script, figure.seconds);
-    std::string& svg = drawn.pictures;
-    const std::size_t begin = svg.find("<svg");
-    if (begin == std::string::npos)
-        return "<p>No picture: gnuplot did not draw it" +
-               (drawn.failure.empty() ? "" : " (" + escaped(drawn.failure) + ")") +
-               "; install the Debian package gnuplot-nox.</p>";
-    svg.erase(0, begin);
+    std::string svg;
+    try {
+        svg = figure_document(figure);
+    } catch (const rough::InputError& error) {
+        return "<p>No picture: " + escaped(error.what()) + ".</p>";
+    }
+    svg.erase(0, svg.find("<svg"));
     svg.insert(4, " role=\"img\" aria-label=\"" + escaped(told_by(figure.script)) + "\"");
     for (const auto& [written, variable] : colours)
         replace_all(svg, written, variable);

@@ -123,6 +123,33 @@ std::string file_text(const std::string& name, const Rendering& rendering) {
     return found->second;
 }
 
+/// The script of a figure, "NAME" or "NAME:ARGUMENT".
+FigureScript figure_script(const std::string& figure, const std::string& name, const PageSource& source,
+                           const Rendering& rendering) {
+    const std::size_t colon = std::min(figure.find(':'), figure.size());
+    return {.script = file_text(figure.substr(0, colon) + ".gp", rendering),
+            .style = file_text("style.gp", rendering),
+            .tables = (source.folder / source.prefix).string(),
+            .argument = figure.substr(std::min(colon + 1, figure.size())),
+            .name = name,
+            .seconds = rendering.seconds};
+}
+
+/// A path as an address of a link: characters that mean something else there are written by their numbers.
+std::string address(const std::string& path) {
+    std::string text = path.find(':') < path.find('/') ? "./" : "";
+    for (const char c : path)
+        if (std::isalnum(static_cast<unsigned char>(c)) ||
+            std::string_view("-._~/:").find(c) != std::string_view::npos) {
+            text += c;
+        } else {
+            char number[4];
+            std::snprintf(number, sizeof number, "%%%02X", static_cast<unsigned char>(c));
+            text += number;
+        }
+    return text;
+}
+
 /// What the tags of a page are looked up in.
 class Context : public kainjow::mustache::context<std::string> {
   public:
@@ -166,19 +193,14 @@ class Context : public kainjow::mustache::context<std::string> {
     }
 
     const data* figure(const std::string& name) const {
+        std::string shown = name;
         const std::size_t colon = name.find(':');
-        std::string argument = colon == std::string::npos ? "" : name.substr(colon + 1);
-        if (const std::size_t at = argument.find('@'); at != std::string::npos) {
-            const data* const value = get(argument.substr(at + 1));
-            argument = argument.substr(0, at) + (value && value->is_string() ? value->string_value() : "");
+        if (const std::size_t at = name.find('@', std::min(colon, name.size())); at != std::string::npos) {
+            const data* const value = get(name.substr(at + 1));
+            shown = name.substr(0, at) + (value && value->is_string() ? value->string_value() : "");
         }
-        const std::string script = name.substr(0, colon) + ".gp";
-        return kept(data(figure_svg({.script = file_text(script, rendering_),
-                                     .style = file_text("style.gp", rendering_),
-                                     .tables = (source_.folder / source_.prefix).string(),
-                                     .argument = argument,
-                                     .name = "figure" + std::to_string(++figures_),
-                                     .seconds = rendering_.seconds})));
+        return kept(data(
+            figure_svg(figure_script(shown, "figure" + std::to_string(++figures_), source_, rendering_))));
     }
 
     static data filtered(const std::string& text, const std::string& filter) {
@@ -186,6 +208,8 @@ class Context : public kainjow::mustache::context<std::string> {
         const std::string argument = word == filter ? "" : filter.substr(word.size() + 1);
         if (word == "is")
             return text == argument;
+        if (word == "address")
+            return address(text);
         const auto number = number_in(text);
         if (!number || (filter.empty() && text.front() != number_mark))
             return text;
@@ -256,19 +280,31 @@ std::string render(const PageSource& source, const Rendering& rendering) {
     return rendered("layout.mustache", around, rendering);
 }
 
-PageSource page_source(const std::filesystem::path& folder) {
-    const std::filesystem::path file = folder / "result.json";
-    PageSource source{rough::parsed_json(rough::read_whole(file), file.string()), folder};
+std::string figure_file(const std::string& figure, const PageSource& source, const Rendering& rendering) {
+    return figure_document(figure_script(figure, "figure", source, rendering));
+}
+
+PageSource page_source(const std::filesystem::path& place) {
+    const bool is_file = std::filesystem::is_regular_file(place);
+    std::filesystem::path file = is_file ? place : place / "result.json";
+    for (const char* name : {"profile.json", "surface.json"})
+        if (!std::filesystem::exists(file) && std::filesystem::exists(place / name))
+            file = place / name;
+    PageSource source{rough::parsed_json(rough::read_whole(file), file.string()),
+                      is_file ? place.parent_path() : place, is_file ? place.stem().string() + "-" : ""};
     const json kind = source.values.is_object() ? source.values.value("kind", json()) : json();
     if (!kind.is_string() ||
         kind.get<std::string>().find_first_not_of("abcdefghijklmnopqrstuvwxyz-") != std::string::npos)
         throw rough::InputError(file.string() +
-                                ": kind is missing or no kind of result; run the experiment again");
+                                ": kind is missing or no kind of result; run the command again");
     return source;
 }
 
-std::string page_name(const std::string& kind) {
-    return (kind == "chart" || kind == "stability" ? kind : "report") + ".html";
+std::filesystem::path page_of(const PageSource& source) {
+    if (!source.prefix.empty())
+        return source.folder / (source.prefix.substr(0, source.prefix.size() - 1) + ".html");
+    const std::string kind = source.values["kind"];
+    return source.folder / ((kind == "chart" || kind == "stability" ? kind : "report") + ".html");
 }
 
 } // namespace app

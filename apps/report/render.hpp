@@ -9,9 +9,9 @@ namespace app {
 
 /// The values of a page and where the rest of it is.
 struct PageSource {
-    nlohmann::json values;        ///< result.json; its `kind` names the template
+    nlohmann::json values;        ///< of result.json; its `kind` names the template
     std::filesystem::path folder; ///< of the tables NAME.csv
-    std::string prefix = {};      ///< before the names of the tables, e.g. "curve-"
+    std::string prefix = {};      ///< before the names of the tables, e.g. "curve-" beside curve.json
 };
 
 /// How pages are rendered.
@@ -29,7 +29,7 @@ struct Rendering {
 ///   stands the script's variable `arg`: `figures.NAME:TEXT`; `@KEY` at its end is replaced by a value;
 /// - `{{KEY|FILTER}}` formats a value. Numbers: `3` (digits, the default), `percent`, `brief`, `length` (from
 ///   mm) and `pressure` (from MPa) with the unit that suits. Conditions for sections: `is:TEXT`, `above:X`,
-///   `below:X`. Lists and objects: `count`, `some` (a
+///   `below:X`. `address` makes a path an address of a link. Lists and objects: `count`, `some` (a
 ///   condition), and `items`, the entries of an object, each with its `key`. In a loop `row` is its number,
 ///   from 1, and `more` is true unless it is the last.
 ///
@@ -37,10 +37,16 @@ struct Rendering {
 /// read.
 std::string render(const PageSource& source, const Rendering& rendering = {});
 
-/// The source of a result folder: result.json and its tables. Throws rough::InputError.
-PageSource page_source(const std::filesystem::path& folder);
+/// One picture as an SVG file of its own; `figure` as behind `figures.` in a template. Throws
+/// rough::InputError if it cannot be drawn.
+std::string figure_file(const std::string& figure, const PageSource& source, const Rendering& rendering = {});
 
-/// The name of the page of a result: "chart.html" and "stability.html" of these kinds, else "report.html".
-std::string page_name(const std::string& kind);
+/// The source of a folder (result.json, profile.json or surface.json and its tables), or of a file CURVE.json
+/// with its tables CURVE-NAME.csv. Throws rough::InputError.
+PageSource page_source(const std::filesystem::path& place);
+
+/// Where the page of a source is written: CURVE.html beside CURVE.json; else in the folder chart.html or
+/// stability.html of these kinds, report.html of others.
+std::filesystem::path page_of(const PageSource& source);
 
 } // namespace app

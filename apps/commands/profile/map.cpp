@@ -1,10 +1,10 @@
 #include "apps/commands/profile/map.hpp"
 
+#include "apps/commands/profile/parameters.hpp"
 #include "apps/prompt/area_settings.hpp"
 #include "apps/prompt/verbosity.hpp"
 #include "apps/report/csv.hpp"
-#include "apps/report/map_page.hpp"
-#include "apps/report/map_plot.hpp"
+#include "apps/report/drawn.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/solids.hpp"
 #include "apps/report/units.hpp"
@@ -58,9 +58,9 @@ MaterialRatios ratios_of(rough::Profile map, const Settings& settings) {
     return found;
 }
 
-/// The set that surface.json holds and what was asked for beside it.
-std::vector<Parameter> told(const rough::ArealParameters& areal, const MaterialRatios& ratios) {
-    std::vector<Parameter> all = areal.rows;
+/// The ratios that were requested, as rows beside the set that surface.json holds.
+std::vector<rough::SurfaceParameter> told(const MaterialRatios& ratios) {
+    std::vector<rough::SurfaceParameter> all;
     for (const OnCurve& one : ratios.of_heights) {
         const Unit unit = length_unit(std::abs(one.height));
         all.push_back({"Smr(" + brief(unit.factor * one.height, 4) + " " + unit.name + ")", "",
@@ -80,17 +80,26 @@ nlohmann::json curve_json(const std::vector<OnCurve>& points) {
 }
 
 nlohmann::json numbers_of(const rough::Profile& map, const rough::ArealParameters& areal,
-                          const MaterialRatios& ratios, const Settings& settings) {
+                          const MaterialRatios& ratios, const Settings& settings, const std::string& name,
+                          const std::string& account, const std::vector<std::string>& files) {
     const auto [columns, rows] = map.shape();
     const auto cut_off = [&](const char* name) {
         return settings.has(name) ? nlohmann::json(settings.positive(name)) : nullptr;
     };
     nlohmann::json numbers{
-        {"nodes", {columns, rows}},           {"spacing_mm", {map.spacing, map.row_spacing}},
-        {"lambda_s_mm", cut_off("lambda-s")}, {"lambda_c_mm", cut_off("lambda-c")},
-        {"Str_is_bound", areal.Str_is_bound}, {"version", RUGOSA_VERSION}};
-    for (const Parameter& one : areal.rows)
-        numbers[one.key()] = one.value;
+        {"kind", "surface"},
+        {"name", name},
+        {"account", account},
+        {"files", files},
+        {"length_mm",
+         {map.spacing * static_cast<double>(columns - 1), map.row_spacing * static_cast<double>(rows - 1)}},
+        {"nodes", {columns, rows}},
+        {"spacing_mm", {map.spacing, map.row_spacing}},
+        {"lambda_s_mm", cut_off("lambda-s")},
+        {"lambda_c_mm", cut_off("lambda-c")},
+        {"Str_is_bound", areal.Str_is_bound},
+        {"version", RUGOSA_VERSION}};
+    add_parameters(numbers, areal.rows, told(ratios));
     if (settings.has("smr"))
         numbers["Smr_of_heights"] = curve_json(ratios.of_heights);
     if (settings.has("smc"))
@@ -106,17 +115,16 @@ int profile_map(const Settings& settings, const rough::Extrusion& extrusion) {
     const rough::Profile& map = read.heights;
     const rough::ArealParameters areal = areal_parameters(map, wraps);
     const MaterialRatios ratios = ratios_of(map, settings);
-    const std::vector<Parameter> all = told(areal, ratios);
     const rough::Spectrum spectrum = continuous_spectrum(map, wraps);
     const Solids solids = solids_of(map, extrusion);
 
     const std::filesystem::path source = settings.text(measured ? "surface" : "genome");
-    const OutputFolder out(
-        settings.text("out"), source.stem().string(),
-        {{"surface.json", "heights.txt", "surface.x3p", "surface.vtk", "surface.stl", "surface.3mf",
-          "heights.svg", "bearing.csv", "spectrum.csv", "spectrum.svg", "report.html"},
-         settings.files(),
-         settings.is_on("force")});
+    const OutputFolder out(settings.text("out"), source.stem().string(),
+                           {{"surface.json", "heights.txt", "surface.x3p", "surface.vtk", "surface.stl",
+                             "surface.3mf", "heights.svg", "map.csv", "bearing.csv", "spectrum.csv",
+                             "spectrum-drawn.csv", "spectrum.svg", "report.html"},
+                            settings.files(),
+                            settings.is_on("force")});
     const auto write = [&](const char* name, const std::string& content) {
         rough::write_atomically(out.path() / name, content);
     };
@@ -124,23 +132,24 @@ int profile_map(const Settings& settings, const rough::Extrusion& extrusion) {
     write("surface.x3p", x3p(map));
     write("surface.vtk", vtk(map));
     const std::vector<std::string> solid_files = write_solids(solids, out.path(), "surface");
-    const auto [ratio, level] = bearing_curve(map.heights);
-    write("bearing.csv", csv({"material_ratio", "height_mm"}, {ratio, level}));
+    write("bearing.csv", bearing_csv(map.heights));
+    write("map.csv", map_csv(map, {"height_mm"}, {below_highest(map)}));
     write("spectrum.csv", csv({"wave_number_rad_per_mm", "density_mm4", "power_mm2"},
                               {spectrum.wave_number, spectrum.density, spectrum.power}));
-    if (settings.is_on("pictures")) {
-        const Plot heights = heights_plot(map);
-        write_picture(out.path() / "heights.svg", heights);
-        write_picture(out.path() / "spectrum.svg", spectrum_plot(spectrum));
-        std::vector<std::string> files{"surface.json", "heights.txt", "heights.svg", "surface.x3p",
-                                       "surface.vtk",  "bearing.csv", "spectrum.csv"};
-        files.insert(files.end(), solid_files.begin(), solid_files.end());
-        write("report.html",
-              map_page({source.filename().string(), read.account, map, all, spectrum, heights, files}));
-    }
-    write_json(out.path() / "surface.json", numbers_of(map, areal, ratios, settings));
+    write("spectrum-drawn.csv",
+          drawn_csv({"wave_number_rad_per_mm", "density"}, {spectrum.wave_number, spectrum.density}, true));
+    std::vector<std::string> files{"surface.json", "heights.txt", "surface.x3p",
+                                   "surface.vtk",  "bearing.csv", "spectrum.csv"};
+    files.insert(files.end(), solid_files.begin(), solid_files.end());
+    write_json(out.path() / "surface.json",
+               numbers_of(map, areal, ratios, settings, source.filename().string(), read.account, files));
+    if (settings.is_on("pictures"))
+        write_pages(out.path(), {{"heights.svg", "map:height_mm"}, {"spectrum.svg", "spectrum:mm⁴"}});
     say(measured ? source.string() + ": " + read.account : read.account);
-    tell_parameters(all, areal["Sz"]);
+    std::vector<rough::SurfaceParameter> all = areal.rows;
+    for (const rough::SurfaceParameter& one : told(ratios))
+        all.push_back(one);
+    print_parameters(all, areal["Sz"]);
     say("written to " + out.path().string());
     return 0;
 }

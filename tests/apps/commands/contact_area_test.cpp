@@ -75,6 +75,8 @@ TEST_CASE("an area's page shows where it touches, with as many spots as the tabl
     for (auto at = page.find("<image"); at != std::string::npos; at = page.find("<image", at + 1))
         ++pictures;
     CHECK(pictures == 3); // heights, and the pressure of two steps
+    REQUIRE(rugosa("report c.json --out again.html", folder.path()).code == 0);
+    CHECK(rough::read_whole(folder / "again.html") == page);
 }
 
 TEST_CASE("what an area cannot be pressed with is refused in one line") {

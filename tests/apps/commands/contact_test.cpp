@@ -185,8 +185,10 @@ TEST_CASE("a page beside the curve shows pressure and gap at some loads, and lin
     const std::string page = rough::read_whole(folder / "page.html");
     for (const char* part :
          {"href=\"a%20curve.csv\"", "href=\"a%20curve.json\"", "href=\"a%20curve-slip.csv\"",
-          "no --modulus given", "Widest spot", "100 kPa", "200 kPa", "class=\"unseen\""})
+          "no --modulus given", "Widest spot", "100 kPa", "200 kPa", "var(--blue)"})
         CHECK_THAT(page, Catch::Contains(part));
+    REQUIRE(rugosa("report 'a curve.json' --out again.html", folder.path()).code == 0);
+    CHECK(rough::read_whole(folder / "again.html") == page);
     CHECK(rugosa("contact --genome 'one wave.json' --out b.csv --report page.html --force", folder.path())
               .code == 0);
     std::filesystem::remove(folder / "b.csv");

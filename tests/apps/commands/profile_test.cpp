@@ -55,8 +55,10 @@ TEST_CASE("a genome's profile comes out as heights, solid, pictures, roughness a
     CHECK(bearing.front()[1] == profile.heights.maxCoeff());
     const std::string page = rough::read_whole(out / "report.html");
     for (const char* part : {"href=\"profile.3mf\"", "href=\"profile.json\"",
-                             "<td data-label=\"Parameter\">Pa</td>", "A primary profile", "class=\"unseen\""})
+                             "<td>Pa</td>", "A primary profile", "var(--blue)"})
         CHECK_THAT(page, Catch::Contains(part));
+    REQUIRE(rugosa("report out/surface --out again.html", folder.path()).code == 0);
+    CHECK(rough::read_whole(folder / "again.html") == page);
     CHECK(numbers["m4_per_mm2"].get<double>() == roughness(profile)["m4"]);
     CHECK(numbers["m2"].get<double>() == Approx(numbers["series"]["m2"].get<double>()).epsilon(0.5));
     CHECK(rows_of(out / "lines.csv", "wave_number_rad_per_mm,power_mm2").size() == 3);
@@ -212,6 +214,8 @@ TEST_CASE("a map comes out as ISO 25178 parameters, heights that are read back, 
     const std::string page = rough::read_whole(folder / "o" / "report.html");
     CHECK_THAT(page, Catch::Contains("data:image/png;base64,iVBORw0KGgo") && Catch::Contains("ISO 25178-2") &&
                          Catch::Contains("<svg"));
+    REQUIRE(rugosa("report o --out again.html", folder.path()).code == 0);
+    CHECK(rough::read_whole(folder / "again.html") == page);
     // What was written is what is read: the same parameters, from the matrix and from the X3P.
     for (const std::string source : {"o/heights.txt --spacing 0.01x0.02 --out a", "o/surface.x3p --out b"}) {
         const auto again = rugosa("profile --detrend none --pictures off --surface " + source, folder.path());

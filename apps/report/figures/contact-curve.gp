@@ -1,0 +1,11 @@
+# Tangent stiffness or contact fraction against mean pressure.
+# arg: stiffness or contact, and what stands behind the tables' common name in the name of the curve's file
+what = word(arg, 1); is_stiffness = what eq "stiffness"
+file = tables[1:strlen(tables) - 1].arg[strlen(what) + 2:*]
+stats file using "pressure_MPa" nooutput
+factor = pressure_factor(STATS_max)
+set xlabel sprintf("Mean pressure p (%s)", pressure_unit(STATS_max)); set xrange [0:*]; set yrange [0:*]
+set ylabel is_stiffness ? "Stiffness K (MPa/mm)" : "Contact fraction A"
+plot file using (factor * column("pressure_MPa")): \
+    (column(is_stiffness ? "tangent_stiffness_MPa_per_mm" : "contact_fraction")) with linespoints lc rgb blue lw 1.5 \
+    ps 0.4 notitle
