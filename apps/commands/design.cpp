@@ -1,7 +1,6 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/commands/design/files.hpp"
-#include "apps/commands/design/page.hpp"
 #include "apps/commands/design/settings.hpp"
 #include "apps/commands/design/summary.hpp"
 #include "apps/prompt/interrupt.hpp"
@@ -9,6 +8,7 @@
 #include "apps/prompt/verbosity.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/recorder.hpp"
+#include "apps/report/render.hpp"
 #include "apps/report/units.hpp"
 #include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"
@@ -93,7 +93,8 @@ int design(const Words& words) {
             "--resume: given without --out, expected the folder of the interrupted design");
     const OutputFolder output(settings.text("out"), "design",
                               {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor",
-                                "checkpoint.cbor.before", "surface.stl", "surface.3mf"},
+                                "checkpoint.cbor.before", "surface.stl", "surface.3mf", "curves.csv",
+                                "points.csv", "heights-drawn.csv", "map.csv", "front.csv"},
                                settings.files(),
                                settings.is_on("force"),
                                resume});
@@ -150,10 +151,12 @@ int design(const Words& words) {
         write_design_result(run, folder);
     }
     if (!run.interrupted) {
-        if (pictures && clock.seconds() < limit)
-            rough::write_atomically(folder / "report.html",
-                                    design_page(run, std::min(3600., limit - clock.seconds())));
-        else if (pictures)
+        if (pictures && clock.seconds() < limit) {
+            write_design_drawings(run, folder);
+            rough::write_atomically(
+                folder / "report.html",
+                render(page_source(folder), {.seconds = std::min(3600., limit - clock.seconds())}));
+        } else if (pictures)
             say("note: no time was left for report.html; expected more --seconds for it");
     }
     if (run.found.stopped.empty() || run.found.best.lowest() >= run.setup.required_similarity)

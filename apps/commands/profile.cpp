@@ -119,11 +119,6 @@ nlohmann::json numbers_of(const Shape& shape, const rough::Roughness& r, const S
     return numbers;
 }
 
-Eigen::VectorXd positions(const rough::Profile& profile) {
-    return profile.spacing *
-           Eigen::VectorXd::LinSpaced(profile.nodes(), 0, static_cast<double>(profile.nodes() - 1));
-}
-
 std::pair<Eigen::VectorXd, Eigen::VectorXd> columns(const std::vector<rough::SpectralLine>& lines) {
     Eigen::VectorXd k(static_cast<Eigen::Index>(lines.size())), power(k.size());
     for (Eigen::Index i = 0; i < k.size(); ++i) {

@@ -34,27 +34,13 @@ rough::ContactCurve solved_again(const rough::Profile& surface, const rough::Mod
     return solve_contact(surface, model.body, displacements, options);
 }
 
-/// Pressure and gap along a profile at one load, without the header.
-std::string along_rows(std::size_t load, const rough::Profile& profile, const rough::Interface& at) {
-    const double length = profile.spacing * static_cast<double>(profile.nodes() - 1);
-    const std::string rows =
-        drawn_csv({"x_mm", "pressure_MPa", "gap_mm"},
-                  {Eigen::VectorXd::LinSpaced(profile.nodes(), 0, length), at.pressure, at.gap.cwiseMax(0)});
-    std::string text;
-    for (std::size_t begin = rows.find('\n') + 1, end; begin < rows.size(); begin = end + 1) {
-        end = rows.find('\n', begin);
-        text += std::to_string(load) + "," + rows.substr(begin, end + 1 - begin);
-    }
-    return text;
-}
-
 } // namespace
 
 ContactTables contact_tables(const rough::Profile& surface, const rough::Model& model,
                              const rough::Response& response) {
     const rough::ContactCurve curve = solved_again(surface, model, response);
     const bool is_2d = surface.is_2d();
-    Csv loads("load,map_column,mean_pressure_MPa,pressure_over_modulus,contact_fraction,spots," +
+    Csv loads("load,mean_pressure_MPa,pressure_over_modulus,contact_fraction,spots," +
               std::string(is_2d ? "largest_spot_mm2" : "widest_spot_mm") +
               ",highest_pressure_MPa,mean_gap_mm");
     std::string along = "load,x_mm,pressure_MPa,gap_mm\n";
@@ -63,16 +49,14 @@ ContactTables contact_tables(const rough::Profile& surface, const rough::Model& 
     for (std::size_t i = 0; i < curve.steps.size(); ++i) {
         const rough::LoadStep& step = curve.steps[i];
         const rough::Interface at = interface_at(surface, model.body, step, curve.states[i]);
-        const std::string column = "pressure_" + std::to_string(i + 1) + "_MPa";
-        loads.row(i + 1, column, step.pressure, step.pressure / model.body.effective_modulus,
-                  step.contact_fraction, at.spots, at.widest, curve.states[i].pressure.maxCoeff(),
-                  at.gap.mean());
+        loads.row(i + 1, step.pressure, step.pressure / model.body.effective_modulus, step.contact_fraction,
+                  at.spots, at.widest, curve.states[i].pressure.maxCoeff(), at.gap.mean());
         if (is_2d) {
-            names.push_back(column);
+            names.push_back("pressure_" + std::to_string(i + 1) + "_MPa");
             maps.emplace_back(Eigen::VectorXd::Constant(surface.nodes(), NAN));
             maps.back()(curve.states[i].nodes) = curve.states[i].pressure;
         } else {
-            along += along_rows(i + 1, surface, at);
+            along += drawn_rows(std::to_string(i + 1), {positions(surface), at.pressure, at.gap.cwiseMax(0)});
         }
     }
     const Index last = response.steps() - 1;

@@ -48,10 +48,24 @@ std::string drawn_csv(const std::vector<std::string>& header, const std::vector<
     return csv(header, drawn);
 }
 
+std::string drawn_rows(const std::string& word, const std::vector<Eigen::VectorXd>& columns) {
+    const std::string rows = drawn_csv(std::vector<std::string>(columns.size()), columns);
+    std::string text;
+    for (std::size_t begin = rows.find('\n') + 1, end; begin < rows.size(); begin = end + 1) {
+        end = rows.find('\n', begin);
+        text += word + "," + rows.substr(begin, end + 1 - begin);
+    }
+    return text;
+}
+
+Eigen::VectorXd positions(const rough::Profile& profile) {
+    return profile.spacing *
+           Eigen::VectorXd::LinSpaced(profile.nodes(), 0, static_cast<double>(profile.nodes() - 1));
+}
+
 std::string heights_csv(const rough::Profile& profile) {
-    const double length = profile.spacing * static_cast<double>(profile.nodes() - 1);
-    return drawn_csv({"x_mm", "height_mm"}, {Eigen::VectorXd::LinSpaced(profile.nodes(), 0, length),
-                                             profile.heights.array() - profile.heights.mean()});
+    return drawn_csv({"x_mm", "height_mm"},
+                     {positions(profile), profile.heights.array() - profile.heights.mean()});
 }
 
 std::string map_csv(const rough::Profile& map, const std::vector<std::string>& names,
@@ -85,8 +99,8 @@ std::string map_csv(const rough::Profile& map, const std::vector<std::string>& n
     return out.str();
 }
 
-Eigen::VectorXd below_highest(const rough::Profile& map) {
-    return map.heights.array() - map.heights.maxCoeff();
+Eigen::VectorXd below_highest(const rough::Profile& surface) {
+    return surface.heights.array() - surface.heights.maxCoeff();
 }
 
 std::string bearing_csv(const Eigen::VectorXd& heights) {

@@ -17,6 +17,12 @@ std::vector<rough::Index> rows_to_draw(const Eigen::VectorXd& x, const std::vect
 std::string drawn_csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns,
                       bool logarithmic = false);
 
+/// The same without a header, each row behind a word.
+std::string drawn_rows(const std::string& word, const std::vector<Eigen::VectorXd>& columns);
+
+/// Positions of a profile's nodes along it, mm.
+Eigen::VectorXd positions(const rough::Profile& profile);
+
 /// Heights (mm) of a profile about their mean along it: `x_mm,height_mm`.
 std::string heights_csv(const rough::Profile& profile);
 
@@ -26,8 +32,8 @@ std::string heights_csv(const rough::Profile& profile);
 std::string map_csv(const rough::Profile& map, const std::vector<std::string>& names,
                     const std::vector<Eigen::VectorXd>& values);
 
-/// Heights of a map (mm) below the highest one: the column `height_mm` of map_csv.
-Eigen::VectorXd below_highest(const rough::Profile& map);
+/// Heights below the highest one, mm.
+Eigen::VectorXd below_highest(const rough::Profile& surface);
 
 /// The material ratio curve: `material_ratio` (share of the nodes, 0 to 1) and `height_mm`, which that share
 /// exceeds, in at most 1001 rows.

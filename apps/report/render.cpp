@@ -6,6 +6,7 @@
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -171,6 +172,15 @@ class Context : public kainjow::mustache::context<std::string> {
             return value->is_false() || value->is_empty_list() ? nullptr : kept(data(true));
         if (filter == "count")
             return kept(data(std::to_string(value->is_list() ? value->list_value().size() : 1)));
+        if (filter == "by") {
+            std::string sides;
+            for (const data& side : value->is_list() ? value->list_value() : kainjow::mustache::list{*value})
+                sides +=
+                    (sides.empty() ? "" : " x ") +
+                    filtered(side.string_value(), side.string_value().front() == number_mark ? "brief:6" : "")
+                        .string_value();
+            return kept(data(sides));
+        }
         return value->is_string() ? kept(filtered(value->string_value(), filter)) : value;
     }
 
@@ -199,8 +209,9 @@ class Context : public kainjow::mustache::context<std::string> {
             const data* const value = get(name.substr(at + 1));
             shown = name.substr(0, at) + (value && value->is_string() ? value->string_value() : "");
         }
-        return kept(data(
-            figure_svg(figure_script(shown, "figure" + std::to_string(++figures_), source_, rendering_))));
+        return kept(
+            data(figure_svg(figure_script(shown, "figure" + std::to_string(++figures_), source_,
+                                          {rendering_.templates, rendering_.seconds - clock_.seconds()}))));
     }
 
     static data filtered(const std::string& text, const std::string& filter) {
@@ -234,6 +245,7 @@ class Context : public kainjow::mustache::context<std::string> {
     mutable std::deque<data> made_; ///< keeps addresses
     mutable std::map<std::string, const data*> tables_;
     mutable int figures_ = 0;
+    ga::Stopwatch clock_;
 };
 
 std::string rendered(const std::string& name, kainjow::mustache::basic_context<std::string>& context,

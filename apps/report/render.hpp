@@ -17,7 +17,7 @@ struct PageSource {
 /// How pages are rendered.
 struct Rendering {
     std::filesystem::path templates = {}; ///< folder of files used instead of the built-in ones; "": none
-    double seconds = 60;                  ///< for each picture, at most
+    double seconds = 600;                 ///< for all pictures, at most
 };
 
 /// Renders KIND.mustache of apps/report/templates: one self-contained page in light and dark.
@@ -30,8 +30,8 @@ struct Rendering {
 /// - `{{KEY|FILTER}}` formats a value. Numbers: `3` (digits, the default), `percent`, `brief`, `length` (from
 ///   mm) and `pressure` (from MPa) with the unit that suits. Conditions for sections: `is:TEXT`, `above:X`,
 ///   `below:X`. `address` makes a path an address of a link. Lists and objects: `count`, `some` (a
-///   condition), and `items`, the entries of an object, each with its `key`. In a loop `row` is its number,
-///   from 1, and `more` is true unless it is the last.
+///   condition), and `by` (sides: "20 x 18"), `items`, the entries of an object, each with its `key`. In a
+///   loop `row` is its number, from 1, and `more` is true unless it is the last.
 ///
 /// Throws rough::InputError if the kind has no template, a template cannot be parsed, or a table cannot be
 /// read.

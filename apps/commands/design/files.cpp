@@ -21,6 +21,18 @@ json weighted_json(const rough::Target& goal) {
     return result;
 }
 
+/// A target as the page shows it: its file's name, its quantity and what this is given against.
+json shown_json(const rough::Target& target, std::size_t number) {
+    json result = weighted_json(target);
+    const std::string quantity =
+        rough::is_contact_fraction(target.quantity) ? "contact_fraction" : name_of(target.quantity);
+    result["file"] = std::filesystem::path(target.name).filename().string();
+    result["quantity"] = quantity;
+    result["figure"] = std::to_string(number) + " " + quantity + " " +
+                       (target.against_pressure() ? "pressure" : "displacement");
+    return result;
+}
+
 json answer_json(const rough::Answer& answer) {
     return {{"similarity", answer.similarity},
             {"similarity_refined", answer.similarity_refined},
@@ -73,12 +85,15 @@ json morph_json(const DesignRun& run) {
                 {"changes", json::array()},
                 {"out_of_reach", json::array()}};
     for (const rough::PhaseChange& change : morphed.changes)
-        result["changes"].push_back({{"series", change.place.series + 1},
-                                     {"chromosome", change.n},
-                                     {"ridge", change.place.ridge + 1},
-                                     {"before", change.before},
-                                     {"after", change.after},
-                                     {"at_limit", change.at_limit}});
+        result["changes"].push_back(
+            {{"series", change.place.series + 1},
+             {"chromosome", change.n},
+             {"ridge", change.place.ridge + 1},
+             {"wave_length_mm", rough::wave_length(run.from->genome.series[change.place.series], change.n)},
+             {"change", change.after - change.before},
+             {"before", change.before},
+             {"after", change.after},
+             {"at_limit", change.at_limit}});
     for (const rough::PointOff& off : morphed.off) {
         const rough::Target& target = run.setup.targets[off.target];
         result["out_of_reach"].push_back(
@@ -98,14 +113,21 @@ json design_json(const DesignRun& run) {
                                {variant}});
     result["target"] = weighted_json(run.setup.targets.front());
     for (const rough::Target& goal : run.setup.targets)
-        result["targets"].push_back(weighted_json(goal));
+        result["targets"].push_back(shown_json(goal, result["targets"].size() + 1));
+    result["is_2d"] = run.setup.model.grid.is_2d();
+    result["required_similarity"] = run.setup.required_similarity;
+    result["verified"] = run.found.best.is_verified();
+    result["accounts"] = run.accounts;
+    result["like"] = run.setup.like ? json(run.setup.like->nodes()) : json();
     result["verdict"] = run.summary.verdict;
     result["summary"] = summary_json(run);
     result["interrupted"] = run.interrupted;
     result["out_of_reach"] = json::array();
     for (const auto& reason : run.out_of_reach)
-        result["out_of_reach"].push_back(
-            {{"reason", reason.reason}, {"at", reason.at}, {"highest_similarity", reason.bound}});
+        result["out_of_reach"].push_back({{"reason", reason.reason},
+                                          {"at", reason.at},
+                                          {"highest_similarity", reason.bound},
+                                          {"on_this_grid", reason.on_this_grid}});
 
     json& answer = result["variants"][run.found.name];
     answer["stopped"] = run.found.stopped;

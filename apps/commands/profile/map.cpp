@@ -144,7 +144,7 @@ int profile_map(const Settings& settings, const rough::Extrusion& extrusion) {
     write_json(out.path() / "surface.json",
                numbers_of(map, areal, ratios, settings, source.filename().string(), read.account, files));
     if (settings.is_on("pictures"))
-        write_pages(out.path(), {{"heights.svg", "map:height_mm"}, {"spectrum.svg", "spectrum:mm⁴"}});
+        write_pages(out.path(), {{"heights.svg", "map:height"}, {"spectrum.svg", "spectrum:mm⁴"}});
     say(measured ? source.string() + ": " + read.account : read.account);
     std::vector<rough::SurfaceParameter> all = areal.rows;
     for (const rough::SurfaceParameter& one : told(ratios))

@@ -1,5 +1,6 @@
-#include "apps/commands/design/page.hpp"
+#include "apps/commands/design/files.hpp"
 #include "apps/commands/design/summary.hpp"
+#include "apps/report/render.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/problem/verification.hpp"
 #include "domain/profile/solid.hpp"
@@ -140,12 +141,17 @@ TEST_CASE("the page of an area that was not verified draws its own curve alone a
     run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best, &run.own);
     run.summary = app::summary_of(run);
     CHECK_FALSE(run.summary.found);
-    const std::string page = app::design_page(run, 60);
+    run.origin.kind = "design";
+    const Folder folder;
+    write_design_result(run, folder.path());
+    write_design_drawings(run, folder.path());
+    const std::string page = render(app::page_source(folder.path()));
     CHECK(page.find("not verified: similarity ") != std::string::npos);
     CHECK(page.find("There was no time to verify the answer") != std::string::npos);
     CHECK(page.find("There was no time for: 4 times the nodes; 4 times the load steps") != std::string::npos);
+    CHECK(page.find("No picture") == std::string::npos);
     CHECK(page.find("Where it touches at the last load") != std::string::npos);
-    CHECK(page.find("on a grid four times finer, ") == std::string::npos);
+    CHECK(page.find(">finer grid<") == std::string::npos);
     CHECK(page.find("nan") == std::string::npos);
 }
 

@@ -62,11 +62,14 @@ TEST_CASE("a design's similarities follow from its genome, amplitude free or by 
              {"How much two profiles differ is 1 less the correlation coefficient",
               "at worst (the least of these and of both together)", "noise not asked for (--noise)"})
             CHECK((!free || page.find(words) != std::string::npos));
-        if (free)
-            CHECK(outline(page) == Outline{"table Not found", "# The answer", "figure goal-1",
+        if (free) {
+            CHECK(outline(page) == Outline{"table Not found", "figure goal-1", "# The answer", "table ",
                                            "table What can be made", "# Different answers", "figure profiles",
-                                           "table ", "# How far to trust it", "table The same asked again",
+                                           "table ", "# How far to trust it", "table The same verified again",
                                            "table On other bodies, for comparison", "# How it was found"});
+            CHECK(rugosa("report r --out again.html", folder.path()).code == 0);
+            CHECK(rough::read_whole(folder / "again.html") == page);
+        }
         const rough::Genome alone = rough::read_genome(folder / "r" / "genome.json");
         CHECK(rough::genes(alone) == rough::genes(genome));
     }

@@ -1,0 +1,18 @@
+# A target, and the curves of the answer on its grid and on a finer one.
+# arg: number of the target, its quantity, and pressure or displacement
+here(i) = column("target") == int(word(arg, 1)); quantity = word(arg, 2); is_pressure = word(arg, 3) eq "pressure"
+curves = tables."curves.csv"; points = tables."points.csv"
+stats points using (here(0) ? column("x") : NaN) nooutput
+factor = is_pressure ? pressure_factor(STATS_max) : length_factor(STATS_max)
+set xlabel (is_pressure ? "Mean pressure p (".pressure_unit(STATS_max) : "Displacement (".length_unit(STATS_max)).")"
+set ylabel (quantity eq "stiffness" ? "Stiffness K (MPa/mm)" : quantity eq "load" ? "Mean pressure p (MPa)" : \
+    quantity eq "contact_fraction" ? "Contact fraction A" : "Interface stiffness K_i (MPa/mm)") noenhanced
+set xrange [0:*]; set yrange [0:*]; set key maxcols 3
+x(name) = here(0) && strcol("curve") eq name ? factor * column("x") : NaN
+p(i) = here(0) ? factor * column("x") : NaN
+plot curves using (x("answer")):"y" with lines lc rgb blue title "answer", \
+    curves using (x("finer")):"y" with lines lc rgb orange dt 2 title "finer grid", \
+    curves using (x("before")):"y" with lines lc rgb faint title "before", \
+    points using (p(0)):"lower" with lines lc rgb faint lw 1 title "band", \
+    points using (p(0)):"upper" with lines lc rgb faint lw 1 notitle, \
+    points using (p(0)):"y" with points lc rgb ink pt 7 title "target"
