@@ -180,14 +180,6 @@ void tell_notes(const std::vector<std::string>& notes) {
         (note.starts_with("checkpoint ") || note.starts_with("log ") ? say : tell)("note: " + note);
 }
 
-void write_picture(const fs::path& file, const Plot& plot) {
-    const Drawing drawing = draw({plot});
-    if (drawing.missing.empty())
-        rough::write_atomically(file, svg_file(drawing.pictures.front()));
-    else
-        say("note: " + file.filename().string() + " is left out: " + drawing.missing);
-}
-
 void write_json(const fs::path& file, const nlohmann::json& content) {
     rough::write_atomically(file, rough::json_text(content) + "\n");
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "apps/prompt/settings.hpp"
-#include "apps/report/plot.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -13,7 +12,7 @@ namespace app {
 
 /// Files to write, and what must not be lost for them.
 struct Writing {
-    std::vector<std::string> names;            ///< in the folder; "*.svg" is every picture
+    std::vector<std::string> names;            ///< in the folder; "*.x3p" is every file of that kind
     std::vector<std::filesystem::path> inputs; ///< what the command reads: never written over
     bool force = false;                        ///< other files may be
     bool resume = false;                       ///< so may those of the run that is gone on with
@@ -61,9 +60,6 @@ double checkpoint_interval();
 
 /// Tells what could not be kept on the way, and with --verbose the engine's other remarks.
 void tell_notes(const std::vector<std::string>& notes);
-
-/// Writes a plot as an SVG file. Where it cannot be drawn, says so: a missing picture costs nothing else.
-void write_picture(const std::filesystem::path& file, const Plot& plot);
 
 /// Writes a JSON file whole or not at all. A number that is not known (NaN) is null in it.
 void write_json(const std::filesystem::path& file, const nlohmann::json& content);

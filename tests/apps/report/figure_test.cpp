@@ -1,0 +1,102 @@
+#include "apps/report/builtin.hpp"
+#include "apps/report/figure.hpp"
+#include "domain/errors.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "tests/folder.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <cstdlib>
+#include <optional>
+#include <thread>
+
+using namespace app;
+using tests::Folder;
+
+namespace {
+
+FigureScript labelled(const std::string& label) {
+    return {.script =
+                "# A < B\nset xlabel arg noenhanced\nplot [1:2] x with linespoints lc rgb blue title 'a'\n",
+            .style = builtin_files().at("style.gp"),
+            .tables = {},
+            .argument = label,
+            .name = "figure1"};
+}
+
+/// An environment variable that is restored at the end.
+class Environment {
+  public:
+    Environment(const char* name, const std::string& value) : name_(name) {
+        if (const char* before = std::getenv(name))
+            before_ = before;
+        setenv(name, value.c_str(), 1);
+    }
+    ~Environment() {
+        if (before_)
+            setenv(name_, before_->c_str(), 1);
+        else
+            unsetenv(name_);
+    }
+    Environment(const Environment&) = delete;
+
+  private:
+    const char* name_;
+    std::optional<std::string> before_;
+};
+
+} // namespace
+
+TEST_CASE("a picture has the page's colours, a spoken text and ids of its own") {
+    const std::string svg = figure_svg(labelled("x"));
+    CHECK_THAT(svg, Catch::StartsWith("<svg role=\"img\" aria-label=\"A &lt; B\"") &&
+                        Catch::Contains("var(--blue)") && Catch::Contains("id='figure1gp") &&
+                        !Catch::Contains("rgb(  0, 114, 178)") && !Catch::Contains("id='gp"));
+    CHECK_THAT(figure_document(labelled("x")), Catch::StartsWith("<?xml") && !Catch::Contains("var("));
+}
+
+TEST_CASE("a label is the text that it is, whatever gnuplot would make of it") {
+    const Folder folder;
+    const std::string harm = (folder / "harm").string();
+    for (const auto& [label, shown] :
+         {std::pair(std::string("'quoted"), std::string("'quoted")),
+          {"`touch " + harm + "`1", "`touch " + harm + "`1"},
+          {"\"; system 'touch " + harm + "'; \"", "\"; system 'touch " + harm + "'; \""},
+          {"$(date) @m {/Bold x} %s", "$(date) @m {/Bold x} %s"}}) {
+        INFO(label);
+        CHECK_THAT(figure_svg(labelled(label)), Catch::Contains(">" + shown + "<"));
+    }
+    CHECK_FALSE(std::filesystem::exists(harm));
+}
+
+TEST_CASE("pictures need no shell, no temporary folder and none of the user's gnuplot settings") {
+    const Folder folder;
+    const std::string harm = (folder / "harm").string();
+    folder.write(".gnuplot", "system 'touch " + harm + "'\n");
+    const Environment home("HOME", folder.path().string()), temporary("TMPDIR", "|touch '" + harm + "'");
+    CHECK_NOTHROW(figure_document(labelled("a")));
+    CHECK_FALSE(std::filesystem::exists(harm));
+}
+
+TEST_CASE("a gnuplot that hangs is ended with all that it started") {
+    const Folder folder;
+    std::filesystem::permissions(
+        folder.write("gnuplot", "#!/bin/sh\nsleep 1000 & echo $! >" + (folder / "child").string() + "; wait"),
+        std::filesystem::perms::owner_all);
+    const Environment path("PATH", folder.path().string() + ":" + std::getenv("PATH"));
+    FigureScript figure = labelled("a");
+    figure.seconds = 0.3;
+    CHECK_THAT(figure_svg(figure), Catch::Contains("No picture: "));
+    const std::string child = rough::read_whole(folder / "child");
+    const std::string process = "/proc/" + child.substr(0, child.find('\n')) + "/exe";
+    for (int i = 0; i < 1000 && std::filesystem::exists(process); ++i) // killed, it may not have gone yet
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    CHECK_FALSE(std::filesystem::exists(process));
+}
+
+TEST_CASE("without gnuplot a picture is a line that says what to install") {
+    const Environment path("PATH", "/nowhere");
+    CHECK_THAT(figure_svg(labelled("a")), Catch::Contains("gnuplot-nox") && !Catch::Contains("\n"));
+    CHECK_THROWS_AS(figure_document(labelled("a")), rough::InputError);
+}
