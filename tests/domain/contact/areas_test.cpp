@@ -366,7 +366,7 @@ TEST_CASE("contact spots are counted with their neighbours across a periodic edg
 }
 
 TEST_CASE("a curve names the nodes that touch at its last step, by every solver and control", "[contact]") {
-    const Profile map = maps::self_affine(24, 0.8, 5, 0.1);
+    const Profile map = maps::self_affine(40, 0.8, 5, 0.1);
     for (const Solver solver :
          {Solver::automatic, Solver::nested, Solver::nnls, Solver::polonsky_keer, Solver::active_set}) {
         ContactOptions options = by(solver);

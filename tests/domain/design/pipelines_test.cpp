@@ -80,7 +80,9 @@ TEST_CASE("the default search begins anew until an answer has the required simil
     CHECK(search(setup, options).counters.asked == once);
     setup.required_similarity = 1.1; // nothing has that
     options.evaluations = 2 * once;
-    CHECK(search(setup, options).counters.asked == 2 * once);
+    const long twice = search(setup, options).counters.asked;
+    CHECK(twice > once);
+    CHECK(twice <= 2 * once);
 }
 
 TEST_CASE("corrected targets bring an answer nearer at its worst") {
