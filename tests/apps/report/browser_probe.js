@@ -24,10 +24,11 @@ addEventListener('load', () => {
     const overlap = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 &&
         Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1;
 
-    const pictures = [...document.querySelectorAll('svg.plot')].map((svg) => {
+    const pictures = [...document.querySelectorAll('.panels svg')].map((svg) => {
         const frame = box(svg), texts = [...svg.querySelectorAll('text')];
         const boxes = texts.map(box);
-        const lines = [...svg.querySelectorAll('path:not(.grid),use,polygon[class]')];
+        const lines = [...svg.querySelectorAll('path:not(.gridline),use')]
+            .filter((line) => !line.closest('defs') && getComputedStyle(line).stroke !== 'none');
         const problems = [];
         boxes.forEach((one, i) => {
             if (one.left < frame.left - 1 || one.right > frame.right + 1 || one.top < frame.top - 1 ||
@@ -43,7 +44,7 @@ addEventListener('load', () => {
             letters: Math.min(...texts.map((text) =>
                 parseFloat(getComputedStyle(text).fontSize) * frame.width / svg.viewBox.baseVal.width)),
             text: Math.min(...texts.map((text) => contrast(getComputedStyle(text).fill, ground(svg)))),
-            lines: Math.min(...lines.map((line) => contrast(getComputedStyle(line).color, ground(svg)))),
+            lines: Math.min(...lines.map((line) => contrast(getComputedStyle(line).stroke, ground(svg)))),
         };
     });
     const words = [...document.querySelectorAll('h1,h2,p,figcaption,th,td,caption,a,dt,dd,code,.badge,.rule')]
