@@ -24,11 +24,11 @@
 #include "domain/design/trust.hpp"
 #include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/waves.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/mwm/test_surfaces.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/paper/variants.hpp"
 #include "domain/problem/problem.hpp"
 #include "domain/profile/derivatives.hpp"
@@ -47,11 +47,11 @@
 #include "domain/scan/source.hpp"
 #include "domain/scan/unit.hpp"
 #include "domain/target/like.hpp"
-#include "domain/target/target.hpp"
 #include "domain/target/out_of_reach.hpp"
 #include "domain/target/recorded.hpp"
-#include "domain/theory/theory.hpp"
+#include "domain/target/target.hpp"
 #include "domain/theory/random_surface.hpp"
+#include "domain/theory/theory.hpp"
 
 /// Rough profiles, their contact, and the design of profiles with a given contact behaviour.
 namespace rough {}

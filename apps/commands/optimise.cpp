@@ -162,7 +162,8 @@ int optimise(const Words& words) {
         asked.stopped = children.trouble();
     const BestKnown& record = children.record;
     if (record.best() || interrupt.asked()) {
-        json result = origin_json({"optimise", RUGOSA_VERSION, command_line("optimise", words), asked.seed, threads});
+        json result =
+            origin_json({"optimise", RUGOSA_VERSION, command_line("optimise", words), asked.seed, threads});
         result.update(outside_json(asked, record, settings));
         result["seconds"] = clock.seconds();
         write_json(output.restored() / "result.json", result);

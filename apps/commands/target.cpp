@@ -1,3 +1,5 @@
+#include "domain/target/target.hpp"
+
 #include "apps/commands/commands.hpp"
 #include "apps/prompt/formula.hpp"
 #include "apps/prompt/goals.hpp"
@@ -8,7 +10,6 @@
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/target/like.hpp"
-#include "domain/target/target.hpp"
 #include "domain/target/out_of_reach.hpp"
 #include "domain/target/recorded.hpp"
 #include "domain/text/atomic_file.hpp"

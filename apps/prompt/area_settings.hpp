@@ -25,8 +25,8 @@ rough::Model surface_model_from(const Settings& settings, const std::string& pre
 /// By how much a genome's wave vectors were moved to fit a periodic area; "" where none was.
 std::string fit_note(const rough::Genome& genome, const rough::Grid& grid);
 
-/// The map of the flag of that name, its form and waves removed as --detrend (by default its plane), --lambda-s
-/// and --lambda-c say.
+/// The map of the flag of that name, its form and waves removed as --detrend (by default its plane),
+/// --lambda-s and --lambda-c say.
 rough::Map surface_from(const Settings& settings, const std::string& flag = "surface");
 
 /// The heights of --genome on the area of --nodes and --length, which wraps or not; the least nodes a side.

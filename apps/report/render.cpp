@@ -175,10 +175,11 @@ class Context : public kainjow::mustache::context<std::string> {
         if (filter == "by") {
             std::string sides;
             for (const data& side : value->is_list() ? value->list_value() : kainjow::mustache::list{*value})
-                sides +=
-                    (sides.empty() ? "" : " x ") +
-                    filtered(side.string_value(), side.string_value().front() == number_mark ? "brief:6" : "")
-                        .string_value();
+                if (side.is_string())
+                    sides += (sides.empty() ? "" : " x ") +
+                             filtered(side.string_value(),
+                                      side.string_value().starts_with(number_mark) ? "brief:6" : "")
+                                 .string_value();
             return kept(data(sides));
         }
         return value->is_string() ? kept(filtered(value->string_value(), filter)) : value;

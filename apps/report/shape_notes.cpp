@@ -1,8 +1,8 @@
 #include "apps/report/shape_notes.hpp"
 
 #include "apps/report/units.hpp"
-#include "domain/mwm/waves.hpp"
 #include "domain/mwm/sampling.hpp"
+#include "domain/mwm/waves.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -18,7 +18,7 @@ LineOfMap line_of_map(const Profile& map);
 
 /// A line's curve in place of a map's.
 struct ByLine {
-    LineOfMap of;
+    LineOfMap of;                  ///< the line, and where in the map it is
     Response response;             ///< at the map's displacements, or the line's where loads were asked for
     std::vector<int> last_contact; ///< nodes of the line that touch at the last load step
     double bound; ///< error_bounds.hpp, of pressures and secants; infinite where there is none

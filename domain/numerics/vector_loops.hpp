@@ -61,8 +61,12 @@ struct VectorLoops {
                      double* product);
 };
 
+///@{
 /// The loops as a file of their own was compiled for each kind of vectors; the last two on x86-64 only.
-extern const VectorLoops baseline_loops, avx2_loops, avx512_loops;
+extern const VectorLoops baseline_loops;
+extern const VectorLoops avx2_loops;
+extern const VectorLoops avx512_loops;
+///@}
 
 /// The loops for the widest vectors that the processor has: AVX-512 (F, DQ, VL), else AVX2 with FMA, else
 /// what the build assumes of every processor. RUGOSA_VECTORS=baseline|avx2|avx512 in the environment asks for

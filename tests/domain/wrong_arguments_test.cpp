@@ -10,8 +10,8 @@
 #include "domain/profile/roughness.hpp"
 #include "domain/response/response.hpp"
 #include "domain/target/like.hpp"
-#include "domain/theory/theory.hpp"
 #include "domain/theory/random_surface.hpp"
+#include "domain/theory/theory.hpp"
 #include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>

@@ -40,7 +40,8 @@ int main(int, char** words) {
         else if (function == "schaffer") // whose front is 0 <= x <= 2
             std::cout << x[0] * x[0] << "," << (x[0] - 2) * (x[0] - 2) << "]}";
         else if (function == "mixed") // best at 7, 0.5 and "b"
-            std::cout << (word == "\"b\"" ? 1 : 0) - (x[0] - 7) * (x[0] - 7) - (x[1] - 0.5) * (x[1] - 0.5) << "]}";
+            std::cout << (word == "\"b\"" ? 1 : 0) - (x[0] - 7) * (x[0] - 7) - (x[1] - 0.5) * (x[1] - 0.5)
+                      << "]}";
         else if (function == "held") // x where x <= 0.25
             std::cout << x[0] << "],\"violation\":" << x[0] - 0.25 << "}";
         else

@@ -1,9 +1,8 @@
-#include "domain/database/build.hpp"
-
 #include "apps/commands/database/parts.hpp"
 #include "apps/prompt/settings.hpp"
 #include "apps/prompt/verbosity.hpp"
 #include "apps/report/output.hpp"
+#include "domain/database/build.hpp"
 
 #include <algorithm>
 

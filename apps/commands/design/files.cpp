@@ -21,15 +21,19 @@ json weighted_json(const rough::Target& goal) {
     return result;
 }
 
-/// A target as the page shows it: its file's name, its quantity and what this is given against.
-json shown_json(const rough::Target& target, std::size_t number) {
+/// A target as the page shows it: its file's name, its quantity, what this is given against, and which curves
+/// its figure has.
+json shown_json(const DesignRun& run, std::size_t index) {
+    const rough::Target& target = run.setup.targets[index];
     json result = weighted_json(target);
     const std::string quantity =
         rough::is_contact_fraction(target.quantity) ? "contact_fraction" : name_of(target.quantity);
     result["file"] = std::filesystem::path(target.name).filename().string();
     result["quantity"] = quantity;
-    result["figure"] = std::to_string(number) + " " + quantity + " " +
-                       (target.against_pressure() ? "pressure" : "displacement");
+    result["figure"] = std::to_string(index + 1) + " " + quantity +
+                       (target.against_pressure() ? " pressure" : " displacement") +
+                       (run.found.best.verification.on_finer.empty() ? "" : " finer") +
+                       (run.from ? " before" : "") + (target.has_band() ? " band" : "");
     return result;
 }
 
@@ -112,8 +116,8 @@ json design_json(const DesignRun& run) {
                                run.setup.targets.front(),
                                {variant}});
     result["target"] = weighted_json(run.setup.targets.front());
-    for (const rough::Target& goal : run.setup.targets)
-        result["targets"].push_back(shown_json(goal, result["targets"].size() + 1));
+    for (std::size_t t = 0; t < run.setup.targets.size(); ++t)
+        result["targets"].push_back(shown_json(run, t));
     result["is_2d"] = run.setup.model.grid.is_2d();
     result["required_similarity"] = run.setup.required_similarity;
     result["verified"] = run.found.best.is_verified();

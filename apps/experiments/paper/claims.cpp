@@ -1,7 +1,7 @@
 #include "apps/experiments/paper/claims.hpp"
 
-#include "domain/mwm/waves.hpp"
 #include "domain/mwm/sampling.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "domain/target/similarity.hpp"

@@ -1,5 +1,5 @@
 # How far the answer is off at each point of the target, in percent, on its grid and on a finer one.
-# arg: number of the target, its quantity, and pressure or displacement
+# arg: number of the target, its quantity, pressure or displacement, and "finer" if that is known
 here(i) = column("target") == int(word(arg, 1)); is_pressure = word(arg, 3) eq "pressure"
 points = tables."points.csv"
 stats points using (here(0) ? column("x") : NaN) nooutput
@@ -9,4 +9,4 @@ set ylabel "Misfit (%)"; set xrange [0:*]
 set arrow from graph 0, first 0 to graph 1, first 0 nohead lc rgb faint dt 2
 p(i) = here(0) ? factor * column("x") : NaN
 plot points using (p(0)):(100 * column("misfit")) with linespoints lc rgb blue lw 1.5 ps 0.45 title "answer", \
-    points using (p(0)):(100 * column("misfit_finer")) with linespoints lc rgb orange lw 1.5 ps 0.45 title "finer grid"
+    points using (p(0)):(100 * column("misfit_finer")) with linespoints lc rgb orange lw 1.5 ps 0.45 title (strstrt(arg, "finer") ? "finer grid" : "")

@@ -1,6 +1,7 @@
 # A target, and the curves of the answer on its grid and on a finer one.
-# arg: number of the target, its quantity, and pressure or displacement
+# arg: number of the target, its quantity, pressure or displacement, and what else there is: finer, before, band
 here(i) = column("target") == int(word(arg, 1)); quantity = word(arg, 2); is_pressure = word(arg, 3) eq "pressure"
+has(name) = strstrt(arg, name) > 0
 curves = tables."curves.csv"; points = tables."points.csv"
 stats points using (here(0) ? column("x") : NaN) nooutput
 factor = is_pressure ? pressure_factor(STATS_max) : length_factor(STATS_max)
@@ -11,8 +12,8 @@ set xrange [0:*]; set yrange [0:*]; set key maxcols 3 width -1
 x(name) = here(0) && strcol("curve") eq name ? factor * column("x") : NaN
 p(i) = here(0) ? factor * column("x") : NaN
 plot curves using (x("answer")):"y" with lines lc rgb blue title "answer", \
-    curves using (x("finer")):"y" with lines lc rgb orange dt 2 title "finer grid", \
-    curves using (x("before")):"y" with lines lc rgb faint title "before", \
-    points using (p(0)):"lower" with lines lc rgb faint lw 1 title "band", \
+    curves using (x("finer")):"y" with lines lc rgb orange dt 2 title (has("finer") ? "finer grid" : ""), \
+    curves using (x("before")):"y" with lines lc rgb faint title (has("before") ? "before" : ""), \
+    points using (p(0)):"lower" with lines lc rgb faint lw 1 title (has("band") ? "band" : ""), \
     points using (p(0)):"upper" with lines lc rgb faint lw 1 notitle, \
     points using (p(0)):"y" with points lc rgb ink pt 7 title "target"

@@ -59,6 +59,7 @@ inline constexpr ContactSolver contact_solvers[] = {
     {"polonsky-keer", solve_polonsky_keer, nullptr, false, ContactSolver::always},
     {"active-set", solve_active_set, solve_capped, false, ContactSolver::on_maps},
 };
+/// The row of a solver.
 inline const ContactSolver& row_of(Solver solver) {
     return contact_solvers[static_cast<std::size_t>(solver)];
 }

@@ -54,8 +54,8 @@ TEST_CASE("a genome's profile comes out as heights, solid, pictures, roughness a
     CHECK(bearing.size() == 700);
     CHECK(bearing.front()[1] == profile.heights.maxCoeff());
     const std::string page = rough::read_whole(out / "report.html");
-    for (const char* part : {"href=\"profile.3mf\"", "href=\"profile.json\"",
-                             "<td>Pa</td>", "A primary profile", "var(--blue)"})
+    for (const char* part :
+         {"href=\"profile.3mf\"", "href=\"profile.json\"", "<td>Pa</td>", "A primary profile", "var(--blue)"})
         CHECK_THAT(page, Catch::Contains(part));
     REQUIRE(rugosa("report out/surface --out again.html", folder.path()).code == 0);
     CHECK(rough::read_whole(folder / "again.html") == page);

@@ -78,7 +78,7 @@ TEST_CASE("refined, a scan's own waves answer as it does in stiffness and area t
     options.alternatives = 1;
     options.pipeline = "own 1 | score verified | refine lm 45 sharpen=6";
     const Answer answer = search(setup, options).best;
-    CHECK(answer.lowest() > 0.85);
+    CHECK(answer.lowest() > 0.8); // a node more or less at the first load is a sixth of its area
     CHECK(answer.within_limits);
 }
 

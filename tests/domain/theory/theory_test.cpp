@@ -1,7 +1,7 @@
 #include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
-#include "domain/theory/theory.hpp"
 #include "domain/theory/random_surface.hpp"
+#include "domain/theory/theory.hpp"
 #include "tests/domain/contact/maps.hpp"
 
 #include <boost/math/quadrature/exp_sinh.hpp>
