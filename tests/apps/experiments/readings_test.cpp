@@ -1,4 +1,4 @@
-#include "apps/experiments/readings/cross.hpp"
+#include "apps/experiments/readings/readings.hpp"
 #include "domain/errors.hpp"
 #include "tests/apps/experiments/finished.hpp"
 
@@ -34,14 +34,12 @@ TEST_CASE(
     "shares are of the cells in which a claim can be said, and the reading with most claims comes first") {
     const Reading ours{}, strip{2}, far{1};
     ReadingCross cross;
-    cross.claims = {{"a", "A"}, {"b", "B"}, {"c", "C"}};
     cross.cells = {cell(ours, 0, "10?"), cell(strip, 0, "11?"), cell(far, 0, "01?"), cell(ours, 1, "111")};
     const auto sobol = [](const ReadingCell& one) { return one.database == 0; };
     CHECK(cross.share(0, sobol) == Approx(2.0 / 3));
     CHECK(cross.share(2, sobol) == 0); // a cell that cannot say it does not hold
     CHECK(cross.share(2, [](const ReadingCell&) { return true; }) == 0.25);
-    CHECK(cross.holding(ours) == 1);
-    CHECK(cross.ranked() == std::vector<Reading>{strip, ours, far});
+    CHECK(cross.ranked() == std::vector<std::pair<Reading, double>>{{strip, 2}, {ours, 1}, {far, 1}});
     CHECK(deviations(ours) == 0);
     CHECK(deviations({2, 0, 1}) == 2);
 }
