@@ -1,7 +1,7 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/commands/database/parts.hpp"
-#include "apps/experiments/compare/on_ranks.hpp"
+#include "apps/experiments/compare/contest.hpp"
 #include "apps/prompt/settings.hpp"
 #include "apps/prompt/verbosity.hpp"
 #include "domain/errors.hpp"

@@ -35,11 +35,4 @@ using Contestants = std::vector<std::pair<std::string, std::string>>;
 /// Who runs where nothing else is asked for, by the kind of genome.
 const std::map<std::string, Contestants>& usual_contestants();
 
-///@{
-/// A search for a surface: evaluations are curves and gradients, precision is 1 less the similarity.
-Reached raced(const rough::DesignSetup& setup, const std::string& variant, const std::vector<double>& targets,
-              const Attempt& attempt);
-void expect_fits(const rough::DesignSetup& setup, const std::string& variant);
-///@}
-
 } // namespace app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/cluster/cluster.hpp"
 #include "apps/experiments/compare/benchmarks.hpp"
 #include "apps/report/record.hpp"
 #include "domain/numerics/rank_tests.hpp"
@@ -22,6 +23,9 @@ struct Contest {
     std::string budget; ///< as it was given
     std::vector<Bout> bouts;
 };
+
+/// The number of the instance that a run of this number is on.
+inline int instance_of(std::uint64_t number) { return static_cast<int>(1 + (number - 1) % 100000); }
 
 /// Evaluations a success takes in the mean: those of all runs until they reached a target, or ended, over how
 /// many reached it (Auger and Hansen 2005); infinite where none did.
@@ -66,5 +70,8 @@ void write_coco_runs(const Contest& contest, const std::filesystem::path& folder
 /// result.json, runs.csv, ert.csv, ecdf.csv and tests.csv.
 void write_contest(const Contest& contest, const std::vector<GroupResult>& groups,
                    const std::filesystem::path& folder);
+
+/// What each rank does for a comparison: from a race to what it reached.
+cluster::Work races_under(const nlohmann::json& setting);
 
 } // namespace app

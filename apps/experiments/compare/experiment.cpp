@@ -1,9 +1,9 @@
 #include "apps/experiments/experiment.hpp"
 
-#include "apps/cluster/cluster.hpp"
 #include "apps/experiments/compare/contest.hpp"
-#include "apps/experiments/compare/on_ranks.hpp"
+#include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/model_settings.hpp"
+#include "domain/problem/stored.hpp"
 #include "domain/text/words.hpp"
 #include "ga/base/parallel.hpp"
 
@@ -13,6 +13,8 @@
 namespace app {
 
 namespace {
+
+using nlohmann::json;
 
 constexpr const char* usual_problems = "bbob5, bbob20, zdt, dtlz, knapsack, tsp";
 constexpr const char* quick_problems =
@@ -159,6 +161,41 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
     return contest;
 }
 
+/// One run of a comparison.
+struct CompareRun {
+    std::string problem, pipeline;
+    int instance = 1;
+    std::uint64_t seed = 1;
+    long budget = 0;
+};
+
+/// Runs it here; ends early if the program is asked to stop.
+Reached raced(const Benchmark& problem, const CompareRun& race) {
+    return problem.run(race.pipeline, race.instance, {race.seed, race.budget, &Interrupt::flag()});
+}
+
+/// So many races on all ranks, each as `run_of` its place says; `take` gets what they reached, in any order.
+void race_on_ranks(const std::optional<rough::DesignSetup>& roughness, int threads, std::size_t count,
+                   const std::function<CompareRun(std::size_t)>& run_of,
+                   const std::function<void(std::size_t, Reached)>& take) {
+    cluster::hand_out(
+        {.kind = "races",
+         .setting = roughness ? json(*roughness) : json(),
+         .threads = threads,
+         .count = count,
+         .task =
+             [&](std::size_t i) {
+                 const CompareRun run = run_of(i);
+                 return json::array({run.problem, run.pipeline, run.instance, run.seed, run.budget});
+             },
+         .take =
+             [&](std::size_t i, const json& j) {
+                 take(i, {j.at(0).get<std::vector<double>>(), j.at(1), j.at(2),
+                          j.at(3).get<std::vector<std::pair<long, double>>>()});
+             },
+         .stopped = [] { return Interrupt::flag().load(); }});
+}
+
 /// All runs, spread over threads and ranks; problems that were not finished are left out.
 void hold(Contest& contest, const Settings& settings, const Conditions& conditions) {
     struct Place {
@@ -229,6 +266,16 @@ Findings run_compare(const Settings& settings, const Conditions& conditions) {
 }
 
 } // namespace
+
+cluster::Work races_under(const json& setting) {
+    const auto roughness =
+        setting.is_null() ? std::nullopt : std::optional(setting.get<rough::DesignSetup>());
+    return [roughness](const json& r) {
+        const CompareRun race{r.at(0), r.at(1), r.at(2), r.at(3), r.at(4)};
+        const Reached reached = raced(benchmarks({race.problem}, roughness).front(), race);
+        return json::array({reached.evaluations, reached.precision, reached.spent, reached.found});
+    };
+}
 
 Experiment compare_experiment() {
     return {.kind = "compare",

@@ -1,4 +1,4 @@
-#include "apps/experiments/compare/problems/fronts.hpp"
+#include "apps/experiments/compare/problems/problems.hpp"
 
 #include <algorithm>
 #include <cmath>

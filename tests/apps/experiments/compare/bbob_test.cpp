@@ -1,5 +1,4 @@
 #include "apps/experiments/compare/problems/bbob.hpp"
-#include "apps/experiments/compare/problems/bbob_instance.hpp"
 #include "ga/base/random.hpp"
 
 #include <Eigen/Eigenvalues>

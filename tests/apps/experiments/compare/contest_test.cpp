@@ -1,5 +1,4 @@
 #include "apps/experiments/compare/contest.hpp"
-#include "apps/experiments/compare/pagmo.hpp"
 #include "domain/errors.hpp"
 #include "ga/base/errors.hpp"
 

@@ -1,5 +1,4 @@
-#include "apps/experiments/compare/problems/combinations.hpp"
-#include "apps/experiments/compare/problems/fronts.hpp"
+#include "apps/experiments/compare/problems/problems.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "apps/experiments/compare/problems/instance.hpp"
+#include "apps/experiments/compare/race.hpp"
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 namespace app {
 
@@ -33,5 +34,13 @@ double shortest_tour(const std::vector<Town>& towns);
 /// A tour of scattered towns (up to 16) or of those on a circle; the precision is relative.
 TourInstance scattered_instance(std::size_t count, std::uint64_t seed);
 TourInstance circle_instance(std::size_t count, std::uint64_t seed);
+
+/// Test problems of several objectives whose front is known: zdt1 to zdt4 and zdt6 of two (Zitzler, Deb and
+/// Thiele 2000), dtlz1, dtlz2 and dtlz7 of three (Deb, Thiele, Laumanns and Zitzler 2005), with as many genes
+/// as there.
+const std::vector<std::string>& front_problems();
+
+/// One of them by name.
+RealInstance front_instance(const std::string& name);
 
 } // namespace app
