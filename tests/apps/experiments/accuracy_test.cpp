@@ -1,4 +1,4 @@
-#include "apps/experiments/accuracy/run.hpp"
+#include "apps/experiments/solvers/accuracy.hpp"
 #include "apps/report/render.hpp"
 #include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"

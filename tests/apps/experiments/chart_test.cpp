@@ -1,5 +1,4 @@
-#include "apps/experiments/chart/course.hpp"
-#include "apps/experiments/chart/tables.hpp"
+#include "apps/experiments/solvers/chart.hpp"
 #include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"

@@ -1,4 +1,4 @@
-#include "apps/experiments/stability/reference.hpp"
+#include "apps/experiments/solvers/stability.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"

@@ -1,5 +1,4 @@
-#include "apps/experiments/stability/scenes.hpp"
-
+#include "apps/experiments/solvers/stability.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 
@@ -43,13 +42,6 @@ double reach_of(const VectorXd& heights, Kernel kernel) {
     return kernel == Kernel::periodic ? (heights.maxCoeff() - heights.array()).mean() : range_of(heights);
 }
 
-std::vector<double> steps_to(double last, int steps) {
-    std::vector<double> displacements;
-    for (int j = 1; j <= steps; ++j)
-        displacements.push_back(last * j / steps);
-    return displacements;
-}
-
 class SceneList {
   public:
     /// Five steps to 0.9 of the reach, unless displacements are given; changes are the caller's.
@@ -64,7 +56,7 @@ class SceneList {
         scene.body.datum = length;
         scene.body.strip_width = length / 511;
         scene.displacements =
-            displacements.empty() ? steps_to(0.9 * reach_of(heights, kernel), 5) : displacements;
+            displacements.empty() ? even_steps(0.9 * reach_of(heights, kernel), 5) : displacements;
         scenes.push_back(scene);
         return scenes.back();
     }
@@ -134,7 +126,7 @@ void add_numbers(SceneList& list, Kernel kernel) {
     list.add("denormal", kernel, 1e-310 * rough);
     list.add("modulus-1e-6", kernel, rough).body.effective_modulus = 1e-6;
     list.add("modulus-1e12", kernel, rough).body.effective_modulus = 1e12;
-    const auto steps = steps_to(0.01, 2);
+    const auto steps = even_steps(0.01, 2);
     VectorXd broken = rough;
     broken[40] = std::numeric_limits<double>::quiet_NaN();
     list.add("nan", kernel, broken, steps).has_solution = false;
@@ -156,8 +148,8 @@ void add_bodies(SceneList& list) {
     narrow.body.strip_width = 1e-6 * narrow.profile.spacing;
     const VectorXd many = rough_heights(65536);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic})
-        list.add("nodes-65536", kernel, many, steps_to(0.25 * reach_of(many, kernel), 2));
-    list.add("nodes-65536", Kernel::strip, many, steps_to(0.9 * reach_of(many, Kernel::strip), 2));
+        list.add("nodes-65536", kernel, many, even_steps(0.25 * reach_of(many, kernel), 2));
+    list.add("nodes-65536", Kernel::strip, many, even_steps(0.9 * reach_of(many, Kernel::strip), 2));
 }
 
 } // namespace

@@ -1,14 +1,20 @@
-#include "apps/experiments/contact_trial.hpp"
+#include "apps/experiments/solvers/trial.hpp"
 
 #include "domain/errors.hpp"
 #include "ga/base/stopwatch.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <ctime>
 
 namespace app {
+
+std::vector<double> even_steps(double last, int steps) {
+    std::vector<double> displacements;
+    for (int j = 1; j <= steps; ++j)
+        displacements.push_back(last * j / steps);
+    return displacements;
+}
 
 double processor_seconds() {
     timespec time{};
@@ -55,8 +61,7 @@ ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions option
 }
 
 double promised_tolerance(const rough::ContactCurve& curve, const rough::ContactOptions& options) {
-    const bool direct = curve.solver == rough::Solver::nested || curve.solver == rough::Solver::nnls;
-    return direct ? 1e-9 : 10 * options.tolerance;
+    return is_direct(curve.solver) ? 1e-9 : 10 * options.tolerance;
 }
 
 } // namespace app

@@ -2,8 +2,10 @@
 
 #include "domain/contact/names.hpp"
 
+#include <algorithm>
 #include <string>
 
+/// What the experiments on contact solvers share: a solver on a scene, and its time.
 namespace app {
 
 /// A profile pressed on a body, by name.
@@ -13,6 +15,8 @@ struct ContactScene {
     rough::Body body;
     std::vector<double> displacements; ///< mm
 };
+/// Displacements of so many even load steps up to `last`.
+std::vector<double> even_steps(double last, int steps);
 
 enum class Outcome { solved, refused, not_converged, wrong };
 const std::string& name_of(Outcome outcome);
@@ -28,6 +32,21 @@ struct ContactTrial {
 
 /// Processor time of this thread: what other work on the machine takes is not counted.
 double processor_seconds();
+
+/// The least processor time of a few rounds of some work, as other work on the machine only adds to it: of
+/// `rounds`, or of fewer if these would take more than `within` seconds.
+template <class Work>
+double least_seconds(Work work, int rounds = 9, double within = 0.1) {
+    double least = 0, spent = 0;
+    for (int round = 0; round < rounds && (round == 0 || spent * (round + 1) < within * round); ++round) {
+        const double start = processor_seconds();
+        work();
+        const double seconds = processor_seconds() - start;
+        least = round == 0 ? seconds : std::min(least, seconds);
+        spent += seconds;
+    }
+    return least;
+}
 
 /// Solves, by the options as they are.
 ContactTrial try_contact(const ContactScene& scene, const rough::ContactOptions& options);

@@ -1,0 +1,410 @@
+#include "apps/experiments/solvers/chart.hpp"
+
+#include "apps/experiments/experiment.hpp"
+#include "apps/prompt/progress.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/result.hpp"
+#include "apps/report/units.hpp"
+#include "domain/contact/exact.hpp"
+#include "domain/errors.hpp"
+#include "domain/mwm/test_surfaces.hpp"
+#include "domain/response/curve.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "ga/base/stopwatch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+namespace app {
+
+using Eigen::VectorXd;
+using rough::Index;
+using rough::Solver;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double longest_wave = 0.84942; ///< mm
+
+bool is_iterative(Solver method) { return method == Solver::polonsky_keer || method == Solver::active_set; }
+
+/// Displacement, pressure, stiffness and contact fraction at each of so many points behind 0.
+ChartTruth truth_through(int points, const std::function<std::array<double, 4>(int)>& at) {
+    ChartTruth truth;
+    const std::array columns{&truth.displacement, &truth.pressure, &truth.stiffness, &truth.fraction};
+    for (VectorXd* column : columns)
+        *column = VectorXd::Zero(points + 1);
+    for (int k = 1; k <= points; ++k) {
+        const auto values = at(k);
+        for (std::size_t c = 0; c < values.size(); ++c)
+            (*columns[c])[k] = values[c];
+    }
+    return truth;
+}
+
+/// Presses a scene until its contact has the half-width `widest` (mm).
+void press_exactly(ChartScene& scene, const std::function<rough::exact::Contact(double)>& contact,
+                   double widest) {
+    scene.last = contact(widest).displacement;
+    scene.exact = [contact, widest, length = scene.length] {
+        constexpr int points = 20000;
+        ChartTruth truth = truth_through(points, [&](int k) -> std::array<double, 4> {
+            const double a = widest * k / points;
+            const rough::exact::Contact c = contact(a);
+            return {c.displacement, c.load / length, c.stiffness / length, 2 * a / length};
+        });
+        truth.origin = "the exact solution";
+        truth.finest_verified = std::numeric_limits<Index>::max();
+        return truth;
+    };
+}
+
+ChartScene hertz() {
+    constexpr double radius = 1;
+    const rough::exact::HalfPlane body{1, 1};
+    ChartScene scene{"hertz", "a Hertz parabola, contact growing to 80 % of the length", {}, 1, {}, 0, {}};
+    scene.body.datum = body.datum;
+    scene.height = [](double x) { return -(x - 0.5) * (x - 0.5) / (2 * radius); };
+    press_exactly(
+        scene, [=](double a) { return rough::exact::parabola(radius, a, body); }, 0.4);
+    return scene;
+}
+
+ChartScene westergaard() {
+    ChartScene scene{
+        "westergaard", "Westergaard's wave, periodic, contact growing to 80 %", {}, 1, {}, 0, {}};
+    scene.body.kernel = rough::Kernel::periodic;
+    scene.height = [](double x) { return std::cos(2 * pi * (x - 0.5)) - 1; };
+    press_exactly(
+        scene, [](double a) { return rough::exact::wave(1, 1, a, 1); }, 0.4);
+    return scene;
+}
+
+ChartScene of_waves(const std::string& name, const std::string& words, std::vector<rough::Wave> waves) {
+    ChartScene scene{name, words, {}, longest_wave, {}, 0, {}};
+    scene.height = [waves = std::move(waves)](double x) { return height_at(waves, x); };
+    const VectorXd heights = scene.profile(65537).heights;
+    scene.last = 0.6 * (heights.maxCoeff() - heights.minCoeff());
+    return scene;
+}
+
+ChartTruth refined(const ChartScene& scene, Index nodes, int steps, const std::function<bool()>& stop) {
+    rough::ContactOptions options;
+    options.stop = stop;
+    const rough::ContactCurve curve =
+        solve_contact(scene.profile(nodes), scene.body, even_steps(scene.last, steps), options);
+    ChartTruth truth = truth_through(steps, [&](int j) -> std::array<double, 4> {
+        const rough::LoadStep& step = curve.steps[static_cast<std::size_t>(j - 1)];
+        return {step.displacement, step.pressure, step.tangent_stiffness, step.contact_fraction};
+    });
+    truth.stiffness[0] = truth.stiffness[1];
+    return truth;
+}
+
+} // namespace
+
+const ChartExtent& quick_extent() {
+    static const ChartExtent extent{{128, 512, 2048}, {512, 2048}, {5, 80}, {1e-3, 1e-6}, 8193, 1};
+    return extent;
+}
+
+const ChartExtent& whole_extent() {
+    static const ChartExtent extent{{128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536},
+                                    {512, 2048},
+                                    {5, 10, 40, 80, 160},
+                                    {1e-3, 1e-4, 1e-6, 1e-8},
+                                    65537,
+                                    5};
+    return extent;
+}
+
+ChartSetting usual_setting(std::size_t scene, Solver method, Index nodes) {
+    return {scene, method, nodes, usual_steps, is_iterative(method) ? 1e-6 : 0};
+}
+
+std::vector<ChartSetting> chart_plan(const ChartExtent& extent) {
+    std::vector<ChartSetting> plan;
+    for (const Index nodes : extent.nodes)
+        for (std::size_t m = 0; m < rough::solver_names().size(); ++m) {
+            ChartSetting setting = usual_setting(0, static_cast<Solver>(m), nodes);
+            for (const double tolerance :
+                 is_iterative(setting.method) ? extent.tolerances : std::vector<double>{0}) {
+                plan.push_back(setting);
+                plan.back().tolerance = tolerance;
+            }
+            if (std::count(extent.nodes_with_steps.begin(), extent.nodes_with_steps.end(), nodes))
+                for (const int steps : extent.steps) {
+                    plan.push_back(setting);
+                    plan.back().steps = steps;
+                }
+        }
+    return plan;
+}
+
+rough::Profile ChartScene::profile(Index nodes) const {
+    return rough::sampled({nodes, length, body.kernel == rough::Kernel::periodic}, height);
+}
+
+std::vector<ChartScene> chart_scenes() {
+    const auto mwm = [](double hurst, double gamma, int count) {
+        return rough::self_affine_waves(longest_wave, 0.05, hurst, gamma, count);
+    };
+    return {hertz(), westergaard(),
+            of_waves("mwm-smooth", "a smooth MWM profile, H = 1.2, gamma = 1.7, 8 waves", mwm(1.2, 1.7, 8)),
+            of_waves("mwm-rough", "a rough MWM profile, H = 0.6, gamma = 1.5, 11 waves", mwm(0.6, 1.5, 11)),
+            of_waves("fractional-brownian", "a fractional-Brownian profile, H = 0.8, 64 waves",
+                     rough::brownian_waves(longest_wave, 0.05, 0.8, 64))};
+}
+
+ChartTruth truth_of(const ChartScene& scene, Index most_nodes, const std::function<bool()>& stop) {
+    if (scene.exact)
+        return scene.exact();
+    constexpr int steps = 160;
+    constexpr double still = 1e-6;
+    Index nodes = (most_nodes - 1) / 16 + 1;
+    ChartTruth truth = refined(scene, nodes, steps, stop);
+    double moved = 1;
+    while (moved > still && 4 * (nodes - 1) + 1 <= most_nodes) {
+        nodes = 4 * (nodes - 1) + 1;
+        ChartTruth finer = refined(scene, nodes, steps, stop);
+        moved = root_mean_square(truth.pressure.tail(steps).array() / finer.pressure.tail(steps).array() - 1);
+        truth = std::move(finer);
+    }
+    truth.origin = "a grid of " + std::to_string(nodes) + " nodes and " + std::to_string(steps) +
+                   " load steps, whose pressures a grid of a quarter of the nodes misses by " +
+                   brief(100 * moved) + " %";
+    truth.finest_verified = (nodes - 1) / 4;
+    return truth;
+}
+
+void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, ChartRun& run) {
+    const rough::Response found = rough::response_of(curve.steps, curve.solver, 0);
+    const auto read = [](const VectorXd& x, const VectorXd& y, const VectorXd& at) -> VectorXd {
+        const rough::Curve through{x, y, -HUGE_VAL, HUGE_VAL};
+        return at.unaryExpr([&](double where) { return through.at(where); });
+    };
+    const VectorXd pressure = read(truth.displacement, truth.pressure, found.displacement),
+                   fraction = read(truth.displacement, truth.fraction, found.displacement);
+    run.error_pressure = root_mean_square(found.pressure.array() / pressure.array() - 1);
+    run.error_contact = root_mean_square(found.contact_fraction - fraction);
+    constexpr int samples = 20;
+    const double last = truth.pressure.tail(1)[0];
+    const VectorXd at = VectorXd::LinSpaced(samples, last / samples, last);
+    run.error_stiffness = root_mean_square(read(found.pressure, found.tangent_stiffness, at).array() /
+                                               read(truth.pressure, truth.stiffness, at).array() -
+                                           1);
+}
+
+std::optional<ChartRun> run_chart(const ChartScene& scene, const ChartTruth& truth,
+                                  const ChartSetting& setting, double limit,
+                                  const std::function<bool()>& stop) {
+    const ContactScene contact{scene.name, scene.profile(setting.nodes), scene.body,
+                               even_steps(scene.last, setting.steps)};
+    rough::ContactOptions options;
+    options.solver = setting.method;
+    if (setting.tolerance > 0)
+        options.tolerance = setting.tolerance;
+    ChartRun run;
+    run.setting = setting;
+    double start = 0;
+    options.stop = [&] {
+        run.late = processor_seconds() - start > limit;
+        return run.late || (stop && stop());
+    };
+    ContactTrial trial;
+    run.seconds = least_seconds([&] {
+        start = processor_seconds();
+        trial = try_contact(contact, options);
+    });
+    if (stop && stop())
+        return std::nullopt;
+    run.iterations = trial.curve.iterations;
+    run.outcome = trial.outcome;
+    if (trial.outcome == Outcome::solved) {
+        run.contact_fraction = trial.curve.steps.back().contact_fraction;
+        if (setting.nodes <= truth.finest_verified)
+            measure_errors(trial.curve, truth, run);
+    }
+    return run;
+}
+
+namespace {
+
+class Course {
+  public:
+    Course(const std::vector<ChartScene>& scenes, const ChartExtent& extent, const ChartBounds& bounds)
+        : scenes_(scenes), extent_(extent), bounds_(bounds), plan_(chart_plan(extent)) {
+        data_.limit = extent.limit;
+    }
+
+    ChartData run() {
+        if (bounds_.finest_map > 0) {
+            tell("theories, profiles and maps");
+            data_.models = charted_models(bounds_.finest_map, bounds_.stop);
+        }
+        for (const ChartScene& scene : scenes_)
+            find_truth(scene);
+        for (const ChartSetting& setting : plan_)
+            try_on_all(setting);
+        return std::move(data_);
+    }
+
+  private:
+    bool stopped() const { return bounds_.stop && bounds_.stop(); }
+    bool is_over(const ChartSetting& setting) const {
+        return setting.nodes > plan_.front().nodes && clock_.seconds() > bounds_.seconds;
+    }
+    void leave_out(const ChartSetting& setting, LeftOutFor why) { data_.left_out.push_back({setting, why}); }
+
+    void find_truth(const ChartScene& scene) {
+        tell("reference of " + scene.name);
+        try {
+            truths_.push_back(truth_of(scene, extent_.most_for_truth, bounds_.stop));
+        } catch (const rough::NotConverged&) {
+            if (!stopped())
+                throw;
+            truths_.emplace_back(); // nothing will be measured against it
+        }
+        data_.scenes.push_back({scene.name, scene.words, name_of(scene.body.kernel), truths_.back().origin});
+    }
+
+    /// The same method, steps and tolerance on the scene, whatever the grid.
+    static ChartSetting on_any_grid(ChartSetting setting) {
+        setting.nodes = 0;
+        return setting;
+    }
+
+    /// The least that a curve can take, s.
+    double least(const ChartSetting& setting) const {
+        const auto coarser = coarser_.find(on_any_grid(setting));
+        return coarser == coarser_.end() ? 0
+                                         : coarser->second.seconds * static_cast<double>(setting.nodes) /
+                                               static_cast<double>(coarser->second.setting.nodes);
+    }
+
+    std::optional<LeftOutFor> barred(const ChartSetting& setting) const {
+        const auto coarser = coarser_.find(on_any_grid(setting));
+        if (coarser != coarser_.end() && coarser->second.outcome != Outcome::solved && !coarser->second.late)
+            return LeftOutFor::unsolved;
+        return least(setting) > extent_.limit ? std::optional(LeftOutFor::limit) : std::nullopt;
+    }
+
+    void try_on_all(ChartSetting setting) {
+        std::vector<ChartSetting> row;
+        double expected = 0;
+        for (setting.scene = 0; setting.scene < scenes_.size(); ++setting.scene)
+            if (const auto why = stopped() ? LeftOutFor::interrupt : barred(setting)) {
+                leave_out(setting, *why);
+            } else {
+                row.push_back(setting);
+                expected += least(setting);
+            }
+        const bool fits =
+            setting.nodes == plan_.front().nodes || clock_.seconds() + expected <= bounds_.seconds;
+        const std::size_t before = data_.runs.size();
+        for (const ChartSetting& each : row)
+            if (!fits || is_over(each))
+                leave_out(each, LeftOutFor::time);
+            else
+                measure(each);
+        if (data_.runs.size() < before + row.size() && !stopped()) { // not of some scenes alone
+            for (std::size_t k = before; k < data_.runs.size(); ++k)
+                leave_out(data_.runs[k].setting, LeftOutFor::time);
+            data_.runs.resize(before);
+        }
+    }
+
+    void measure(const ChartSetting& setting) {
+        const auto run = run_chart(scenes_[setting.scene], truths_[setting.scene], setting, extent_.limit,
+                                   [&] { return stopped() || is_over(setting); });
+        if (!run)
+            return leave_out(setting, stopped() ? LeftOutFor::interrupt : LeftOutFor::time);
+        coarser_[on_any_grid(setting)] = *run;
+        data_.runs.push_back(*run);
+        tell(scenes_[setting.scene].name + ", " + name_of(setting.method) +
+             ", N = " + std::to_string(setting.nodes));
+    }
+
+    void tell(const std::string& what) const {
+        if (bounds_.watch)
+            bounds_.watch(data_, std::to_string(data_.runs.size() + data_.left_out.size()) + " of " +
+                                     std::to_string(plan_.size() * scenes_.size()) + ", at most " +
+                                     duration_words(std::max(0.0, bounds_.seconds - clock_.seconds())) +
+                                     " left: " + what);
+    }
+
+    const std::vector<ChartScene>& scenes_;
+    const ChartExtent& extent_;
+    const ChartBounds& bounds_;
+    std::vector<ChartSetting> plan_;
+    std::vector<ChartTruth> truths_;
+    std::map<ChartSetting, ChartRun> coarser_; ///< the last grid's run
+    ga::Stopwatch clock_;
+    ChartData data_;
+};
+
+Findings run_chart_experiment(const Settings& settings, const Conditions& conditions) {
+    const bool quick = settings.is_on("chart.quick");
+    const auto write = [folder = conditions.folder](const char* name, const Csv& table) {
+        rough::write_atomically(folder / name, table.text());
+    };
+    ga::Stopwatch since_written;
+    const auto watch = [&](const ChartData& so_far, const std::string& where) {
+        conditions.progress.show(where);
+        if (so_far.runs.empty() || since_written.seconds() < 3)
+            return;
+        write("chart.csv", chart_table(so_far));
+        since_written = {};
+    };
+    const auto data =
+        std::make_shared<const ChartData>(charted(chart_scenes(), quick ? quick_extent() : whole_extent(),
+                                                  {60 * settings.positive("chart.minutes"), quick ? 128 : 256,
+                                                   [&] { return conditions.stop.load(); }, watch}));
+    if (data->runs.empty())
+        return {};
+    const std::string left_out = left_out_in_a_line(*data);
+    return {.write =
+                [=, origin = conditions.origin, folder = conditions.folder] {
+                    const Csv table = chart_table(*data);
+                    write("chart.csv", table);
+                    write("models.csv", models_table(data->models));
+                    write("points.csv", points_table(*data));
+                    write("model_errors.csv", model_errors_table(data->models));
+                    nlohmann::json result = origin_json(origin);
+                    result.update(chart_facts(*data));
+                    result["runs"] = table.rows();
+                    write_json(folder / "result.json", result);
+                },
+            .summary = std::to_string(data->runs.size()) + " settings charted" +
+                       (left_out.empty() ? "" : "; " + left_out)};
+}
+
+} // namespace
+
+ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& extent,
+                  const ChartBounds& bounds) {
+    return Course(scenes, extent, bounds).run();
+}
+
+Experiment chart_experiment() {
+    return {
+        .kind = "chart",
+        .summary =
+            "Charts the time of a pressure curve against its error for theories, profiles and maps, and for "
+            "every contact solver, grid, number of load steps and tolerance, on scenes with a known or a "
+            "refined solution: from coarse grids to fine, so that a chart that ends early has the same of "
+            "every scene. Writes chart.csv (as it goes), models.csv and a page that says which model and "
+            "method to take when, and what was left out and why. Ctrl-C ends it; what was measured is kept.",
+        .settings = {{"chart.minutes", "10",
+                      "begin nothing that would not end within so many; the coarsest grid is always done"},
+                     {"chart.quick", "", "fewer and smaller grids: under a minute", true}},
+        .files = {"chart.csv", "points.csv", "models.csv", "model_errors.csv"},
+        .run = run_chart_experiment,
+        .examples = {"chart --quick --out out/chart", "chart --minutes 3 --out out/chart"}};
+}
+
+} // namespace app

@@ -1,0 +1,142 @@
+#include "apps/experiments/solvers/chart.hpp"
+#include "domain/errors.hpp"
+#include "domain/profile/roughness.hpp"
+#include "domain/theory/random_surface.hpp"
+#include "domain/theory/theory.hpp"
+
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+using Eigen::VectorXd;
+using rough::Index;
+using rough::Profile;
+
+/// A self-affine line or map over 1 mm. The waves of a map have 8 nodes of 128 at least; those of a line are
+/// shorter, as it has to be longer.
+Profile self_affine(Index nodes, bool is_map, double longest, double shortest, std::uint64_t seed) {
+    rough::Grid grid{.nodes = nodes, .length = 1, .wraps = true};
+    if (is_map)
+        grid.rows = nodes, grid.width = 1;
+    return realised(
+        {.hurst = 0.8, .longest = longest, .shortest = shortest, .rms_slope = 0.1, .is_area = is_map}, grid,
+        seed);
+}
+Profile line_on(Index nodes) { return self_affine(nodes, false, 1.0 / 32, 1.0 / 256, 1); }
+Profile map_on(Index side) { return self_affine(side, true, 0.25, 1.0 / 16, 1); }
+
+/// Ridges along y, of the map's cut-offs, and a tenth of the map.
+Profile ground_on(Index side) {
+    Profile map = map_on(side);
+    map.heights = 0.1 * map.heights + self_affine(side, false, 0.25, 1.0 / 16, 2).heights.replicate(side, 1);
+    return map;
+}
+
+/// Contact fraction and stiffness at pressures; NaN at those that the surface cannot bear.
+rough::TheoryCurve pressed(const Profile& surface, const VectorXd& pressures) {
+    rough::Body body;
+    body.kernel = rough::Kernel::periodic;
+    const VectorXd none = VectorXd::Constant(pressures.size(), std::nan(""));
+    rough::TheoryCurve answer{pressures, none, none, none};
+    std::vector<double> loads(pressures.begin(), pressures.end());
+    rough::ContactCurve curve;
+    for (; !loads.empty() && curve.steps.empty(); loads.pop_back()) // the heaviest may be beyond full contact
+        try {
+            curve = solve_contact_at_pressures(surface, body, loads);
+        } catch (const rough::InputError&) {
+        }
+    for (std::size_t j = 0; j < curve.steps.size(); ++j) {
+        answer.contact_fraction[static_cast<Index>(j)] = curve.steps[j].contact_fraction;
+        answer.stiffness[static_cast<Index>(j)] = curve.steps[j].tangent_stiffness;
+    }
+    return answer;
+}
+
+/// Adds a scene, and every model of it.
+void add_models(ModelChart& chart, const std::function<bool()>& stop, const std::string& name,
+                const std::string& words, Profile (*on)(Index), Index finest,
+                const std::vector<Index>& coarser) {
+    const auto stopped = [&] { return stop && stop(); };
+    if (stopped())
+        return;
+    const Profile surface = on(finest);
+    const bool is_map = surface.is_2d();
+    const rough::RandomSurface random = random_surface(surface, true);
+    ModelScene scene{name,
+                     words,
+                     "the same surface on " + std::to_string(finest) +
+                         (is_map ? " x " + std::to_string(finest) : "") + " nodes",
+                     rms_slope(random),
+                     std::sqrt(spectral_moments(random).m0),
+                     is_map ? texture(surface, true).Str : 0,
+                     {},
+                     {},
+                     {}};
+    constexpr int loads = 12;
+    constexpr double lightest = 0.005, heaviest = 1.6; // erf of it over sqrt 2 is what touches
+    scene.pressure = scene.rms_slope / 2 *
+                     (VectorXd::LinSpaced(loads, std::log(lightest), std::log(heaviest)).array().exp());
+    const auto exact = pressed(surface, scene.pressure);
+    scene.contact_fraction = exact.contact_fraction;
+    scene.stiffness = exact.stiffness;
+    const auto measure = [&](const char* family, const std::string& model, Index nodes, auto work) {
+        if (stopped())
+            return;
+        rough::TheoryCurve curve;
+        const double seconds = least_seconds([&] { curve = work(); });
+        chart.runs.push_back(
+            {chart.scenes.size(), family, model, nodes, seconds, curve.contact_fraction, curve.stiffness});
+    };
+    for (const std::string& theory : rough::theory_names()) {
+        const auto which = static_cast<rough::Theory>(&theory - rough::theory_names().data());
+        if (holds_for(which, is_map))
+            measure("theories", theory, 0, [&] { return foretold_curve(which, random, 1, scene.pressure); });
+    }
+    if (is_map) {
+        const auto [columns, rows] = surface.shape();
+        const Profile section{surface.heights.head(columns), surface.spacing},
+            mean_line{surface.heights.reshaped(columns, rows).rowwise().mean(), surface.spacing};
+        measure("one line", "section", finest, [&] { return pressed(section, scene.pressure); });
+        measure("one line", "mean-line", finest, [&] { return pressed(mean_line, scene.pressure); });
+    }
+    for (const Index nodes : coarser) {
+        const Profile coarse = on(nodes);
+        measure("solved", is_map ? "map" : "profile", coarse.nodes(),
+                [&] { return pressed(coarse, scene.pressure); });
+    }
+    chart.scenes.push_back(std::move(scene));
+}
+
+} // namespace
+
+ModelChart charted_models(Index finest, const std::function<bool()>& stop) {
+    ModelChart chart;
+    add_models(chart, stop, "self-affine-line", "a self-affine profile, H = 0.8, waves from L/32 to L/256",
+               line_on, 4096, {512, 1024, 2048});
+    std::vector<Index> sides;
+    for (Index side = 32; side < finest; side *= 2)
+        sides.push_back(side);
+    add_models(chart, stop, "self-affine-map",
+               "an isotropic self-affine map, H = 0.8, waves from L/4 to L/16", map_on, finest, sides);
+    add_models(chart, stop, "ground-map",
+               "ridges along y, self-affine across, with a tenth of the isotropic map's roughness on them",
+               ground_on, finest, sides);
+    return chart;
+}
+
+double root_mean_square(const VectorXd& errors) {
+    double sum = 0;
+    int count = 0;
+    for (const double error : errors)
+        if (std::isfinite(error))
+            sum += error * error, ++count;
+    return count > 0 ? std::sqrt(sum / count) : std::nan("");
+}
+
+std::pair<double, double> errors_of(const ModelRun& run, const ModelScene& scene) {
+    return {root_mean_square(run.area_errors(scene)), root_mean_square(run.stiffness_errors(scene))};
+}
+
+} // namespace app

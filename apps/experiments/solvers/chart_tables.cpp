@@ -1,0 +1,354 @@
+#include "apps/experiments/solvers/chart.hpp"
+#include "apps/report/units.hpp"
+#include "domain/numerics/statistics.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace app {
+
+using nlohmann::json;
+using rough::Index;
+using rough::Solver;
+
+namespace {
+
+/// One of the errors that are charted.
+struct ErrorKind {
+    const char* name;
+    double ChartRun::*value;
+    bool between_steps; ///< also measured between the load steps, so that more of them help
+
+    /// Whether a run has it, in a way to be compared with other runs: errors at the load steps only are
+    /// compared for the usual number of steps. Auto stands for the solver that it chooses.
+    bool compares(const ChartRun& run, std::size_t scene) const {
+        return run.setting.scene == scene && run.setting.method != Solver::automatic &&
+               run.*value != ChartRun::unknown && (between_steps || run.setting.steps == usual_steps);
+    }
+};
+constexpr std::array<ErrorKind, 3> error_kinds{{{"pressure", &ChartRun::error_pressure, false},
+                                                {"stiffness", &ChartRun::error_stiffness, true},
+                                                {"contact", &ChartRun::error_contact, false}}};
+
+const std::string& method_of(const ChartRun& run) { return rough::name_of(run.setting.method); }
+
+/// The run at a setting, or none if it was not solved.
+const ChartRun* solved(const ChartData& data, const ChartSetting& setting) {
+    const ChartRun* run = data.at(setting);
+    return run && run->outcome == Outcome::solved ? run : nullptr;
+}
+
+/// The grids of the runs, increasing.
+std::set<Index> grids_of(const ChartData& data) {
+    std::set<Index> grids;
+    for (const ChartRun& run : data.runs)
+        grids.insert(run.setting.nodes);
+    return grids;
+}
+
+/// Brings the fastest to the front, or nested where it is about as fast: it needs no tolerance, and NNLS,
+/// which is, is there to check it.
+void fastest_first(std::vector<const ChartRun*>& runs) {
+    constexpr double same_time = 1.1;
+    std::stable_sort(runs.begin(), runs.end(),
+                     [](const ChartRun* a, const ChartRun* b) { return a->seconds < b->seconds; });
+    const auto nested = std::find_if(runs.begin(), runs.end(), [&](const ChartRun* run) {
+        return run->setting.method == Solver::nested && run->seconds <= same_time * runs.front()->seconds;
+    });
+    if (nested != runs.end())
+        std::rotate(runs.begin(), nested, nested + 1);
+}
+
+/// The fastest method for a curve of 20 steps by scene and grid, and how much longer the next one takes.
+json fastest_by_grid(const ChartData& data) {
+    std::vector<Index> grids;
+    const std::set<Index> all = grids_of(data);
+    for (const Index nodes : all)
+        if (nodes >= 512 && (grids.empty() || nodes >= 4 * grids.back()))
+            grids.push_back(nodes);
+        else if (grids.size() > 1 && nodes == *all.rbegin())
+            grids.back() = nodes;
+    json rows = json::array();
+    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene) {
+        json row{
+            {"scene", data.scenes[scene].name}, {"contact", data.contact(scene)}, {"cells", json::array()}};
+        for (const Index nodes : grids) {
+            std::vector<const ChartRun*> runs;
+            for (const Solver method :
+                 {Solver::nested, Solver::nnls, Solver::polonsky_keer, Solver::active_set})
+                if (const ChartRun* run = solved(data, usual_setting(scene, method, nodes)))
+                    runs.push_back(run);
+            fastest_first(runs);
+            json cell{{"method", ""}, {"next", ""}};
+            if (!runs.empty())
+                cell = {{"method", method_of(*runs[0])}, {"seconds", runs[0]->seconds}};
+            if (runs.size() > 1)
+                cell.update({{"next", method_of(*runs[1])}, {"longer", runs[1]->seconds / runs[0]->seconds}});
+            row["cells"].push_back(cell);
+        }
+        rows.push_back(row);
+    }
+    return {{"grids", grids}, {"rows", rows}};
+}
+
+/// The fastest setting of each scene that keeps an error below each of four levels.
+json fastest_by_error(const ChartData& data, const ErrorKind& kind) {
+    constexpr std::array levels{0.03, 0.01, 1e-3, 1e-4};
+    json rows = json::array();
+    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene) {
+        json row{{"scene", data.scenes[scene].name}, {"cells", json::array()}};
+        for (const double level : levels) {
+            std::vector<const ChartRun*> runs;
+            for (const ChartRun& run : data.runs)
+                if (kind.compares(run, scene) && run.*kind.value <= level)
+                    runs.push_back(&run);
+            fastest_first(runs);
+            json cell{{"method", ""}};
+            if (!runs.empty())
+                cell = {{"method", method_of(*runs[0])},
+                        {"seconds", runs[0]->seconds},
+                        {"nodes", runs[0]->setting.nodes},
+                        {"steps", runs[0]->setting.steps}};
+            row["cells"].push_back(cell);
+        }
+        rows.push_back(row);
+    }
+    return {{"levels", levels}, {"rows", rows}};
+}
+
+/// Settings that were not tried: a row for each reason and method, with the coarsest grid of these.
+json left_out_rows(const ChartData& data) {
+    const std::array<std::string, 4> why{"one curve takes more than " + brief(data.limit, 3) + " s",
+                                         "refused or not converged on a coarser grid",
+                                         "the chart's time was over", "interrupted"};
+    std::map<std::pair<LeftOutFor, Solver>, std::vector<Index>> all;
+    for (const LeftOut& each : data.left_out)
+        all[{each.why, each.setting.method}].push_back(each.setting.nodes);
+    json rows = json::array();
+    for (const auto& [key, nodes] : all)
+        rows.push_back({{"method", rough::name_of(key.second)},
+                        {"settings", nodes.size()},
+                        {"from_nodes", *std::min_element(nodes.begin(), nodes.end())},
+                        {"why", why[static_cast<std::size_t>(key.first)]}});
+    return rows;
+}
+
+constexpr double fair = 0.2; ///< up to this error a model is said to hold
+
+/// Contact fractions between which an error stays fair, around the load where it is lowest; null if nowhere.
+json fair_range(const Eigen::VectorXd& errors, const Eigen::VectorXd& fractions) {
+    Index best = -1;
+    for (Index j = 0; j < errors.size(); ++j)
+        if (std::isfinite(errors[j]) && (best < 0 || std::abs(errors[j]) < std::abs(errors[best])))
+            best = j;
+    if (best < 0 || !(std::abs(errors[best]) <= fair))
+        return {};
+    Index from = best, to = best;
+    while (from > 0 && std::abs(errors[from - 1]) <= fair)
+        --from;
+    while (to + 1 < errors.size() && std::abs(errors[to + 1]) <= fair)
+        ++to;
+    return {{"from", fractions[from]}, {"to", fractions[to]}};
+}
+
+json theory_rows(const ModelChart& chart) {
+    json rows = json::array();
+    for (const ModelRun& run : chart.runs)
+        if (const ModelScene& of = chart.scenes[run.scene]; run.family == "theories")
+            rows.push_back({{"scene", of.name},
+                            {"theory", run.model},
+                            {"seconds", run.seconds},
+                            {"area", fair_range(run.area_errors(of), of.contact_fraction)},
+                            {"stiffness", fair_range(run.stiffness_errors(of), of.contact_fraction)}});
+    return rows;
+}
+
+/// For each map: the line along the lay, one section, and the coarsest grid within 3 %.
+json line_rows(const ModelChart& chart) {
+    json rows = json::array();
+    for (const ModelScene& of : chart.scenes) {
+        json row{{"scene", of.name}, {"aspect_ratio", of.aspect_ratio}};
+        double grid_error = HUGE_VAL;
+        for (const ModelRun& run : chart.runs) {
+            if (&chart.scenes[run.scene] != &of)
+                continue;
+            const auto [area, stiffness] = errors_of(run, of);
+            const json told{
+                {"area", area}, {"stiffness", stiffness}, {"seconds", run.seconds}, {"nodes", run.nodes}};
+            if (run.model == "section")
+                row["section"] = told;
+            else if (run.model == "mean-line")
+                row.update({{"line", told}, {"line_is_enough", std::max(area, stiffness) <= fair}});
+            else if (run.family == "solved" && grid_error >= 0.03)
+                row["map"] = told, grid_error = std::max(area, stiffness);
+        }
+        if (row.contains("line") && row.contains("section") && row.contains("map"))
+            rows.push_back(row);
+    }
+    return rows;
+}
+
+/// How much longer auto took than the faster of the two solvers that it chooses from.
+json losses_of_auto(const ChartData& data) {
+    std::vector<double> losses;
+    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene)
+        for (const Index nodes : grids_of(data)) {
+            const auto usual = [&](Solver method) {
+                return solved(data, usual_setting(scene, method, nodes));
+            };
+            const ChartRun *taken = usual(Solver::automatic), *nested = usual(Solver::nested),
+                           *active = usual(Solver::active_set);
+            if (taken && nested && active)
+                losses.push_back(taken->seconds / std::min(nested->seconds, active->seconds));
+        }
+    return losses.empty() ? json()
+                          : json{{"median", rough::median(losses)},
+                                 {"largest", *std::max_element(losses.begin(), losses.end())}};
+}
+
+} // namespace
+
+const ChartRun* ChartData::at(const ChartSetting& setting) const {
+    const auto found =
+        std::find_if(runs.begin(), runs.end(), [&](const ChartRun& run) { return run.setting == setting; });
+    return found == runs.end() ? nullptr : &*found;
+}
+
+double ChartData::contact(std::size_t scene) const {
+    double fraction = 0;
+    for (const ChartRun& run : runs)
+        if (run.setting.scene == scene && run.outcome == Outcome::solved)
+            fraction = run.contact_fraction;
+    return fraction;
+}
+
+Csv chart_table(const ChartData& data) {
+    Csv table(
+        "scene,kernel,method,nodes,steps,tolerance,seconds,error_pressure,error_stiffness,error_contact,"
+        "iterations,outcome",
+        6);
+    const auto known = [](double error) {
+        return error == ChartRun::unknown ? std::nullopt : std::optional(error);
+    };
+    for (const ChartRun& run : data.runs) {
+        const ChartedScene& scene = data.scenes[run.setting.scene];
+        table.row(scene.name, scene.kernel, method_of(run), run.setting.nodes, run.setting.steps,
+                  run.setting.tolerance, run.seconds, known(run.error_pressure), known(run.error_stiffness),
+                  known(run.error_contact), run.iterations, name_of(run.outcome));
+    }
+    for (const ModelRun& run : data.models.runs) { // errors of the fraction itself, as above
+        const ModelScene& scene = data.models.scenes[run.scene];
+        table.row(scene.name, name_of(rough::Kernel::periodic), run.model, run.nodes, scene.pressure.size(),
+                  0.0, run.seconds, std::optional<double>(), errors_of(run, scene).second,
+                  root_mean_square(run.contact_fraction - scene.contact_fraction), 0,
+                  name_of(Outcome::solved));
+    }
+    return table;
+}
+
+Csv models_table(const ModelChart& chart) {
+    Csv table("scene,model,nodes,seconds,pressure_MPa,contact_fraction,stiffness_MPa_per_mm,error_contact,"
+              "error_stiffness",
+              6);
+    for (const ModelRun& run : chart.runs) {
+        const ModelScene& scene = chart.scenes[run.scene];
+        const Eigen::VectorXd area = run.area_errors(scene), stiffness = run.stiffness_errors(scene);
+        for (Index j = 0; j < area.size(); ++j)
+            table.row(scene.name, run.model, run.nodes, run.seconds, scene.pressure[j],
+                      run.contact_fraction[j], run.stiffness[j], area[j], stiffness[j]);
+    }
+    return table;
+}
+
+Csv points_table(const ChartData& data) {
+    Csv table("scene,kind,method,seconds,error,best", 6);
+    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene)
+        for (const ErrorKind& kind : error_kinds) {
+            std::vector<const ChartRun*> runs;
+            for (const ChartRun& run : data.runs)
+                if (kind.compares(run, scene) && run.*kind.value > 0)
+                    runs.push_back(&run);
+            std::stable_sort(runs.begin(), runs.end(), [&](const ChartRun* a, const ChartRun* b) {
+                return std::pair(a->seconds, a->*kind.value) < std::pair(b->seconds, b->*kind.value);
+            });
+            double least = HUGE_VAL; // of the faster runs, of all methods and of the same
+            std::map<Solver, double> least_of;
+            for (const ChartRun* run : runs) {
+                const double error = run->*kind.value;
+                double& own = least_of.try_emplace(run->setting.method, HUGE_VAL).first->second;
+                const int best = error < 0.95 * least ? 2 : error < 0.95 * own ? 1 : 0;
+                table.row(data.scenes[scene].name, kind.name, method_of(*run), run->seconds, error, best);
+                if (best == 2)
+                    least = error;
+                if (error < 0.95 * own)
+                    own = error;
+            }
+        }
+    return table;
+}
+
+Csv model_errors_table(const ModelChart& chart) {
+    Csv table("scene,family,model,nodes,answers,loads,area,stiffness,seconds", 6);
+    for (const ModelRun& run : chart.runs) {
+        const auto [area, stiffness] = errors_of(run, chart.scenes[run.scene]);
+        table.row(chart.scenes[run.scene].name, run.family, run.model, run.nodes,
+                  run.contact_fraction.array().isFinite().count(), run.contact_fraction.size(), area,
+                  stiffness, run.seconds);
+    }
+    return table;
+}
+
+std::string left_out_in_a_line(const ChartData& data) {
+    std::string line;
+    for (const json& row : left_out_rows(data))
+        line += (line.empty() ? std::to_string(data.left_out.size()) + " left out: " : ", ") +
+                row["method"].get<std::string>() + " from N = " + row["from_nodes"].dump() + " (" +
+                row["why"].get<std::string>() + ")";
+    return line;
+}
+
+json chart_facts(const ChartData& data) {
+    json facts{
+        {"fastest_by_grid", fastest_by_grid(data)},
+        {"fastest_by_pressure_error", fastest_by_error(data, error_kinds[0])},
+        {"fastest_by_stiffness_error", fastest_by_error(data, error_kinds[1])},
+        {"left_out", left_out_rows(data)},
+        {"tried", data.runs.size()},
+        {"not_tried", data.left_out.size()},
+        {"late", std::count_if(data.runs.begin(), data.runs.end(), [](const auto& run) { return run.late; })},
+        {"limit_seconds", data.limit},
+        {"auto_over_fastest", losses_of_auto(data)},
+        {"theories", theory_rows(data.models)},
+        {"lines", line_rows(data.models)},
+        {"failures", json::array()}};
+    for (const LeftOut& each : data.left_out)
+        if (each.why == LeftOutFor::time || each.why == LeftOutFor::interrupt) {
+            facts["ended_early"] = {{"nodes", each.setting.nodes}};
+            break;
+        }
+    for (const ChartRun& run : data.runs)
+        if (run.outcome != Outcome::solved && !run.late)
+            facts["failures"].push_back({{"method", method_of(run)},
+                                         {"scene", data.scenes[run.setting.scene].name},
+                                         {"nodes", run.setting.nodes},
+                                         {"outcome", name_of(run.outcome)}});
+    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene)
+        facts["solver_scenes"].push_back({{"name", data.scenes[scene].name},
+                                          {"words", data.scenes[scene].words},
+                                          {"reference", data.scenes[scene].reference},
+                                          {"contact", data.contact(scene)}});
+    for (const ModelScene& scene : data.models.scenes)
+        facts["model_scenes"].push_back({{"name", scene.name},
+                                         {"words", scene.words},
+                                         {"reference", scene.reference},
+                                         {"rms_slope", scene.rms_slope},
+                                         {"rms_height_mm", scene.rms_height}});
+    return facts;
+}
+
+} // namespace app
