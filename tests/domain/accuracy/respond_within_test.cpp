@@ -68,23 +68,6 @@ TEST_CASE("the extrapolation finds a line's end exactly and doubts scattered val
     CHECK((extrapolate(grids, values, 4097).pressure - end).cwiseAbs().maxCoeff() > 1e-4);
 }
 
-TEST_CASE("rows that are too doubtful are to be known, from the first on, and the others join them") {
-    Eigen::VectorXd pressure(4);
-    pressure << 1, 2, 3, 4;
-    Doubt doubt{Eigen::VectorXd(4), Eigen::VectorXd(4)};
-    doubt.pressure << 0.1, 0.02, 0.002, 0.002;
-    doubt.difference << 0.1, 0.1, 0.002, 0.002;
-    const ErrorScale scale = error_scale(pressure);
-    CHECK(rows_to_know(doubt, scale, 0.2) == 0);
-    CHECK(rows_to_know(doubt, scale, 0.05) == 2);
-    CHECK(rows_to_know(doubt, scale, 0.005) == 3); // row 2 joins row 1 only to 0.02 of 3
-    CHECK(rows_to_know(doubt, scale, 1e-4) == 4);
-    const Doubt rest = doubt.known_up_to(2, 0.001);
-    CHECK(rest.pressure[1] == 0);
-    CHECK(rest.pressure[2] == Approx(0.003));
-    CHECK(rest.difference[2] == 0.002);
-}
-
 TEST_CASE("rows read between solved ones stay within their bound, on every kernel") {
     std::mt19937_64 random(21);
     int spared = 0;
@@ -172,32 +155,6 @@ TEST_CASE("where no coarser grid will do, the resolved model is solved itself") 
     CHECK_FALSE(cheap.account.extrapolated());
     CHECK(cheap.account.grids.back() == 512);
     CHECK(relative_error(cheap.response.pressure, respond(genome, model).pressure) < 1e-9);
-}
-
-TEST_CASE("a scene that needs little costs under a tenth of one that needs everything, by the cost model") {
-    const auto work = [](const AccountedResponse& answer) {
-        double cost = 0;
-        for (const Index nodes : answer.account.grids) {
-            const double n = static_cast<double>(nodes);
-            cost += predicted_cost(n, answer.response.contact_fraction.tail(1)[0] * n, 20);
-        }
-        return cost;
-    };
-    Model light = model_on(Kernel::free, smooth_scene());
-    light.loading.reach = 0.1;
-    const AccountedResponse little = respond_within(smooth_scene(), light, 1e-2);
-    CHECK(little.account.estimated_error <= 1e-2);
-    std::mt19937_64 random(25);
-    const Genome rough = random_genome(random, 1, 1, length, length / 64);
-    const AccountedResponse everything = respond_exactly(rough, model_on(Kernel::free, rough));
-    CHECK(10 * work(little) < work(everything));
-}
-
-TEST_CASE("an accuracy that is no accuracy is refused") {
-    const Genome genome = smooth_scene();
-    CHECK_THROWS_AS(respond_within(genome, model_on(Kernel::free, genome), 0), InputError);
-    CHECK_THROWS_AS(respond_within(genome, model_on(Kernel::free, genome), 2), InputError);
-    CHECK(respond_within(genome, model_on(Kernel::free, genome), 1).account.accuracy == 1);
 }
 
 // The held-out scenes of README.md.

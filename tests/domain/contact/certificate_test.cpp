@@ -154,33 +154,3 @@ TEST_CASE("under a hardness held nodes may sink in, but neither hang in the air 
     state.pressure = Eigen::Vector3d(0.4, 1.1, 0.5);
     check(state.certified(), {.excess = 0.1 / mean});
 }
-
-TEST_CASE("a residual is trusted up to a third of the least pressure and two thirds of the least gap",
-          "[contact]") {
-    const Pressed exact;
-    Eigen::VectorXd pressure = Eigen::VectorXd::Zero(5), displacement = exact.displacement;
-    const auto trusted = [&] {
-        return trusted_residual(exact.problem, exact.approach, pressure, displacement);
-    };
-    pressure.head(3) = Eigen::Vector3d(6, 9, 6);
-    displacement[3] = 9;
-    CHECK(trusted() == 1); // at most
-    pressure[1] = 0.3;
-    CHECK(trusted() == Approx(0.1 / exact.approach));
-    pressure[0] = 0.12; // the ends count like the others
-    CHECK(trusted() == Approx(0.04 / exact.approach));
-    displacement[3] = 0.2 + 0.03;
-    CHECK(trusted() == Approx(0.02 / exact.approach));
-    displacement[3] = 0.2 - 0.03;
-    CHECK(trusted() < 0);
-}
-
-TEST_CASE("what rounding alone can do is allowed to a factor's residual, and 1e-9 where that is more",
-          "[contact]") {
-    const Pressed exact;
-    CHECK(direct_tolerance(exact.problem, 1, exact.pressure, 1) == 1e-9);
-    const double h0 = exact.problem.column[0], rows = 10 * 0x1p-53;
-    CHECK(direct_tolerance(exact.problem, 1, exact.pressure, 1e20 / h0) == Approx(rows * 2e10));
-    CHECK(direct_tolerance(exact.problem, 1e-12 * h0, exact.pressure, 0) == Approx(rows * 2e12));
-    CHECK(direct_tolerance(exact.problem, 1e-12 * h0, -exact.pressure, 0) == Approx(rows * 2e12));
-}

@@ -2,6 +2,8 @@
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/solvers/problem.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
+#include "domain/errors.hpp"
+#include "domain/response/model.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -60,6 +62,15 @@ ContactCurve solved(const Scene& scene) {
     ContactOptions options;
     options.states = true;
     return solve_contact(scene.profile, scene.body, scene.displacements, options);
+}
+
+/// Two waves on 2 mm.
+Profile two_mm() {
+    Profile profile{Eigen::VectorXd(201), 0.01};
+    for (Index i = 0; i < profile.nodes(); ++i)
+        profile.heights[i] =
+            std::cos(0.05 * static_cast<double>(i)) + 0.3 * std::sin(0.21 * static_cast<double>(i));
+    return profile;
 }
 
 } // namespace
@@ -221,4 +232,39 @@ TEST_CASE("another datum needs no other solution", "[contact]") {
         CHECK((nearby - stiffness) / h ==
               Approx(datum_sensitivity(stiffness, length, scene.body.effective_modulus)).epsilon(1e-5));
     }
+}
+
+TEST_CASE("a body left open is completed for the profile's own length, to the bit", "[contact]") {
+    const Profile profile = two_mm();
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
+        Body open{kernel}, stated{kernel};
+        stated.datum = kernel == Kernel::free ? 0.01 * 200 : 0;
+        stated.strip_width = kernel == Kernel::strip ? 0.01 * 200 / 511 : 0;
+        const Response left = respond(profile, open);
+        const Response right = respond(profile, stated, {20, kernel == Kernel::periodic ? 0.95 : 1});
+        CHECK(left.pressure == right.pressure);
+        CHECK(left.tangent_stiffness == right.tangent_stiffness);
+        Model model;
+        model.body.kernel = kernel;
+        model.grid = {201, kernel == Kernel::periodic ? 0.01 * 201 : 0.01 * 200};
+        CHECK(respond(profile, model).pressure == left.pressure);
+        CHECK(completed(model).grid.wraps == (kernel == Kernel::periodic));
+    }
+}
+
+TEST_CASE("a response to a pressure keeps the length's own datum while it looks for it", "[contact]") {
+    Profile fine{Eigen::VectorXd(1025), 0.004}; // found by way of a fourth of the nodes, which are shorter
+    for (Index i = 0; i < fine.nodes(); ++i)
+        fine.heights[i] = std::cos(0.013 * static_cast<double>(i));
+    Body stated;
+    stated.datum = 0.004 * 1024;
+    CHECK(displacement_at_pressure(fine, {}, 0.01) == displacement_at_pressure(fine, stated, 0.01));
+}
+
+TEST_CASE("a datum is refused up to a quarter of the length and a spacing, and taken beyond", "[contact]") {
+    const Profile profile = two_mm();
+    const double limit = datum_limit(profile);
+    CHECK(limit == Approx(2.01 / 4));
+    CHECK_THROWS_AS(solve_contact(profile, {Kernel::free, 1, limit * (1 - 1e-12), 0}, {0.01}), InputError);
+    CHECK(solve_contact(profile, {Kernel::free, 1, limit * (1 + 1e-6), 0}, {0.01}).steps[0].pressure > 0);
 }

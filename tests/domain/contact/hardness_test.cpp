@@ -113,26 +113,6 @@ TEST_CASE("a hardness that no node reaches changes nothing, and one that all rea
     }
 }
 
-TEST_CASE("a wave pressed flat is Westergaard's, under a hardness that no node reaches", "[contact]") {
-    const Index n = 64;
-    const double amplitude = 0.01, modulus = 1000, full = std::numbers::pi * modulus * amplitude;
-    Scene scene;
-    scene.profile = {Eigen::VectorXd(n), 1.0 / n};
-    for (Index i = 0; i < n; ++i)
-        scene.profile.heights[i] =
-            amplitude * std::cos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
-    scene.body = {Kernel::periodic, modulus};
-    scene.body.hardness = 3 * full; // the highest node bears 2 full
-    const double flat = scene.profile.heights.maxCoeff() - scene.profile.heights.mean();
-    const LoadStep step = solve_contact(scene.profile, scene.body, {flat}).steps[0];
-    CHECK(step.pressure == Approx(full).epsilon(2e-3)); // of the grid
-    CHECK(step.held_nodes == 0);
-    CHECK(step.contact_nodes >= n - 1);
-    scene.body.hardness = std::numeric_limits<double>::infinity();
-    CHECK(solve_contact(scene.profile, scene.body, {flat}).steps[0].pressure ==
-          Approx(step.pressure).epsilon(1e-6));
-}
-
 TEST_CASE("every direct solver's tangent is the derivative of its pressures", "[contact]") {
     std::mt19937_64 random(43);
     for (const Solver solver : {Solver::nested, Solver::nnls})
@@ -156,17 +136,6 @@ TEST_CASE("every direct solver's tangent is the derivative of its pressures", "[
             const Eigen::VectorXd tangent = at(d).second;
             CHECK((differences - tangent).norm() <= 1e-6 * tangent.norm());
         }
-}
-
-TEST_CASE("what takes contact to be nested refuses a hardness", "[contact]") {
-    Scene scene;
-    scene.profile = {Eigen::Vector4d(0, 1, 0.5, 0), 0.1};
-    scene.body.hardness = 0.5;
-    ContactOptions options;
-    options.solver = Solver::nested;
-    CHECK_THROWS_WITH(solve_contact(scene.profile, scene.body, {0.1}, options), Catch::Contains("hardness"));
-    scene.body.hardness = 0;
-    CHECK_THROWS_WITH(solve_contact(scene.profile, scene.body, {0.1}), Catch::Contains("hardness: 0 MPa"));
 }
 
 TEST_CASE("a periodic profile with a hardness bears every load below that of all nodes", "[contact]") {

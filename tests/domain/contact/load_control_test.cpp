@@ -56,23 +56,6 @@ TEST_CASE("a periodic profile bears no more than full contact under load control
                               Catch::Contains("at most that of full contact"));
 }
 
-TEST_CASE("a solver's tolerance is between 1e-10 and 0.01, whatever is asked for and of whichever solver",
-          "[contact]") {
-    const Profile profile{Eigen::Vector4d(0, 1, 0.5, 0), 0.1};
-    for (const double tolerance : {0.0, 9e-11, 0.011, -1.0, std::nan("")}) {
-        ContactOptions options;
-        options.tolerance = tolerance;
-        CHECK_THROWS_WITH(solve_contact(profile, Body{}, {0.1}, options), Catch::Contains("tolerance"));
-        CHECK_THROWS_WITH(solve_contact_at_pressures(profile, Body{}, {0.1}, options),
-                          Catch::Contains("tolerance"));
-    }
-    for (const double tolerance : {1e-10, 0.01}) {
-        ContactOptions options;
-        options.tolerance = tolerance;
-        CHECK(solve_contact(profile, Body{}, {0.1}, options).steps[0].pressure > 0);
-    }
-}
-
 TEST_CASE("a periodic map settles at half contact under load and displacement control", "[contact]") {
     const Body body{Kernel::periodic};
     ContactOptions active_set, polonsky_keer;
@@ -89,39 +72,5 @@ TEST_CASE("a periodic map settles at half contact under load and displacement co
         CHECK(loaded.contact_fraction == Approx(reference.contact_fraction).epsilon(1e-3));
         CHECK(loaded.displacement == Approx(reference.displacement).epsilon(1e-5));
         CHECK(pressed.pressure == Approx(reference.pressure).epsilon(1e-5));
-    }
-}
-
-TEST_CASE("no solver under load control takes over three times its neighbours' products", "[contact]") {
-    for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
-        std::vector<long> products;
-        for (const double contact : {0.05, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95})
-            for (const unsigned seed : {1u, 2u}) {
-                const Profile map = maps::self_affine(128, 0.8, seed, 0.1);
-                ContactOptions options;
-                options.solver = Solver::active_set;
-                const double load = 0.1 * 0.5 * contact / std::sqrt(1.01 - contact * contact);
-                products.push_back(solve_contact_at_pressures(map, Body{kernel}, {load}, options).iterations);
-            }
-        for (std::size_t k = 2; k < products.size(); ++k)
-            CHECK(products[k] <= 3 * products[k - 2]);
-    }
-}
-
-TEST_CASE("the factor meets a load as Newton's method on its displacements does", "[contact]") {
-    ContactOptions nested, nnls;
-    nested.solver = Solver::nested;
-    nnls.solver = Solver::nnls;
-    const std::vector<double> loads{1e-4, 1e-3, 3e-3};
-    for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
-        const Profile map = maps::self_affine(32, 0.8, 3, 0.1);
-        const ContactCurve direct = solve_contact_at_pressures(map, Body{kernel}, loads, nested);
-        const ContactCurve newton = solve_contact_at_pressures(map, Body{kernel}, loads, nnls);
-        for (std::size_t j = 0; j < loads.size(); ++j) {
-            CHECK(direct.steps[j].pressure == Approx(loads[j]).epsilon(1e-12));
-            CHECK(direct.steps[j].displacement == Approx(newton.steps[j].displacement).epsilon(1e-9));
-            CHECK(direct.steps[j].contact_nodes == newton.steps[j].contact_nodes);
-            CHECK(direct.steps[j].kkt_residual < 1e-9);
-        }
     }
 }

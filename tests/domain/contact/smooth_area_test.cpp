@@ -125,24 +125,6 @@ TEST_CASE("the derivatives of a smooth contact fraction follow differences in he
         }
 }
 
-TEST_CASE("a contact fraction's gradient has the displacements move with the height range, from the first "
-          "step on") {
-    std::mt19937_64 random(44);
-    const Profile profile = random_scene(random, Kernel::free, 64, 0.1, 1).profile;
-    Loading loading{4, 0.6};
-    const Body body;
-    const auto with_area = [&](const Profile& each) {
-        return respond_with_gradient(each, body, loading, {}, true).area;
-    };
-    const AreaGradient area = with_area(profile);
-    // Scaled heights under displacements scaled with them have the same contact; so have raised ones.
-    const double size = area.by_heights.cwiseAbs().maxCoeff() * profile.heights.cwiseAbs().maxCoeff();
-    CHECK((area.by_heights * profile.heights).cwiseAbs().maxCoeff() < 1e-7 * size);
-    CHECK(area.by_heights.rowwise().sum().cwiseAbs().maxCoeff() <
-          1e-7 * area.by_heights.cwiseAbs().maxCoeff());
-    CHECK(area.by_heights.cwiseAbs().rowwise().maxCoeff().minCoeff() > 0);
-}
-
 TEST_CASE("an area's smooth contact fraction goes on where a node enters", "[areas]") {
     std::mt19937_64 random(46);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {

@@ -24,53 +24,6 @@ DesignSetup drawn_area(Index side) {
 
 } // namespace
 
-TEST_CASE("an area is searched on half and a quarter of its nodes a side, where its waves can be told there",
-          "[areas]") {
-    const auto side = [](const DesignSetup& setup, std::size_t halvings) {
-        const DesignSetup coarse = on_coarser_grid(setup, halvings);
-        CHECK(coarse.model.grid.rows == coarse.model.grid.nodes);
-        CHECK(coarse.limits.shortest_wave == setup.limits.shortest_wave);
-        return coarse.model.grid.nodes;
-    };
-    CHECK(side(drawn_area(128), 1) == 64);
-    CHECK(side(drawn_area(128), 2) == 32);
-    CHECK(side(drawn_area(64), 2) == 32);
-    CHECK(side(drawn_area(40), 2) == 40);
-    CHECK(side(drawn_area(256), 2) == 64);
-    DesignSetup fine = drawn_area(128);
-    fine.limits.shortest_wave = 3 * fine.model.grid.spacing();
-    CHECK(side(fine, 2) == 128);
-}
-
-TEST_CASE("a target aimed at anew is off by what the verified curves are off in the middle", "[areas]") {
-    DesignSetup setup = drawn_area(32);
-    setup.targets[0].weight = 0.5;
-    Verification verified;
-    for (auto& misfits : verified.misfits)
-        misfits = {Eigen::VectorXd::Zero(20)};
-    verified.misfits[0][0][3] = 0.01;
-    verified.misfits[1][0][3] = 0.05;
-    verified.misfits[3][0][3] = -0.02; // 0.015 in the middle
-    const DesignSetup aimed = corrected_targets(setup, verified);
-    CHECK(aimed.targets[0].y[3] == Approx(setup.targets[0].y[3] * (1 + (0.01 - 0.015) / 0.5)));
-    CHECK(aimed.targets[0].y[4] == setup.targets[0].y[4]);
-}
-
-TEST_CASE("starts shaped to the drawn target on an area are near it before any search", "[areas]") {
-    for (const Kernel kernel : {Kernel::free}) {
-        DesignSetup setup = drawn_area(32);
-        setup.model.body.kernel = kernel;
-        int near = 0;
-        for (std::uint64_t key = 0; key < 8; ++key) {
-            const Genome start = shaped_start(setup, ga::Stream(key));
-            REQUIRE(start.series.size() == 2);
-            CHECK(shortest_wave(start) >= setup.limits.shortest_wave * (1 - 1e-9));
-            near += similarity(setup, start) > 0.7;
-        }
-        CHECK(near >= 2);
-    }
-}
-
 TEST_CASE("the default search meets the drawn target on a small area and on one four times finer",
           "[areas]") {
     const DesignSetup setup = drawn_area(24);

@@ -68,21 +68,3 @@ TEST_CASE("an error budget says by how much the curve moves when one thing is ch
     CHECK(budget[4].size == Approx(0.1));
     CHECK(budget[5].size == Approx(0.2));
 }
-
-TEST_CASE("what the search was allowed is a source of error of its own, within what was allowed") {
-    DesignSetup setup = set_up();
-    setup.model.accuracy = 0.01;
-    const auto budget = error_budget(setup, answered());
-    REQUIRE(budget.size() == 7);
-    CHECK(budget[4].source == "the accuracy that the search was allowed");
-    CHECK(budget[4].size <= 0.01);
-    CHECK(budget[3].size == error_budget(set_up(), answered())[3].size); // the others are of the exact model
-}
-
-TEST_CASE("only a free half-plane has a datum to move and a periodic one to stand beside it") {
-    for (const Kernel kernel : {Kernel::strip, Kernel::periodic}) {
-        const auto budget = error_budget(set_up(kernel), answered());
-        REQUIRE(budget.size() == 4);
-        CHECK(budget[0].source == "the grid: 4 times the elements");
-    }
-}

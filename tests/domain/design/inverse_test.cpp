@@ -34,73 +34,48 @@ std::vector<int> sorted(std::vector<int> nodes) {
 
 } // namespace
 
-TEST_CASE("any order of nodes and any advance have a profile that comes into contact just so") {
+TEST_CASE("any order of nodes and any advance have a surface that comes into contact just so", "[areas]") {
     std::mt19937_64 random(21);
-    for (const Kernel kernel : {Kernel::free, Kernel::strip, Kernel::periodic})
-        for (int scene = 0; scene < 10; ++scene) {
-            const Index nodes = 24 + 3 * scene;
-            const Body body{kernel, 1.7, L, 0.002};
-            const double spacing = L / static_cast<double>(kernel == Kernel::periodic ? nodes : nodes - 1);
-            std::vector<int> order = outwards(nodes, 0);
-            std::shuffle(order.begin(), order.end(), random);
-            std::vector<double> steps(static_cast<std::size_t>(nodes));
-            for (double& step : steps)
-                step = std::uniform_real_distribution<double>(0.1e-5, 1e-5)(random);
-            Eigen::VectorXd stiffness;
-            const InverseProfile inverse = inverse_profile(
-                nodes, spacing, body, order,
-                [&](const Eigen::VectorXd& K) {
-                    stiffness = K;
-                    return steps;
-                },
-                infinity, infinity);
-            std::vector<double> displacements;
-            for (std::size_t k = 0; k + 1 < inverse.entry.size(); ++k)
-                displacements.push_back(0.5 * (inverse.entry[k] + inverse.entry[k + 1]));
-            if (kernel == Kernel::periodic)
-                displacements.pop_back(); // the last node closes full contact
-            ContactOptions options;
-            options.states = true;
-            const ContactCurve curve = solve_contact(inverse.profile, body, displacements, options);
-            for (std::size_t k = 0; k < displacements.size(); ++k) {
-                const std::vector<int> expected(order.begin(), order.begin() + static_cast<long>(k) + 1);
-                REQUIRE(sorted(curve.states[k].nodes) == sorted(expected));
-                CHECK(curve.steps[k].tangent_stiffness ==
-                      Approx(stiffness[static_cast<Index>(k)]).epsilon(1e-9));
-            }
-        }
-}
-
-TEST_CASE("on an area nodes come into contact in any order that is asked, too", "[areas]") {
-    std::mt19937_64 random(22);
-    for (const Kernel kernel : {Kernel::free, Kernel::periodic})
-        for (int scene = 0; scene < 4; ++scene) {
-            const Profile surface{Eigen::VectorXd(42), 0.1, 6, 0.13};
-            std::vector<int> order = outwards(42, 0);
-            std::shuffle(order.begin(), order.end(), random);
-            std::vector<double> steps(42);
-            for (double& step : steps)
-                step = std::uniform_real_distribution<double>(0.1e-5, 1e-5)(random);
-            Eigen::VectorXd stiffness;
-            const InverseProfile inverse = inverse_profile(
-                surface, {kernel, 1.7}, order,
-                [&](const Eigen::VectorXd& K) {
-                    stiffness = K;
-                    return steps;
-                },
-                infinity, infinity);
-            CHECK(inverse.profile.is_2d());
-            for (std::size_t k = 0; k + 2 < inverse.entry.size(); k += 3) {
+    for (const bool is_map : {false, true})
+        for (const Kernel kernel : {Kernel::free, Kernel::strip, Kernel::periodic})
+            for (int scene = 0; scene < (is_map ? 4 : 10); ++scene) {
+                if (is_map && kernel == Kernel::strip)
+                    continue;
+                const Index nodes = is_map ? 42 : 24 + 3 * scene;
+                const Body body{kernel, 1.7, L, 0.002};
+                Profile surface{Eigen::VectorXd(nodes),
+                                L / static_cast<double>(kernel == Kernel::periodic ? nodes : nodes - 1)};
+                if (is_map)
+                    surface.spacing = 0.1, surface.rows = 6, surface.row_spacing = 0.13;
+                std::vector<int> order = outwards(nodes, 0);
+                std::shuffle(order.begin(), order.end(), random);
+                std::vector<double> steps(static_cast<std::size_t>(nodes));
+                for (double& step : steps)
+                    step = std::uniform_real_distribution<double>(0.1e-5, 1e-5)(random);
+                Eigen::VectorXd stiffness;
+                const InverseProfile inverse = inverse_profile(
+                    surface, body, order,
+                    [&](const Eigen::VectorXd& K) {
+                        stiffness = K;
+                        return steps;
+                    },
+                    infinity, infinity);
+                CHECK(inverse.profile.is_2d() == is_map);
+                std::vector<double> displacements;
+                for (std::size_t k = 0; k + 1 < inverse.entry.size(); ++k)
+                    displacements.push_back(0.5 * (inverse.entry[k] + inverse.entry[k + 1]));
+                if (kernel == Kernel::periodic)
+                    displacements.pop_back(); // the last node closes full contact
                 ContactOptions options;
                 options.states = true;
-                const double between = 0.5 * (inverse.entry[k] + inverse.entry[k + 1]);
-                const ContactCurve curve = solve_contact(inverse.profile, {kernel, 1.7}, {between}, options);
-                const std::vector<int> expected(order.begin(), order.begin() + static_cast<long>(k) + 1);
-                REQUIRE(sorted(curve.states[0].nodes) == sorted(expected));
-                CHECK(curve.steps[0].tangent_stiffness ==
-                      Approx(stiffness[static_cast<Index>(k)]).epsilon(1e-9));
+                const ContactCurve curve = solve_contact(inverse.profile, body, displacements, options);
+                for (std::size_t k = 0; k < displacements.size(); ++k) {
+                    const std::vector<int> expected(order.begin(), order.begin() + static_cast<long>(k) + 1);
+                    REQUIRE(sorted(curve.states[k].nodes) == sorted(expected));
+                    CHECK(curve.steps[k].tangent_stiffness ==
+                          Approx(stiffness[static_cast<Index>(k)]).epsilon(1e-9));
+                }
             }
-        }
 }
 
 TEST_CASE("waves laid on a map of just those waves give it back", "[areas]") {
@@ -212,22 +187,4 @@ TEST_CASE("waves laid on a profile of just those waves give it back") {
             for (const Chromosome& chromosome : series.chromosomes)
                 CHECK(wave_length(series, chromosome.n) >= 0.03 * (1 - 1e-9));
     }
-}
-
-TEST_CASE("nodes come into contact where the target passes between their stiffnesses, on straight lines") {
-    Target target;
-    target.quantity = Quantity::stiffness;
-    target.x = Eigen::Vector2d(1, 2);
-    target.y = Eigen::Vector2d(2, 3);
-    const auto steps = advance_for(target, 4)(Eigen::Vector4d(1, 2, 3, 4));
-    // K = P + 1 passes 1.5, 2.5 and 3.5 at pressures of 0.5, 1.5 and 2.5.
-    REQUIRE(steps.size() == 4);
-    CHECK(steps[0] == Approx(0.5));
-    CHECK(steps[1] == Approx(1.0 / 2));
-    CHECK(steps[2] == Approx(1.0 / 3));
-    CHECK(steps[3] == 0);
-    target.y = Eigen::Vector2d(3, 2); // what falls is held at the highest before it
-    const auto held = advance_for(target, 4)(Eigen::Vector4d(2, 3, 3.5, 4));
-    CHECK(held[0] == 0);
-    CHECK(held[1] > 1);
 }

@@ -61,16 +61,6 @@ TEST_CASE("nodes that touch are followed more closely than those that contact do
     CHECK(seen < 0.5 * all);
 }
 
-TEST_CASE("own waves are no shorter than the set-up allows, and need a measured profile") {
-    DesignSetup setup = like(ten_scans::ground(0.1, 4), 256, ten_scans::grid.length);
-    CHECK(max_scan_waves(setup) == 63); // 2 L over 8 nodes
-    setup.limits.shortest_wave = 0.2;
-    CHECK(max_scan_waves(setup) == 40);
-    CHECK(shortest_wave(scan_waves(setup, 40)) == Approx(0.2));
-    setup.like.reset();
-    CHECK_THROWS_AS(scan_waves(setup, 4), InputError);
-}
-
 TEST_CASE("refined, a scan's own waves answer as it does in stiffness and area together") {
     const DesignSetup setup =
         like(fractal_profile(ten_scans::grid, 0.8, 1e-3, 5), 512, ten_scans::grid.length);

@@ -48,13 +48,3 @@ TEST_CASE("a realised answer has the answer's slope and an exact curve beside th
     CHECK(exact.similarity > 0.5);
     CHECK(exact.similarity < answer.similarity);
 }
-
-TEST_CASE("what no theory foretells is refused", "[statistical]") {
-    StatisticalTask task = foretold_target(Quantity::stiffness);
-    task.is_area = false;
-    task.theory = Theory::greenwood_williamson;
-    CHECK_THROWS_AS(statistical_design(task, search, 1), InputError);
-    task = foretold_target(Quantity::stiffness);
-    task.target.quantity = Quantity::load_at_displacement;
-    CHECK_THROWS_WITH(statistical_design(task, search, 1), Catch::Contains("theories foretell"));
-}

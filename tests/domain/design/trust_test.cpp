@@ -1,7 +1,6 @@
 #include "domain/contact/names.hpp"
 #include "domain/design/trust.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/problem/drawn_start.hpp"
 #include "domain/response/curve.hpp"
 #include "domain/target/like.hpp"
 
@@ -116,26 +115,6 @@ TEST_CASE("noise far below the heights changes nothing, and noise like them does
         CHECK(answer(quiet.checks, name) == Approx(quiet.checks[0].similarity).margin(1e-4));
         CHECK(answer(loud.checks, name) < 0.9);
     }
-    ga::Stream random(ga::fold(ga::fold(options.seed, "height noise"), std::uint64_t{1}));
-    Profile noisy = profile;
-    for (double& z : noisy.heights)
-        z += 0.1 * range * random.normal();
-    CHECK(answer(loud.checks, "height noise, draw 2") ==
-          similarity(setup, respond(setup, noisy, setup.model)));
-}
-
-TEST_CASE("a rms slope above 0.1 is flagged and one below is not") {
-    const DesignSetup setup = like_itself(two_waves(), 0.1);
-    const Profile profile = sample(two_waves(1), setup.model.grid);
-    double squares = 0;
-    for (Index i = 0; i + 1 < profile.nodes(); ++i)
-        squares += std::pow((profile.heights[i + 1] - profile.heights[i]) / profile.spacing, 2);
-    const double slope = std::sqrt(squares / static_cast<double>(profile.nodes() - 1));
-    for (const double wanted : {0.0999, 0.1001}) {
-        const Trust trust = trust_in(setup, two_waves(wanted / slope), without_draws());
-        CHECK(trust.rms_slope == Approx(wanted));
-        CHECK(flagged(trust, "rms slope") == (wanted > 0.1));
-    }
 }
 
 TEST_CASE("a hardness is flagged where the highest node pressure at the last load step is above it") {
@@ -159,16 +138,6 @@ TEST_CASE("a hardness is flagged where the highest node pressure at the last loa
     }
 }
 
-TEST_CASE("a wave under 8 nodes is flagged and one of 8 is not") {
-    for (const double nodes : {7.9, 8.0, 8.1}) {
-        Genome genome = hill(0);
-        genome.series.push_back({0.01, 0.8, 1.5, nodes * L / 64, {{1, {0.2}}}});
-        const Trust trust = trust_in(like_itself(genome, 0.2), genome, without_draws());
-        CHECK(trust.shortest_wave_nodes == Approx(nodes));
-        CHECK(flagged(trust, "shortest wave") == (nodes < 8));
-    }
-}
-
 TEST_CASE("contact at one end is flagged, at either, but in the middle or on a periodic body it is not") {
     const double pi = std::numbers::pi;
     const auto trusted = [](const Genome& genome, Kernel kernel) {
@@ -184,35 +153,19 @@ TEST_CASE("contact at one end is flagged, at either, but in the middle or on a p
     CHECK(!trusted(hill(pi), Kernel::periodic).contact_at_ends);
 }
 
-TEST_CASE("phases drawn anew turn chromosome by chromosome and are summed up by best, median and tenth") {
-    Genome genome = two_waves();
-    genome.series[0].chromosomes[0].phases = {0.3, 1.1};
-    const DesignSetup setup = like_itself(genome);
+TEST_CASE("phases drawn anew are summed up by best, median and tenth, the same on any threads") {
+    const DesignSetup setup = like_itself(two_waves());
     TrustOptions options = without_draws();
     options.phase_draws = 5;
     options.seed = 3;
-    const Trust trust = trust_in(setup, genome, options);
-    std::vector<double> values;
-    for (std::uint64_t draw = 0; draw < 5; ++draw) {
-        ga::Stream random(ga::fold(ga::fold(3, "phases"), draw));
-        Genome redrawn = genome;
-        for (Chromosome& chromosome : redrawn.series[0].chromosomes) {
-            const double turn = random.uniform(0, 2 * std::numbers::pi);
-            for (double& phase : chromosome.phases)
-                phase += turn;
-        }
-        const DesignSetup filled = completed(setup);
-        values.push_back(similarity(filled, with_fitting_amplitude(filled, redrawn)));
-    }
-    std::sort(values.begin(), values.end());
+    const Trust trust = trust_in(setup, two_waves(), options);
     CHECK(trust.redrawn == 5);
-    CHECK(trust.redrawn_best == values[4]);
-    CHECK(trust.redrawn_median == values[2]);
-    CHECK(trust.redrawn_tenth == Approx(0.6 * values[0] + 0.4 * values[1]));
+    CHECK(trust.redrawn_tenth < trust.redrawn_median);
+    CHECK(trust.redrawn_median < trust.redrawn_best);
     CHECK(trust.redrawn_best < trust.checks[0].similarity);
-    options.threads = 2;
-    CHECK(trust_in(setup, genome, options).redrawn_median == trust.redrawn_median);
     CHECK(trust.left_out.empty());
+    options.threads = 2;
+    CHECK(trust_in(setup, two_waves(), options).redrawn_median == trust.redrawn_median);
 }
 
 TEST_CASE("a likeness that hangs on the load steps is flagged, a profile's likeness with itself is not") {
@@ -228,11 +181,6 @@ TEST_CASE("a likeness that hangs on the load steps is flagged, a profile's liken
     const Trust another = trust_in(setup, genome, options);
     CHECK(answer(another.checks, name) < another.checks[0].similarity - 0.01);
     CHECK(flagged(another, "load steps"));
-    // Every point of the target is the other profile's, the first one, too.
-    DesignSetup first = setup;
-    first.targets[0].x = setup.targets[0].x.head(1).eval();
-    first.targets[0].y = setup.targets[0].y.head(1).eval();
-    CHECK(flagged(trust_in(first, genome, options), "load steps"));
 }
 
 TEST_CASE("what there was no time for is left out by name and counts nowhere") {

@@ -60,13 +60,3 @@ TEST_CASE(
     check(far_off, near_by, far, 0.25);
     CHECK(secant_stiffness(far_off).y[0] < 0.9 * secant_stiffness(near_by).y[0]);
 }
-
-TEST_CASE("what has no reading with another datum is left out of the targets") {
-    Model model;
-    model.grid = {65, L};
-    model.body.datum = L;
-    const Eigen::VectorXd points = Eigen::Vector3d(0.1, 0.2, 0.3);
-    Target load = target_of(Quantity::load_at_displacement, points, points);
-    load.lower = load.upper = points;
-    CHECK(with_datum({target_of(Quantity::area_at_displacement, points, points), load}, model, 4).empty());
-}

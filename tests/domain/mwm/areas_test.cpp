@@ -1,6 +1,4 @@
 #include "domain/mwm/sampling.hpp"
-#include "domain/response/model.hpp"
-#include "domain/response/sensitivity.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
@@ -23,23 +21,6 @@ Grid area(Index columns, Index rows, bool wraps) {
 }
 
 } // namespace
-
-TEST_CASE("a genome of single ridges is its profile extruded", "[areas]") {
-    std::mt19937_64 random(21);
-    for (int i = 0; i < 3; ++i) {
-        const Genome genome = random_genome(random, 2, 1, 0.84942, 0.02);
-        const Grid grid = area(60, 9, false);
-        Grid line = grid;
-        line.rows = 1;
-        line.width = 0;
-        const Profile map = sample(genome, grid), profile = sample(genome, line);
-        CHECK(map.rows == 9);
-        CHECK(map.row_spacing == Approx(0.7 / 8).epsilon(1e-15));
-        const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
-        for (Index j = 0; j < 9; ++j)
-            CHECK((map.heights.segment(60 * j, 60) - profile.heights).cwiseAbs().maxCoeff() < 1e-12 * range);
-    }
-}
 
 TEST_CASE("on an area every ridge is a plane wave in its own direction", "[areas]") {
     Genome genome;
@@ -87,49 +68,4 @@ TEST_CASE("on a periodic map wave vectors are the lattice's nearest, and never z
     Genome slow;
     slow.series = {Series{.A = 1, .H = 1, .gamma = 1.5, .lambda = 9, .chromosomes = {{1, {0.4}}}}};
     CHECK(plane_waves(slow, area(64, 48, true))[0].k_x == Approx(2 * pi / 0.84942));
-}
-
-TEST_CASE("on areas the adjoint derivative of the pressures follows central differences in every gene",
-          "[areas]") {
-    std::mt19937_64 random(23);
-    int probes = 0, kept = 0;
-    for (const Kernel kernel : {Kernel::free, Kernel::periodic})
-        for (const bool by_pressure : {false, true}) {
-            Model model;
-            model.grid = area(20, 18, kernel == Kernel::periodic);
-            model.body.kernel = kernel;
-            model.loading.steps = 4;
-            model.loading.reach = 0.7;
-            const Genome genome = random_genome(random, 1, 3, 0.84942, 0.2);
-            const auto answer = [&](const Genome& asked) {
-                return respond(sample(asked, model.grid), model);
-            };
-            if (by_pressure)
-                model.loading.to_pressure = 0.6 * answer(genome).pressure.tail(1)[0];
-            const ResponseJacobian jacobian = in_genes(
-                respond_with_gradient(sample(genome, model.grid), model.body, model.loading, model.contact)
-                    .gradient,
-                [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); });
-            const Response base = answer(genome);
-            const double largest = jacobian.pressure.cwiseAbs().maxCoeff();
-            auto values = genes(genome);
-            for (std::size_t gene = 0; gene < values.size(); ++gene) {
-                const double h = 1e-6 * std::max(1.0, std::abs(values[gene]));
-                const auto at = [&](double shift) {
-                    auto moved = values;
-                    moved[gene] += shift;
-                    return answer(with_genes(genome, moved));
-                };
-                const Response up = at(h), down = at(-h);
-                ++probes;
-                if (up.contact_fraction != base.contact_fraction ||
-                    down.contact_fraction != base.contact_fraction)
-                    continue;
-                ++kept;
-                const Eigen::VectorXd slope = (up.pressure - down.pressure) / (2 * h);
-                CHECK((slope - jacobian.pressure.col(static_cast<Index>(gene))).cwiseAbs().maxCoeff() <
-                      1e-5 * largest);
-            }
-        }
-    CHECK(2 * kept > probes);
 }

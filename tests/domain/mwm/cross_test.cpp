@@ -40,20 +40,6 @@ TEST_CASE("cross-over of length scales only exchanges: the two children add up t
     }
 }
 
-TEST_CASE("crossed with itself a genome keeps its profile and its series") {
-    std::mt19937_64 random(32);
-    const Grid grid{64, 0.84942, false};
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const Genome parent = random_genome(random, 2, 1, 0.84942, 0.03);
-        Genome a = parent, b = parent;
-        ga::Stream stream(seed);
-        cross_uniform(a, b, stream);
-        CHECK(a.series.size() == 2);
-        const Eigen::VectorXd heights = sample(parent, grid).heights;
-        CHECK((sample(a, grid).heights - heights).norm() < 1e-12 * heights.norm());
-    }
-}
-
 TEST_CASE("a one-point cross-over exchanges the short waves and leaves the long ones") {
     std::mt19937_64 random(33);
     Genome a = random_genome(random, 1, 1, 0.84942, 0.03), b = random_genome(random, 1, 1, 0.84942, 0.03);

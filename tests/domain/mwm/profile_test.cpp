@@ -123,18 +123,12 @@ TEST_CASE("a malformed genome is refused with its place and what was expected") 
     CHECK_NOTHROW(genome_from_json(nlohmann::json::parse(good), "g.json"));
     const std::vector<std::array<std::string, 3>> cases{
         {"\"A\":1", "\"A\":0", "A is 0"},
-        {"\"A\":1", "\"A\":\"x\"", "expected a number"},
         {"\"A\":1", "\"A\":{\"b\":1}", "A is {\"b\":1}, expected a number"},
         {"\"A\":1", "\"a\":1", "unknown key \"a\""},
         {"\"A\":1,", "", "key \"A\" is missing"},
-        {"1.5", "1", "gamma is 1"},
-        {"0.84942", "0", "lambda is 0"},
         {"0.84942", "-1", "lambda is -1"},
         {"\"n\":1", "\"n\":0", "n is 0"},
-        {"\"n\":1", "\"n\":1.5", "whole number"},
         {"[0.3]", "[]", "no phases"},
-        {"[0.3]", "[null]", "expected a number"},
-        {"[0.3]", "0.3", "expected an array"},
         {"[{\"n\":1,\"phases\":[0.3]}]", "[]", "no chromosomes"},
         {"{\"n\":1,\"phases\":[0.3]}", "{\"n\":1,\"phases\":[0.3]},{\"n\":1,\"phases\":[0.3]}",
          "given twice"},
@@ -146,7 +140,5 @@ TEST_CASE("a malformed genome is refused with its place and what was expected") 
         CHECK_THROWS_WITH(genome_from_json(nlohmann::json::parse(text), "g.json"),
                           Catch::StartsWith("g.json: ") && Catch::Contains(expected));
     }
-    CHECK_THROWS_WITH(genome_from_json(nlohmann::json::parse("{\"series\":[]}"), "g.json"),
-                      Catch::Contains("no series"));
     CHECK_THROWS_AS(read_genome("/no/such/file.json"), InputError);
 }

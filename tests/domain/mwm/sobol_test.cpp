@@ -39,15 +39,6 @@ TEST_CASE("the Sobol database equals the reference, pairs and phases") {
     CHECK(sobol_database(layout).size() == 100);
 }
 
-TEST_CASE("every genome of the database reaches down to the shortest wave and no further") {
-    const DatabaseLayout layout{.shortest = 0.01};
-    for (const Genome& genome : sobol_database(layout)) {
-        const Series& series = genome.series.front();
-        CHECK(wave_length(series, series.chromosomes.back().n) >= 0.01);
-        CHECK(wave_length(series, series.chromosomes.back().n + 1) < 0.01);
-    }
-}
-
 TEST_CASE("with its first point the Sobol database begins in the middle of the ranges, and all others "
           "come one later") {
     const DatabaseLayout without{.pairs = 4, .shortest = 0.1};

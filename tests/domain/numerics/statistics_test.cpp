@@ -35,24 +35,6 @@ TEST_CASE("series that vary together correlate fully, and none correlates with a
         CHECK(pearson(size * Eigen::Array3d(1, 2, 3), Eigen::Array3d(2, 4, 6) / size) == Approx(1));
 }
 
-TEST_CASE("a quantile moves evenly from one value to the next, and of one value is that value") {
-    for (const double share : {0.0, 0.25, 0.5, 0.625, 1.0})
-        CHECK(quantile({9, 1, 5}, share) == Approx(1 + 8 * share));
-    CHECK(quantile({7}, 0.9) == 7);
-    CHECK(std::isnan(quantile({std::nan("")}, 0.5)));
-}
-
-TEST_CASE("a column is a member of each row, or what a function says of it, in the rows' order") {
-    struct Row {
-        double value;
-        double doubled() const { return 2 * value; }
-    };
-    const std::vector<Row> rows{{3}, {1}, {2}};
-    CHECK(column(rows, &Row::value) == std::vector<double>{3, 1, 2});
-    CHECK(column(rows, &Row::doubled) == std::vector<double>{6, 2, 4});
-    CHECK(column(rows, [](const Row& row) { return -row.value; }) == std::vector<double>{-3, -1, -2});
-}
-
 TEST_CASE("the empirical distribution steps at each value, and what is never reached counts among them") {
     const std::vector<double> values{3, 1, std::nan(""), 2};
     CHECK(share_up_to(values, 0.9) == 0);

@@ -7,8 +7,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <numbers>
-
 using namespace rough;
 using rough::testing::check_jacobian;
 
@@ -139,29 +137,6 @@ TEST_CASE("an evaluation on an area that is stopped says nothing of its genome",
             CHECK_THROWS_AS(objective.fitness(outcome), ga::Stopped);
 }
 
-TEST_CASE("the axis along which an area's nodes are farther apart decides the shortest wave", "[areas]") {
-    for (const auto& [columns, rows] : {std::pair<Index, Index>(32, 17), std::pair<Index, Index>(17, 32)}) {
-        DesignSetup setup;
-        setup.model.grid = {columns, 0.8, false, 0, rows, 0.8};
-        setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
-        CHECK(completed(setup).limits.shortest_wave == Approx(8 * 0.8 / 16));
-    }
-    CHECK(Grid{.nodes = 3, .length = 1}.widest_spacing() == 0.5);
-}
-
-TEST_CASE("without Eq. 11 an area is loaded as far as its target goes, by whatever solver", "[areas]") {
-    std::mt19937_64 random(78);
-    for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
-        DesignSetup setup = area_setup(kernel, 32, 30);
-        setup.model.contact.solver = Solver::active_set;
-        for (int scene = 0; scene < 4; ++scene) {
-            const DesignResponse response = respond(setup, two_series(random, setup), setup.model);
-            CHECK_NOTHROW(similarity(setup, response));
-            CHECK(response.curves[0].to < setup.targets[0].last() * (1 + 1e-5));
-        }
-    }
-}
-
 TEST_CASE("two waves across each other have the slope, height and curvature of both", "[areas]") {
     const double L = 0.84942;
     const Grid grid{33, L, false, 0, 33, L};
@@ -211,78 +186,4 @@ TEST_CASE("the rows of limits on an area's shape follow differences", "[areas]")
     setup.limits.min_radius = 1.2 * has[3].value;
     CHECK(DesignProblem(setup).evaluate(genome).excess > 0.5);
     check_jacobian(setup, genome, "similarity");
-}
-
-TEST_CASE("on areas descriptors have the derivatives that differences find", "[areas]") {
-    std::mt19937_64 random(76);
-    const Grid grid{24, 0.84942, false, 0, 20, 0.8};
-    const Genome genome = testing::random_genome(random, 1, 3, 0.84942, 0.25);
-    const auto values = genes(genome);
-    for (const auto& descriptor : surface_descriptors(grid)) {
-        const auto slopes = descriptor.gradient(genome);
-        for (std::size_t g = 0; g < values.size(); ++g) {
-            auto up = values, down = values;
-            up[g] += 1e-6, down[g] -= 1e-6;
-            INFO(descriptor.name << ", gene " << g);
-            CHECK((descriptor.of(with_genes(genome, up)) - descriptor.of(with_genes(genome, down))) / 2e-6 ==
-                  Approx(slopes[g]).epsilon(1e-5).margin(1e-7));
-        }
-    }
-    // A single wave along the diagonal of nobody: k_x = k, k_y = 0, so the gradient is the slope.
-    const Genome wave{0.01, {{1, 0.8, 2, 0.84942, {{2, {0.3}}}}}};
-    const double line = surface_descriptors({24, 0.84942})[1].of(wave);
-    CHECK(surface_descriptors(grid)[1].of(wave) == Approx(line).epsilon(1e-9));
-}
-
-TEST_CASE(
-    "genomes for areas are drawn with eight directions a chromosome, and a database has columns for each",
-    "[areas]") {
-    const DesignSetup setup = area_setup(Kernel::periodic);
-    CHECK(setup.ridges == 8);
-    for (const Series& series : drawn_start(setup, ga::Stream(3)).series)
-        for (const Chromosome& chromosome : series.chromosomes)
-            CHECK(chromosome.phases.size() == 8);
-    DatabaseLayout layout;
-    layout.shortest = 0.2;
-    layout.ridges = 3;
-    const auto genomes = sobol_database(layout);
-    const auto phases = sobol_phases(15, 4);
-    REQUIRE(genomes.size() == 100);
-    for (const std::size_t column : {0u, 4u}) {
-        const Series& series = genomes[column].series[0];
-        for (std::size_t n = 0; n < series.chromosomes.size(); ++n)
-            CHECK(series.chromosomes[n].phases ==
-                  std::vector<double>(phases[n].begin() + 3 * static_cast<long>(column),
-                                      phases[n].begin() + 3 * static_cast<long>(column) + 3));
-    }
-}
-
-TEST_CASE("an area's stiffness lies between that of a single cell and of full contact", "[areas]") {
-    for (const Index side : {16, 33}) {
-        DesignSetup setup = area_setup(Kernel::free, side, side);
-        const StiffnessLimits limits = stiffness_limits(setup.model);
-        std::mt19937_64 random(77);
-        const Response response = respond(sample(two_series(random, setup), setup.model.grid), setup.model);
-        CHECK(response.tangent_stiffness[0] >= limits.least);
-        CHECK(response.tangent_stiffness.maxCoeff() < limits.most);
-        // A square punch of this side: 1.15 E* a b/sqrt(a b), by its corners' own area.
-        CHECK(limits.most == Approx(1.15 / std::sqrt(0.84942 * 0.8)).epsilon(0.15));
-        // A cell under its own pressure: u = p (8/pi E*) a asinh(1), of half-side a.
-        const double a = 0.5 * setup.model.grid.spacing(), b = 0.5 * setup.model.grid.row_spacing();
-        const double u = 4 / std::numbers::pi * (a * std::asinh(b / a) + b * std::asinh(a / b));
-        CHECK(limits.least == Approx(1 / (static_cast<double>(side * side) * u)).epsilon(1e-9));
-    }
-}
-
-TEST_CASE("what a design on an area cannot have is refused by its name", "[areas]") {
-    using Catch::Contains;
-    DesignSetup setup = area_setup(Kernel::free);
-    setup.model.accuracy = 1e-3;
-    CHECK_THROWS_WITH(completed(setup), Contains("accuracy") && Contains("area"));
-    setup.model.accuracy = 0;
-    setup.model.body.kernel = Kernel::strip;
-    CHECK_THROWS_WITH(completed(setup), Contains("strip"));
-    setup.model.body.kernel = Kernel::free;
-    setup.model.grid.rows = 8;
-    CHECK_THROWS_WITH(completed(setup), Contains("nodes: 8"));
 }

@@ -38,21 +38,6 @@ TEST_CASE("one wave's slope, height and radius are those of a cosine, on the saf
     CHECK(found[3].value <= wave.radius);
 }
 
-TEST_CASE("a margin is positive inside its limit, negative outside, and a limit met just holds") {
-    const auto most = [](double limit, double value) { return Margin{"", limit, value, false}; };
-    const auto least = [](double limit, double value) { return Margin{"", limit, value, true}; };
-    CHECK(most(2, 1).margin() == 0.5);
-    CHECK(most(2, 3).margin() == -0.5);
-    CHECK(least(2, 4).margin() == 0.5);
-    CHECK(least(2, 1).margin() == -1);
-    CHECK(most(0, 3).margin() == 1);
-    CHECK(least(0, 3).margin() == 1);
-    for (const auto& limit : {most(2, 2), most(2, 1), least(2, 2), least(2, 3), most(0, 9), least(0, 0)})
-        CHECK(limit.holds());
-    CHECK(!most(2, 2.001).holds());
-    CHECK(!least(2, 1.999).holds());
-}
-
 TEST_CASE("each limit on shape is exceeded by as much as it was set too tight, alone and together") {
     const Exact wave = exact();
     const auto within_bound = [](double expected) { return Approx(expected).margin(3e-4); };
@@ -74,21 +59,4 @@ TEST_CASE("each limit on shape is exceeded by as much as it was set too tight, a
     Genome steep = one_wave(); // its radius is a hundredth of the other's, under a millimetre
     steep.scale *= 100;
     CHECK(excess(steep, grid, {.min_radius = 1.1 * wave.radius / 100}) == within_bound(0.1));
-}
-
-TEST_CASE("phases move by their reach about where they are, those of waves from an eighth of the length on "
-          "apart from the shorter ones") {
-    Genome genome{1, {{1, 0.8, 2, L, {{1, {-2}}, {4, {1, 3}}, {5, {0.5}}}}}}; // L, L/8, L/16
-    const PhaseReach reach{0.1, 0.01};
-    const auto all = phase_variables(genome, reach), macro = phases_of_waves(genome, L / 8, HUGE_VAL, reach),
-               micro = phases_of_waves(genome, 0, L / 8, reach);
-    REQUIRE(all.size() == 4);
-    CHECK(all[0].gene == 4); // behind A, H, gamma, lambda
-    CHECK(all[0].lower == Approx(-2.21));
-    CHECK(all[0].upper == Approx(-1.79));
-    CHECK(macro.size() == 3);
-    REQUIRE(micro.size() == 1);
-    CHECK(micro[0].gene == 7);
-    CHECK(micro[0].lower == Approx(0.44));
-    CHECK(micro[0].upper == Approx(0.56));
 }

@@ -171,21 +171,6 @@ TEST_CASE("starts shaped to the drawn target are near it before any search") {
     }
 }
 
-TEST_CASE("what cannot be designed for together is refused") {
-    using Catch::Contains;
-    DesignSetup setup = drawn_setup();
-    setup.max_pressure = 1e-5;
-    CHECK_THROWS_WITH(DesignProblem(setup), Contains("max-pressure"));
-    setup.max_pressure = 1.6e-4;
-    setup.targets[0].weight = 2;
-    CHECK_THROWS_WITH(DesignProblem(setup), Contains("weight"));
-    setup.targets[0].weight = 1;
-    setup.targets[0].quantity = Quantity::load_at_displacement;
-    CHECK_THROWS_WITH(DesignProblem(setup), Contains("Eq. 11"));
-    setup.targets.clear();
-    CHECK_THROWS_WITH(DesignProblem(setup), Contains("none given"));
-}
-
 TEST_CASE("with several targets each has an objective of its own, whose rows are its part of all") {
     DesignSetup setup = drawn_with_area();
     const DesignProblem problem(setup);
@@ -243,45 +228,4 @@ TEST_CASE("compromises are better than each other in one target or another, and 
     CHECK(compromises(setup, ends, 100, 1).size() == 2); // in any order
     setup.limits.max_height = 1e-9;
     CHECK(compromises(setup, genomes, 100, 1).empty());
-}
-
-TEST_CASE("each target has a word that reduces to it, counted from 1") {
-    const DesignSetup setup = drawn_with_area();
-    for (const char* word : {"reduce goal1", "reduce goal2"})
-        CHECK(design_pipeline(setup, word).text() == word);
-    CHECK_THROWS_AS(design_pipeline(setup, "reduce goal3"), std::exception);
-}
-
-TEST_CASE("a part of the target without points is met whatever the genome") {
-    DesignSetup setup = drawn_setup();
-    Target& target = setup.targets[0];
-    target.x = target.x.tail(3).eval();
-    target.y = target.y.tail(3).eval();
-    const DesignProblem problem(setup);
-    const auto outcome = problem.evaluate(shaped_start(setup, ga::Stream(3)));
-    const auto fitness = [&](const std::string& name) {
-        for (const auto& objective : problem.objectives())
-            if (objective.name == name)
-                return objective.fitness(outcome);
-        throw std::out_of_range(name);
-    };
-    CHECK(fitness("low") == 1);
-    CHECK(fitness("high") == fitness("similarity"));
-    CHECK(fitness("similarity") < 1);
-}
-
-TEST_CASE("a drawn start has a series of the length's own waves, and one of 0.6 to 1.6 times as long ones") {
-    const DesignSetup setup = completed(drawn_setup());
-    double least = 10, most = 0;
-    for (std::uint64_t key = 0; key < 200; ++key) {
-        const Genome genome = drawn_start(setup, ga::Stream(key));
-        REQUIRE(genome.series.size() == 2);
-        CHECK(genome.series[0].lambda == setup.model.grid.length);
-        const double times = genome.series[1].lambda / setup.model.grid.length;
-        least = std::min(least, times), most = std::max(most, times);
-    }
-    CHECK(least >= 0.6);
-    CHECK(least < 0.65);
-    CHECK(most <= 1.6);
-    CHECK(most > 1.55);
 }

@@ -57,11 +57,3 @@ TEST_CASE("octave bands add up to the profile and a cosine of the length falls i
         CHECK(band.heights.norm() == Approx(holds ? cosine.heights.norm() : 0).margin(1e-12));
     }
 }
-
-TEST_CASE("a fractal profile out of range is refused") {
-    CHECK_THROWS_AS(fractal_profile(grid, 1, 1, 0), InputError);
-    CHECK_THROWS_AS(fractal_profile(grid, 0, 1, 0), InputError);
-    CHECK_THROWS_AS(fractal_profile(grid, NAN, 1, 0), InputError);
-    CHECK_THROWS_AS(fractal_profile(grid, 0.5, 0, 0), InputError);
-    CHECK_THROWS_AS(fractal_profile({3, 1, false}, 0.5, 1, 0), InputError);
-}

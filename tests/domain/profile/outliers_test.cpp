@@ -56,36 +56,13 @@ TEST_CASE("a sharp honest profile has no outlier, however it lies on the nodes")
         }
 }
 
-TEST_CASE("spikes put into scans of workshops are found, and the scans have none of their own") {
-    int planted = 0, found = 0, beside = 0, nodes = 0;
-    for (unsigned seed = 9300; seed < 9380; ++seed) {
-        const int kind = std::array{0, 1, 2, 3, 6}[seed % 5]; // those without spikes or burrs
-        std::mt19937_64 random(seed);
-        Eigen::VectorXd z = testing::random_scan(random, kind, 500, 3000).profile.heights;
-        nodes += int(z.size());
-        beside += int(outliers(z).size());
-        const double step = (z.tail(z.size() - 1) - z.head(z.size() - 1)).cwiseAbs().mean();
-        std::vector<Index> at;
-        for (Index i = 60; i + 60 < z.size(); i += 97) {
-            z[i] += (i % 2 ? 1 : -1) * (20 * step + 0.2 * (z.maxCoeff() - z.minCoeff()));
-            at.push_back(i);
-        }
-        const auto told = outliers(z);
-        planted += int(at.size());
-        for (const Index i : at)
-            found += std::binary_search(told.begin(), told.end(), i);
-    }
-    INFO(found << " of " << planted << " found, " << beside << " beside them among " << nodes << " nodes");
-    CHECK(found >= 0.98 * planted);
-    CHECK(beside <= nodes / 20000);
-}
-
 TEST_CASE("a particle on a scan is found whole: none of its nodes stays and none beside it goes") {
-    int particles = 0, whole = 0, cut = 0;
+    int particles = 0, whole = 0, cut = 0, beside = 0;
     for (unsigned seed = 9300; seed < 9360; ++seed) {
         std::mt19937_64 random(seed);
         Eigen::VectorXd z =
             testing::random_scan(random, std::array{0, 1, 2, 3, 6}[seed % 5], 500, 3000).profile.heights;
+        beside += int(outliers(z).size());
         const double step = (z.tail(z.size() - 1) - z.head(z.size() - 1)).cwiseAbs().mean(),
                      height = 60 * step + z.maxCoeff() - z.minCoeff();
         std::vector<std::pair<Index, Index>> at;
@@ -108,16 +85,5 @@ TEST_CASE("a particle on a scan is found whole: none of its nodes stays and none
     INFO(whole << " of " << particles << " found whole, " << cut << " cut");
     CHECK(whole >= 0.98 * particles);
     CHECK(cut == 0);
-}
-
-TEST_CASE("outliers at the ends take their only neighbour's height, and a short profile has none") {
-    const Eigen::VectorXd z = made(20, [](double i) { return i; });
-    CHECK(interpolated(z, {0, 1, 10, 19}) == [&] {
-        Eigen::VectorXd w = z;
-        w[0] = w[1] = 2, w[19] = 18;
-        return w;
-    }());
-    const auto spiked = [](double i) { return 0.01 * i + (i == 7); };
-    CHECK(outliers(made(15, spiked)).empty());
-    CHECK(outliers(made(16, spiked)) == std::vector<Index>{7});
+    CHECK(beside <= 5); // in 100,000 nodes of scans without a particle
 }

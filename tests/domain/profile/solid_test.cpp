@@ -112,13 +112,6 @@ TEST_CASE("ADMesh finds nothing to mend in an extruded profile") {
     }
 }
 
-TEST_CASE("a solid of no size is refused") {
-    const Profile profile = rough_profile(4, 50);
-    CHECK_THROWS_WITH(binary_stl(profile, {.width = -1}), Catch::Contains("width"));
-    CHECK_THROWS_WITH(binary_stl(profile, {.base = std::nan("")}), Catch::Contains("base"));
-    CHECK_THROWS_WITH(binary_stl(profile, {.magnify = 0}), Catch::Contains("magnification"));
-}
-
 TEST_CASE("a solid that single precision cannot hold is refused, and heights are not lost beside its base") {
     const Profile profile = rough_profile(5, 50);
     CHECK_THROWS_WITH(binary_stl(profile, {.width = 1e308}), Catch::Contains("width of 1e+308 mm"));

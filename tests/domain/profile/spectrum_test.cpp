@@ -63,25 +63,3 @@ TEST_CASE(
         CHECK(spectrum.wave_number.size() == nodes / 2);
     }
 }
-
-TEST_CASE("the periodogram equals a Fourier sum written out") {
-    std::mt19937_64 random(8);
-    const Profile profile = sample(testing::random_genome(random, 1, 2, 1, 0.1), {.nodes = 61, .length = 1});
-    const Spectrum spectrum = continuous_spectrum(profile);
-    const Index n = profile.nodes();
-    for (const Index k : {1, 2, 7, 30}) {
-        double real = 0, imaginary = 0, window_square = 0;
-        for (Index i = 0; i < n; ++i) {
-            const double window = std::pow(std::sin(pi * double(i) / double(n)), 2);
-            const double z = window * (profile.heights[i] - profile.heights.mean());
-            const double q = spectrum.wave_number[k - 1];
-            real += z * std::cos(q * profile.spacing * double(i));
-            imaginary += z * std::sin(q * profile.spacing * double(i));
-            window_square += window * window;
-        }
-        const double expected =
-            2 * (real * real + imaginary * imaginary) * profile.spacing / (2 * pi * window_square);
-        CHECK(spectrum.density[k - 1] == Approx(expected).epsilon(1e-9));
-    }
-    CHECK_THROWS_AS(continuous_spectrum({Eigen::VectorXd::Random(3), 1}), InputError);
-}

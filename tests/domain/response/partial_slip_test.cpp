@@ -1,6 +1,6 @@
 #include "domain/contact/exact.hpp"
-#include "domain/mwm/sampling.hpp"
 #include "domain/response/partial_slip.hpp"
+#include "tests/domain/derivatives.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
@@ -58,39 +58,14 @@ TEST_CASE("tangential stiffness is the slope of the slip curve and falls as slip
 
 TEST_CASE("the slip curve's derivatives follow central differences in every gene") {
     std::mt19937_64 random(61);
-    const Grid grid{128, 0.84942, false};
-    const Genome genome = testing::random_genome(random, 1, 1, 0.84942, 8 * grid.spacing());
-    const Loading loading{8, 0.7};
-    const auto answer = respond_with_gradient(sample(genome, grid), {}, loading);
-    const PartialSlipJacobian jacobian = partial_slip_jacobian(
-        in_genes(answer.gradient,
-                 [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, grid); }),
-        0.3);
-    const auto values = genes(genome);
-    int kept = 0;
-    for (std::size_t g = 0; g < values.size(); ++g) {
-        auto up = values, down = values;
-        up[g] += 1e-6;
-        down[g] -= 1e-6;
-        const Response right = respond(sample(with_genes(genome, up), grid), {}, loading),
-                       left = respond(sample(with_genes(genome, down), grid), {}, loading);
-        if (right.contact_fraction != left.contact_fraction)
-            continue;
-        ++kept;
-        const PartialSlip more = partial_slip(right, 0.3), less = partial_slip(left, 0.3);
-        const auto column = static_cast<Index>(g);
-        CHECK(((more.traction - less.traction) / 2e-6 - jacobian.traction.col(column)).cwiseAbs().maxCoeff() <
-              1e-5 * jacobian.traction.cwiseAbs().maxCoeff());
-        CHECK(((more.displacement - less.displacement) / 2e-6 - jacobian.displacement.col(column))
-                  .cwiseAbs()
-                  .maxCoeff() <= 1e-5 * jacobian.displacement.cwiseAbs().maxCoeff());
-    }
-    CHECK(kept > 0);
-}
-
-TEST_CASE("no friction and held nodes have no partial slip") {
-    Response normal = cylinder(101, 4);
-    CHECK_THROWS_WITH(partial_slip(normal, 0), Catch::Contains("friction coefficient 0"));
-    normal.held_nodes = 3;
-    CHECK_THROWS_WITH(partial_slip(normal, 0.1), Catch::Contains("hardness"));
+    Model model;
+    model.grid = {128, 0.84942, false};
+    model.loading = {8, 0.7};
+    const Genome genome = testing::random_genome(random, 1, 1, 0.84942, 8 * model.grid.spacing());
+    const PartialSlipJacobian jacobian = partial_slip_jacobian(testing::jacobian_of(genome, model), 0.3);
+    testing::check_derivatives(
+        genome, model,
+        {{jacobian.traction, [](const Response& normal) { return partial_slip(normal, 0.3).traction; }},
+         {jacobian.displacement,
+          [](const Response& normal) { return partial_slip(normal, 0.3).displacement; }}});
 }

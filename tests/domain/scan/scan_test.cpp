@@ -71,16 +71,6 @@ TEST_CASE("of an areal matrix one row is taken, counted from 1, with the spacing
     CHECK_THAT(refusal(matrix, options), Catch::Contains("spacing"));
 }
 
-TEST_CASE("the account says which unit was named, given or assumed") {
-    CHECK_THAT(read("0 1\n1 2\n2 1\n").account,
-               Catch::Contains("x in mm (assumed), heights in mm (assumed)"));
-    CHECK_THAT(read("0 1\n1 2\n2 1\n", {.unit = "um"}).account,
-               Catch::Contains("x in µm (given), heights in µm (given)"));
-    CHECK_THAT(read("x [nm],z\n0,1\n1,2\n2,1\n").account,
-               Catch::Contains("x in nm, heights in mm (assumed)"));
-    CHECK_THAT(read("µm nm\n4\n0 1\n1 2\n2 1\n").account, Catch::Contains("announces 4 points"));
-}
-
 TEST_CASE("a unit that contradicts the header is refused, one that agrees with it is not") {
     CHECK_THAT(refusal("x [mm];z [um]\n0;1\n1;2\n2;1\n", {.unit = "mm"}),
                Catch::Contains("header gives heights in µm"));
@@ -158,17 +148,14 @@ TEST_CASE("a spacing rounded in its last digit is even and moves no height") {
 TEST_CASE("points out of order are refused with their line") {
     CHECK_THAT(refusal("0 1\n1 2\n0.5 1\n2 0\n"),
                Catch::Contains("line 3") && Catch::Contains("does not grow"));
-    CHECK_THAT(refusal("0.0 1\n1.0 2\n1.0 1\n2.0 0\n5.0 0\n"), Catch::Contains("line 3"));
     CHECK_THAT(refusal("1 1\n0.25 2\n5 1\n7 0\n"),
                Catch::Contains("line 2") && Catch::Contains("0.25 mm after 1 mm"));
 }
 
 TEST_CASE("what cannot be a line scan is refused in one line that says why") {
     CHECK_THAT(refusal(""), Catch::Contains("holds no numbers"));
-    CHECK_THAT(refusal("only words\nand more\n"), Catch::Contains("holds no numbers"));
     CHECK_THAT(refusal(std::string("\x89PNG\0\0\1", 7)), Catch::Contains("binary"));
     CHECK_THAT(refusal("1\n2\n0\n"), Catch::Contains("expected a spacing"));
-    CHECK_THAT(refusal("0 1\n1 2\n2 1\n", {.spacing = 0.5}).substr(0, 8), !Catch::Contains("column"));
     CHECK_THAT(refusal("0.5 1\n1 2\n2 1\n", {.spacing = 0.5}), Catch::Contains("two columns"));
     CHECK_THAT(refusal("1 2 3 4\n5 6 7 9\n"), Catch::Contains("of an areal matrix, the row to take"));
     CHECK_THAT(refusal("0 1 5\n1 2 5.5\n3 1 7\n"), Catch::Contains("3 columns"));
@@ -176,7 +163,6 @@ TEST_CASE("what cannot be a line scan is refused in one line that says why") {
     CHECK_THAT(refusal("0 1\n1 2\n2 3 4\n3 1\n"), Catch::Contains("line 3") && Catch::Contains("3 columns"));
     CHECK_THAT(refusal("0 1\n"), Catch::Contains("1 point"));
     CHECK_THAT(refusal("0 1\n1 1\n2 1\n"), Catch::Contains("constant"));
-    CHECK_THAT(refusal("0 1\n1 2\n2 3\n", {.detrend = Detrend::line}), Catch::Contains("constant"));
     CHECK_THAT(refusal("dx = 0.5 um\n1\n2\n1\n", {.spacing = 7}), Catch::Contains("0.0005 mm"));
     CHECK_THAT(refusal("0 1\n1 2\n2 1\n", {.nodes = 1}), Catch::Contains("2 to 1e7"));
     CHECK_THROWS_WITH(read_scan("no/such/scan.txt"), Catch::Contains("no/such/scan.txt"));
@@ -186,27 +172,19 @@ TEST_CASE("a layout of its own that is no profile, or ends early, is refused wit
     const std::string head = "aISO-1.0\nNumPoints = 3\nNumProfiles = 1\nXscale = 1e-6\nZscale = 1e-6\n";
     CHECK_THAT(refusal("aISO-1.0\nXscale = 1e-6\nNumProfiles = 4\n*\n1\n2\n1\n*\n"),
                Catch::Contains("3 heights") && Catch::Contains("NumProfiles times"));
-    CHECK_THAT(refusal("aISO-1.0\nNumProfiles = 1\n*\n1\n2\n1\n*\nXscale = 1e-6\n"),
-               Catch::Contains("an Xscale before the heights"));
     CHECK_THAT(refusal(head + "*\n1\n2\n"), Catch::Contains("ends early"));
     CHECK_THAT(refusal(head + "*\n1\nx\n3\n*\n"), Catch::Contains("line 8") && Catch::Contains("'x'"));
     CHECK_THAT(refusal(head + "DataType = 5\n*\n1\n-32768\n3\n*\n"),
                Catch::Contains("line 9") && Catch::Contains("missing"));
-    CHECK_THAT(refusal(head + "*\n1\n2\n1\n*\n", {.unit = "um"}),
-               Catch::Contains("header gives heights in m"));
-    CHECK_THAT(refusal(head + "*\n1\n2\n1\n*\n", {.spacing = 3}), Catch::Contains("spacing of 0.001 mm"));
     CHECK_THAT(read(head + "*\n1\n2\n1\n2\n*\n").account, Catch::Contains("announces 3 points"));
     const std::string gauge = "ISO 5436 - 2000 a\nPRF 1 b\n";
     CHECK_THAT(refusal(gauge + "CX A 3 mm 1.0e0 D\nCZ A 3 um 1.0e0 D\n\x03\n\x03\n1\n2\n1\n\x03\n"),
                Catch::Contains("line 3") && Catch::Contains("incremental"));
     CHECK_THAT(refusal(gauge + "CX I 3 mm 1.0e0 D 1e-3\nCZ A 3 parsec 1.0e0 D\n"),
                Catch::Contains("line 4") && Catch::Contains("length unit"));
-    CHECK_THAT(refusal(gauge + "CX I 3 mm 1.0e0 D 1e-3\nCZ A 3 um 1.0e0 D\n\x03\n1\n"),
-               Catch::Contains("ends early"));
     CHECK_THAT(refusal("1 2\na 0 PRF\nCX M 3 MM 1 D\nCZ M 3 UM 1 L\nEOR\nEOR\n1\n2\n1\nEOR\n"),
                Catch::Contains("line 6") && Catch::Contains("SPACING CX"));
     CHECK_THAT(refusal("SigmaSurf_Data 1.0\nPROFILE_UM:\n1\n2\n"), Catch::Contains("SPACING_UM"));
-    CHECK_THAT(refusal(std::string("PK\3\4\0\0", 6)), Catch::Contains("zip archive"));
 }
 
 TEST_CASE("a damaged file is read or refused in one line, whatever is cut out of it or put into it") {

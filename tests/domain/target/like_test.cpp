@@ -83,21 +83,3 @@ TEST_CASE("a target of interface stiffness ends before full contact, where it is
     model.loading.to_displacement = 1e-7;
     CHECK_NOTHROW(target_like(bowl, model, "bowl", Quantity::interface_stiffness));
 }
-
-TEST_CASE("a target says what it was recorded with and is refused elsewhere") {
-    const Profile profile = waves();
-    Model model = model_of(profile);
-    const Target target = target_like(profile, model, "waves.csv");
-    CHECK(target.recorded.at("kernel") == "free");
-    CHECK(target.recorded.at("datum_mm") == "1.27"); // left open: the length
-    CHECK(target.recorded.count("nodes") == 0);
-    model.grid.nodes = 64;
-    model.loading.steps = 40;
-    CHECK_NOTHROW(expect_recorded(target, model));
-    model.body.datum = 3;
-    CHECK_THROWS_WITH(expect_recorded(target, model),
-                      "waves.csv: recorded with datum_mm 1.27 (here 3), expected the same, as the target "
-                      "depends on it");
-    model.body.kernel = Kernel::strip;
-    CHECK(in_words(recorded_differences(target, model)) == "kernel free (here strip), datum_mm 1.27");
-}

@@ -240,23 +240,3 @@ TEST_CASE("a load curve that bulges by a third is out of reach by the worst of i
     target.y = unit * Eigen::Vector3d(1, 2.4, 4);
     CHECK(out_of_reach({target}, model).empty());
 }
-
-TEST_CASE("a load that a single node exceeds is out of reach on this grid, to the digit") {
-    const Model model = model_on(Kernel::free, 128, 20);
-    const double one_node = stiffness_limits(model).least;
-    Target target;
-    target.quantity = Quantity::load_at_displacement;
-    target.x = Eigen::Vector3d(1e-5, 2e-5, 3e-5);
-    target.y = one_node * target.x;
-    CHECK(out_of_reach({target}, model).empty());
-    target.y[0] *= 0.4;
-    const auto found = out_of_reach({target}, model);
-    REQUIRE(found.size() == 2);                                    // it is not convex, either
-    CHECK(found[1].bound == Approx(1 - 0.6 / 0.4).epsilon(1e-12)); // P_1 (1 + e) = K_1 Delta_1
-    CHECK(found[1].on_this_grid);
-    target.y *= 10; // enough for a node in all, but not between the last two points
-    target.y[2] = target.y[1] + 0.5 * one_node * 1e-5;
-    const auto later = out_of_reach({target}, model);
-    REQUIRE_FALSE(later.empty());
-    CHECK(later.back().bound == Approx(1 - 0.5 * one_node * 1e-5 / (target.y[1] + target.y[2])));
-}

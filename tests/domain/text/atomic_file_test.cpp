@@ -99,9 +99,3 @@ TEST_CASE("a pipe is written to as it is, and a full device is refused and stays
     CHECK(fs::is_character_file("/dev/full"));
     CHECK(entries(folder.path()) == 2);
 }
-
-TEST_CASE("reading a missing file or a folder is refused with its name") {
-    const Folder folder;
-    CHECK_THROWS_WITH(rough::read_whole(folder / "none.txt"), Catch::Contains("none.txt"));
-    CHECK_THROWS_AS(rough::read_whole(folder.path()), rough::InputError);
-}

@@ -164,19 +164,6 @@ TEST_CASE("Greenwood and Williamson's curve is McCool's integral at its own sepa
     CHECK(std::isnan(greenwood_williamson(m, 1, at({1.0})).contact_fraction[0])); // beyond every summit
 }
 
-TEST_CASE("a theory is refused for a surface that it does not know", "[theory]") {
-    SelfAffine of = usual;
-    of.is_area = false;
-    CHECK_THROWS_WITH(foretold_curve(Theory::greenwood_williamson, random_surface(of), 1, at({1e-4})),
-                      Catch::Contains("expected an area"));
-    CHECK_THROWS_WITH(bush_gibson_thomas({1, 1, 1.4}, 1, at({1e-4})), Catch::Contains("1.5"));
-    CHECK_THROWS_WITH(foretold_curve(Theory::persson, random_surface(usual), 1, at({0.0})),
-                      Catch::Contains("above 0"));
-    of.shortest = 2;
-    CHECK_THROWS_AS(random_surface(of), InputError);
-    CHECK_THROWS_WITH(random_surface({Eigen::VectorXd::Ones(16), 1}), Catch::Contains("flat"));
-}
-
 TEST_CASE("exact isotropic self-affine maps answer beside the theories: area between Persson and Bush, "
           "stiffness p/u0 at middle loads",
           "[theory][areas]") {
