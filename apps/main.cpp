@@ -16,6 +16,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <malloc.h>
 #include <new>
 #include <stdexcept>
 #include <system_error>
@@ -141,6 +142,9 @@ int main(int count, char** values) {
     std::set_terminate(end_at_once);
     std::signal(SIGPIPE, SIG_IGN); // a reader that goes ends no work
     std::signal(SIGXFSZ, SIG_IGN); // nor does a file that may not grow: writing it fails
+    // Each contact solution frees megabytes. To give them back to the system takes longer than the solution.
+    mallopt(M_TRIM_THRESHOLD, 1 << 29);
+    mallopt(M_MMAP_THRESHOLD, 1 << 25);
     const int code = run({values + 1, values + count});
     app::cluster::leave(code);
     return code;

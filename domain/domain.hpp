@@ -21,6 +21,7 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/design/statistical.hpp"
+#include "domain/design/tolerance.hpp"
 #include "domain/design/trust.hpp"
 #include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"

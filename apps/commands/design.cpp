@@ -25,9 +25,11 @@ namespace app {
 
 namespace {
 
-/// Shares of --seconds after which the search and the further checks of its answer end. The rest is left for
-/// drawing the report.
-constexpr double searched_by = 0.8, checked_by = 0.9;
+/// Shares of --seconds after which the search, the tolerance (planned for a tenth) and the further checks of
+/// the answer end. The rest is left for drawing the report.
+constexpr double searched_by = 0.75, tolerance_by = 0.88, checked_by = 0.92;
+/// Seconds for drawing the report if the time is spent.
+constexpr double drawing_seconds = 3;
 
 int exit_code(const DesignRun& run) {
     if (run.interrupted)
@@ -94,7 +96,7 @@ int design(const Words& words) {
     const OutputFolder output(settings.text("out"), "design",
                               {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor",
                                 "checkpoint.cbor.before", "surface.stl", "surface.3mf", "curves.csv",
-                                "points.csv", "heights-drawn.csv", "map.csv", "front.csv"},
+                                "points.csv", "heights-drawn.csv", "map.csv", "front.csv", "tolerance.csv"},
                                settings.files(),
                                settings.is_on("force"),
                                resume});
@@ -141,6 +143,10 @@ int design(const Words& words) {
     write_design_result(run, output.restored());
     write_design_tables(run, folder);
     if (!run.interrupted) {
+        progress.show("tolerance");
+        run.tolerance_options.seconds = tolerance_by * limit - clock.seconds();
+        run.tolerance_options.stop = run.options.stop;
+        run.tolerance = tolerance_of(run.setup, run.found.best.genome, run.tolerance_options);
         progress.show("verifying");
         run.trust_options.seconds = checked_by * limit - clock.seconds();
         run.trust_options.stop = run.options.stop;
@@ -151,13 +157,13 @@ int design(const Words& words) {
         write_design_result(run, folder);
     }
     if (!run.interrupted) {
-        if (pictures && clock.seconds() < limit) {
+        if (pictures) {
             write_design_drawings(run, folder);
             rough::write_atomically(
                 folder / "report.html",
-                render(page_source(folder), {.seconds = std::min(3600., limit - clock.seconds())}));
-        } else if (pictures)
-            say("note: no time was left for report.html; expected more --seconds for it");
+                render(page_source(folder),
+                       {.seconds = std::clamp(limit - clock.seconds(), drawing_seconds, 3600.)}));
+        }
     }
     if (run.found.stopped.empty() || run.found.best.lowest() >= run.setup.required_similarity)
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})

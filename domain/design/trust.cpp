@@ -2,6 +2,8 @@
 
 #include "domain/contact/names.hpp"
 #include "domain/design/starts.hpp"
+#include "domain/design/tolerance.hpp"
+#include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/plain_stream.hpp"
@@ -150,18 +152,20 @@ std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const
                             [far, &genome] { return similarity(far, respond(far, genome, far.model)); }});
     }
     if (options.noise > 0)
-        for (int draw = 0; draw < options.noise_draws; ++draw)
-            jobs.push_back({"height noise, draw " + std::to_string(draw + 1),
-                            [&, draw] {
-                                ga::Stream random(ga::fold(ga::fold(options.seed, "height noise"),
-                                                           static_cast<std::uint64_t>(draw)));
-                                Profile noisy = sample(genome, setup.model.grid);
-                                for (double& z : noisy.heights)
-                                    z += options.noise * random.normal();
-                                const DesignSetup final = in_final_amplitude(setup);
-                                return similarity(final, respond(final, noisy, final.model));
-                            },
-                            true});
+        jobs.push_back({line_of("height noise of ", options.noise, " mm rms, 95 % of the draws"),
+                        [&setup, &genome, &options, clock = ga::Stopwatch()] {
+                            return similarity_under_noise(setup, genome, options.noise,
+                                                          {.noise_length = options.noise_length,
+                                                           .seed = options.seed,
+                                                           .seconds = options.seconds - clock.seconds(),
+                                                           .stop = options.stop});
+                        },
+                        true});
+    if (options.tilt > 0)
+        jobs.push_back(
+            {line_of("tilt of ", options.tilt, " mm over the length"),
+             [&setup, &genome, &options] { return similarity_under_tilt(setup, genome, options.tilt); },
+             true});
     if (trust.peak_pressure > options.hardness && options.hardness > 0)
         jobs.push_back({"nodes held at the hardness",
                         [&setup, &genome, &options] {

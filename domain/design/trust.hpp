@@ -10,12 +10,13 @@ namespace rough {
 
 /// How an answer is put to the test.
 struct TrustOptions {
-    double noise = 0;       ///< deviation of random height errors at the nodes, mm; 0: none
-    int noise_draws = 20;   ///< how many noisy profiles
-    int phase_draws = 30;   ///< how many genomes with phases drawn anew
-    double hardness = 0;    ///< MPa: no node bears more, the measured target's neither; 0: not given
-    std::uint64_t seed = 1; ///< of noise and redrawn phases
-    int threads = 0;        ///< 0: all
+    double noise = 0;        ///< rms of height noise, mm: 95 % of its draws are to hold; 0: none
+    double noise_length = 0; ///< its correlation length, mm; 0: L/60
+    double tilt = 0;         ///< over the length, mm, either way; 0: none
+    int phase_draws = 30;    ///< how many genomes with phases drawn anew
+    double hardness = 0;     ///< MPa: no node bears more, the measured target's neither; 0: not given
+    std::uint64_t seed = 1;  ///< of noise and redrawn phases
+    int threads = 0;         ///< 0: all
     double seconds = std::numeric_limits<double>::infinity(); ///< what is not done by then is left out
     const std::atomic<bool>* stop = nullptr; ///< somebody asks it to end, as if the seconds were over
 };
@@ -24,13 +25,13 @@ struct TrustOptions {
 struct Check {
     std::string name;     ///< what was asked, in words
     double similarity;    ///< NaN: no answer
-    bool decides = false; ///< noise or a hardness that was asked for: an answer is to hold under it
+    bool decides = false; ///< noise, tilt or hardness that was given: an answer is to hold under it
 };
 
 /// How far an answer is to be believed.
 struct Trust {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); ///< of what was not tried
-    std::vector<Check> checks; ///< as designed, finer grids, more load steps, farther datum, each noisy draw,
+    std::vector<Check> checks; ///< as designed, finer grids, more load steps, farther datum, noise, tilt,
                                ///< nodes held at the hardness where the peaks would flow
     /// The least similarity of checks that decide; NaN where there is none, or one without an answer.
     double under = unknown;

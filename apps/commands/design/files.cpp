@@ -70,6 +70,23 @@ json trust_json(const rough::Trust& trust) {
             {"left_out_for_time", trust.left_out}};
 }
 
+json tolerance_json(const rough::Tolerance& tolerance) {
+    json levels = json::array();
+    for (const rough::ToleranceLevel& level : tolerance.levels)
+        levels.push_back({{"similarity", level.similarity},
+                          {"noise_rms_mm", level.noise_rms},
+                          {"tilt_mm", level.tilt},
+                          {"scale", level.scale}});
+    return {{"noise_length_mm", tolerance.noise_length},
+            {"share", rough::Tolerance::share},
+            {"share_from", tolerance.share_from},
+            {"share_to", tolerance.share_to},
+            {"draws", tolerance.draws},
+            {"similarity", tolerance.similarity},
+            {"complete", tolerance.complete},
+            {"levels", levels}};
+}
+
 /// Similarities in the order of `targets`.
 json front_json(const std::vector<rough::Compromise>& front) {
     json all = json::array();
@@ -147,12 +164,23 @@ json design_json(const DesignRun& run) {
                                      {"value", margin.value},
                                      {"margin", margin.limit > 0 ? json(margin.margin()) : json()},
                                      {"holds", margin.holds()}});
+    result["limits_given"] = run.limits_given;
     answer["within_limits"] = run.found.best.within_limits;
     if (run.morphed)
         answer["morph"] = morph_json(run);
+    if (run.tolerance)
+        answer["tolerance"] = tolerance_json(*run.tolerance);
     if (run.trust)
         answer["trust"] = trust_json(*run.trust);
     return result;
+}
+
+/// Similarity of the draws of noise.
+void write_tolerance(const rough::Tolerance& tolerance, const std::filesystem::path& folder) {
+    Csv table("noise_rms_mm,quantile,median,draws");
+    for (const rough::NoiseQuantile& one : tolerance.curve)
+        table.row(one.noise_rms, one.quantile, one.median, one.draws);
+    rough::write_atomically(folder / "tolerance.csv", table.text());
 }
 
 /// A design stands, whether its tile can be printed or not.
@@ -168,6 +196,8 @@ void write_tile(const rough::Profile& surface, const std::filesystem::path& fold
 
 void write_design_result(const DesignRun& run, const std::filesystem::path& folder) {
     write_json(folder / "result.json", design_json(run));
+    if (run.tolerance)
+        write_tolerance(*run.tolerance, folder);
 }
 
 void write_design_tables(const DesignRun& run, const std::filesystem::path& folder) {

@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// Writes result.json.
+/// Writes result.json, and tolerance.csv if the tolerance is known.
 void write_design_result(const DesignRun& run, const std::filesystem::path& folder);
 
 /// Writes answer.csv, the answer's own curve, and genome.json.

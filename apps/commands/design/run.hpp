@@ -2,6 +2,7 @@
 
 #include "apps/report/record.hpp"
 #include "domain/design/morph.hpp"
+#include "domain/design/tolerance.hpp"
 #include "domain/design/trust.hpp"
 #include "domain/target/out_of_reach.hpp"
 
@@ -30,7 +31,7 @@ struct Production {
 /// lines on the terminal are this.
 struct Summary {
     bool found = false;
-    /// The answer's worst similarity, under noise and hardness where these are given; NaN: not verified.
+    /// The answer's lowest similarity, under noise, tilt and hardness if given; NaN: not verified.
     double verified = 0;
     std::string verdict; ///< in one line
     std::vector<Fact> facts;
@@ -41,7 +42,9 @@ struct DesignRun {
     rough::DesignSetup searched; ///< the same with the accuracy that the search was allowed
     rough::SearchOptions options;
     rough::TrustOptions trust_options;
+    rough::ToleranceOptions tolerance_options;
     std::vector<std::string> accounts; ///< of scans read
+    bool limits_given = false;         ///< of making, by a flag
     std::optional<Production> from;    ///< it is morphed, nothing is searched
 
     std::vector<rough::OutOfReach> out_of_reach;
@@ -55,7 +58,8 @@ struct DesignRun {
     std::optional<std::vector<std::pair<std::string, double>>> not_asked;
     std::vector<StageRecord> stages;
     std::vector<rough::Margin> margins;
-    std::optional<rough::Trust> trust; ///< none where there was no time for it
+    std::optional<rough::Tolerance> tolerance; ///< none if the run was interrupted
+    std::optional<rough::Trust> trust;         ///< none where there was no time for it
 
     Summary summary;
     bool interrupted = false;

@@ -132,7 +132,9 @@ std::vector<Setting> design_settings() {
         {"gamma-to", "", "largest gamma [" + brief(usual.gamma_to, 15) + "]"},
         {"lambda-from", "", "least longest wave of a series, mm [L/4]"},
         {"lambda-to", "", "largest longest wave of a series, mm [4 L]"},
-        {"noise", "", "deviation of random height errors to verify the answer under, mm [none]"},
+        {"noise", "", "rms of the height noise under which 95 % of the draws must hold, mm [none]"},
+        {"noise-length", "", "correlation length of height noise, mm [L/60]"},
+        {"tilt", "", "height over the length that the answer may be tilted by, mm [none]"},
         {"hardness", "", "hardness that no node bears more than, MPa, to verify the answer under [none]"},
     };
     return joined({settings, scan_settings(), model_settings(), {accuracy_setting()}});
@@ -219,6 +221,8 @@ DesignRun design_from(const Settings& settings) {
     for (const auto& note : carried_notes(setup.targets, setup.model))
         run.accounts.push_back(note);
     take_bounds(settings, setup);
+    for (const char* limit : {"shortest-wave", "max-slope", "max-height", "min-radius"})
+        run.limits_given = run.limits_given || settings.has(limit);
     run.searched = setup;
     run.searched.model.accuracy = accuracy_from(settings);
 
@@ -245,8 +249,18 @@ DesignRun design_from(const Settings& settings) {
     if (settings.has("evaluations"))
         options.evaluations = settings.whole("evaluations", 1, 1'000'000'000);
 
-    if (settings.has("noise"))
-        run.trust_options.noise = settings.positive("noise");
+    for (const auto& [name, value] :
+         {std::pair("noise", &run.trust_options.noise), std::pair("tilt", &run.trust_options.tilt)})
+        if (settings.has(name))
+            *value = settings.positive(name);
+    const rough::Grid& grid = setup.model.grid;
+    if (settings.has("noise-length"))
+        run.trust_options.noise_length =
+            settings.number("noise-length", std::min(grid.widest_spacing(), grid.length / 60), grid.length);
+    run.tolerance_options = {.noise_length = run.trust_options.noise_length,
+                             .seed = options.seed,
+                             .threads = options.threads,
+                             .fixed_draws = settings.has("evaluations")};
     if (settings.has("hardness"))
         run.trust_options.hardness = settings.positive("hardness");
     run.trust_options.seed = options.seed;

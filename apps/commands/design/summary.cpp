@@ -48,7 +48,7 @@ void join(std::string& all, const std::string& more, const char* between = "; ")
 }
 
 bool asks_under(const DesignRun& run) {
-    return run.trust_options.noise > 0 || run.trust_options.hardness > 0;
+    return run.trust_options.noise > 0 || run.trust_options.tilt > 0 || run.trust_options.hardness > 0;
 }
 
 /// The worst similarity under all that was asked; -infinity where there was no answer under it.
@@ -67,6 +67,8 @@ std::string conditions(const DesignRun& run) {
     if (asks_under(run) && run.trust) {
         if (run.trust_options.noise > 0)
             under += ", under noise";
+        if (run.trust_options.tilt > 0)
+            under += ", tilted";
         if (run.trust_options.hardness > 0)
             under += ", under the hardness";
     }
@@ -96,8 +98,7 @@ std::string verdict_of(const DesignRun& run, double verified) {
         line = is_verified(run)
                    ? "found: similarity " + readable(verified, 5) + " at worst, " + conditions(run)
                    : "not verified: similarity " + readable(verified, 5) + " at worst, " + conditions(run) +
-                         ", but there was no time for the noise or hardness "
-                         "asked for";
+                         ", but there was no time for the given noise, tilt or hardness";
     else
         line = "not found within the budget: the nearest curve has similarity " +
                (std::isinf(verified) ? "none" : below(verified, run.setup.required_similarity)) +
@@ -129,18 +130,42 @@ std::string worst_case(const DesignRun& run) {
              : "so the worst is not known");
     if (!run.trust)
         return all + "; there was no time to verify more";
-    double noisy = HUGE_VAL;
     for (const rough::Check& check : run.trust->checks)
         if (check.name.find("datum") != std::string::npos)
             join(all, readable(check.similarity, 4) + " with the datum 4 times farther");
-        else if (check.name.find("noise") != std::string::npos)
-            noisy = std::min(noisy, check.similarity);
-    join(all, run.trust_options.noise > 0 && noisy < HUGE_VAL
-                  ? readable(noisy, 4) + " at worst under height noise"
-                  : "noise not asked for (--noise)");
+        else if (check.name.find("noise") != std::string::npos ||
+                 check.name.find("tilt") != std::string::npos)
+            join(all, readable(check.similarity, 4) + " under " + check.name);
     if (!run.trust->left_out.empty())
         join(all, "no time was left for " + std::to_string(run.trust->left_out.size()) + " checks");
     return all;
+}
+
+/// How precise the machine must be: "for 0.95, 0.3 nm rms at 14 µm correlation, 40 nm tilt, 8 % scale".
+std::string machine(const DesignRun& run) {
+    if (!run.tolerance)
+        return "";
+    const rough::Tolerance& tolerance = *run.tolerance;
+    const auto in_unit = [](double length) {
+        const Unit unit = length_unit(length);
+        return readable(unit.factor * length) + " " + unit.name;
+    };
+    std::string all, missed;
+    for (const rough::ToleranceLevel& level : tolerance.levels) {
+        const std::string at = brief(level.similarity, 15);
+        if (level.similarity > tolerance.similarity)
+            join(missed, at, ", ");
+        else if (!std::isnan(level.scale) && (all.empty() || level.similarity == 0.95))
+            all = "for " + at + ", " +
+                  (std::isnan(level.noise_rms) ? "noise not known for lack of time"
+                                               : in_unit(level.noise_rms) + " rms at " +
+                                                     in_unit(tolerance.noise_length) + " correlation") +
+                  ", " + in_unit(level.tilt) + " tilt, " + percent(level.scale) + " scale";
+    }
+    if (!missed.empty())
+        join(all, "none for " + missed + ": without errors the similarity is " +
+                      readable(tolerance.similarity, 4));
+    return all.empty() ? "not known: there was no time; set more --seconds" : all;
 }
 
 std::string yielding(const DesignRun& run) {
@@ -173,11 +198,18 @@ std::string in_words(const rough::Margin& margin) {
                 : "");
 }
 
+/// Whether the limits that were given hold. Without any, nobody knows what can be made.
 std::string making(const DesignRun& run) {
     std::string limited, free;
-    for (const rough::Margin& margin : run.margins)
+    for (rough::Margin margin : run.margins) {
+        if (!run.limits_given)
+            margin.limit = 0; // the default shortest wave is the grid's
         join(margin.limit > 0 ? limited : free, in_words(margin), ", ");
-    return (run.found.best.within_limits ? "yes: " : "no: ") + limited +
+    }
+    if (!run.limits_given)
+        return "not known, as no limit was given: " + free +
+               "; give your process's --max-slope, --min-radius, --max-height or --shortest-wave";
+    return (run.found.best.within_limits ? "yes, by the given limits: " : "no: ") + limited +
            (free.empty() ? "" : "; without a limit: " + free);
 }
 
@@ -311,6 +343,7 @@ Summary summary_of(const DesignRun& run) {
               percent(run.own.responses.front().contact_fraction.tail(1)[0]) + " of the nodes touch";
     add("not_asked_for", "Not asked for", off);
     add("worst_case", "At worst", worst_case(run));
+    add("machine", "Machine", machine(run));
     add("yielding", "Elastic", yielding(run));
     add("making", "Can be made", making(run));
     add("carries_over", "Holds for", carries(run));

@@ -18,6 +18,8 @@ struct Design {
     rough::Unreachable beyond;
     Curve curve;
     bool interrupted = false;
+    rough::ToleranceOptions tolerance_options = {};
+    std::optional<rough::Tolerance> tolerance = {}; ///< found when it is first read
 
     bool is_found() const {
         return found.best.lowest() >= setup.required_similarity && found.best.within_limits &&
@@ -130,6 +132,8 @@ Design designed(const std::optional<Eigen::VectorXd>& pressure,
     } else {
         setup.model = model_from(keywords);
     }
+    design.tolerance_options = {
+        .noise_length = keywords.take("noise_length", 0.0), .seed = options.seed, .threads = options.threads};
     keywords.expect_none_left();
     if (setup.targets.empty())
         throw py::type_error("design: expected target_pressure and target_stiffness, target= or like=");
@@ -153,9 +157,35 @@ Design designed(const std::optional<Eigen::VectorXd>& pressure,
     return design;
 }
 
-py::dict trust_of(const Design& design, double noise, double hardness, std::uint64_t seed, int threads) {
+/// As `tolerance` of result.json, without units in the names.
+py::dict tolerance_of(Design& design) {
+    if (!design.tolerance) {
+        const py::gil_scoped_release unlocked;
+        design.tolerance =
+            rough::tolerance_of(design.setup, design.found.best.genome, design.tolerance_options);
+    }
+    const rough::Tolerance& tolerance = *design.tolerance;
+    py::list levels, curve;
+    for (const rough::ToleranceLevel& level : tolerance.levels)
+        levels.append(py::dict(py::arg("similarity") = level.similarity,
+                               py::arg("noise_rms") = level.noise_rms, py::arg("tilt") = level.tilt,
+                               py::arg("scale") = level.scale));
+    for (const rough::NoiseQuantile& one : tolerance.curve)
+        curve.append(py::dict(py::arg("noise_rms") = one.noise_rms, py::arg("quantile") = one.quantile,
+                              py::arg("median") = one.median, py::arg("draws") = one.draws));
+    return py::dict(py::arg("noise_length") = tolerance.noise_length,
+                    py::arg("share") = rough::Tolerance::share, py::arg("share_from") = tolerance.share_from,
+                    py::arg("share_to") = tolerance.share_to, py::arg("draws") = tolerance.draws,
+                    py::arg("similarity") = tolerance.similarity, py::arg("levels") = levels,
+                    py::arg("curve") = curve);
+}
+
+py::dict trust_of(const Design& design, double noise, double tilt, double hardness, std::uint64_t seed,
+                  int threads) {
     rough::TrustOptions options;
     options.noise = noise;
+    options.noise_length = design.tolerance_options.noise_length;
+    options.tilt = tilt;
     options.hardness = hardness;
     options.seed = seed;
     options.threads = threads;
@@ -246,11 +276,17 @@ void add_design(py::module_& module) {
         .def_property_readonly(
             "stopped", [](const Design& d) { return d.found.stopped; },
             "Why the search ended before its pipeline; empty when it did not.")
+        .def_property_readonly(
+            "tolerance", &tolerance_of,
+            "How precise the machine must be, found when it is first read: a dictionary of "
+            "noise_length\n(mm), share, draws and levels, a list of dictionaries with "
+            "similarity, noise_rms, tilt (mm) and scale.")
         .def(
-            "trust", &trust_of, py::kw_only(), py::arg("noise") = 0.0, py::arg("hardness") = 0.0,
-            py::arg("seed") = 1, py::arg("threads") = 0,
+            "trust", &trust_of, py::kw_only(), py::arg("noise") = 0.0, py::arg("tilt") = 0.0,
+            py::arg("hardness") = 0.0, py::arg("seed") = 1, py::arg("threads") = 0,
             "Asks the same again on finer grids, in more load steps, with another datum, under height noise\n"
-            "(mm, standard deviation) and on other bodies; a dictionary of similarities and flags.")
+            "(mm rms) or a tilt (mm over the length) and on other bodies; a dictionary of similarities and "
+            "flags.")
         .def("__repr__", [](const Design& d) {
             return d.found.best.is_verified()
                        ? "<rugosa.Design, " + std::string(d.is_found() ? "found" : "not found") +
@@ -268,7 +304,7 @@ void add_design(py::module_& module) {
         "max_pressure, variant, pipeline,\n"
         "seconds, evaluations, seed, threads, reach_similarity, alternatives, shortest_wave,\n"
         "max_slope, max_height, min_radius, hurst_from, hurst_to, gamma_from, gamma_to,\n"
-        "lambda_from, lambda_to, starts (Genomes), progress (a callable of path, generations,\n"
+        "lambda_from, lambda_to, noise_length, starts (Genomes), progress (a callable of path, generations,\n"
         "evaluations, best), and the model's as in contact() of a Genome. Ctrl-C ends the search with\n"
         "the best so far. Returns a Design.");
 }

@@ -60,11 +60,13 @@ TEST_CASE("a design's similarities follow from its genome, amplitude free or by 
         const std::string page = free ? rough::read_whole(folder / "r/report.html") : "";
         for (const char* words :
              {"How much two profiles differ is 1 less the correlation coefficient",
-              "at worst (the least of these and of both together)", "noise not asked for (--noise)"})
+              "at worst (the least of these and of both together)", "How precise the machine must be"})
             CHECK((!free || page.find(words) != std::string::npos));
         if (free) {
-            CHECK(outline(page) == Outline{"table Not found", "figure goal-1", "# The answer", "table ",
-                                           "table What can be made", "# Different answers", "figure profiles",
+            CHECK(outline(page) == Outline{"table Not found", "table Tolerance", "figure goal-1", "# The answer",
+                                           "table ", "table What can be made",
+                                           "# How precise the machine must be", "figure figure-tolerance",
+                                           "# Different answers", "figure profiles",
                                            "table ", "# How far to trust it", "table The same verified again",
                                            "table On other bodies, for comparison", "# How it was found"});
             CHECK(rugosa("report r --out again.html", folder.path()).code == 0);

@@ -28,6 +28,20 @@ class Design(WithFolder):
             self.assertEqual(design.similarity_worst, result["similarity_worst"])
             self.assertEqual(design.genome.to_dict()["series"], result["genome"]["series"])
 
+    def test_tolerance_is_the_programs(self):
+        target = self.folder / "T.csv"
+        target.write_text(rugosa.Target(PRESSURE, STIFFNESS).to_csv())
+        self.rugosa("design", "--target", "T.csv", "--pipeline", PIPELINE, "--nodes", 64, "--noise-length", 0.1,
+                    "--reach-similarity", 0.5, "--pictures", "off", "--out", "d", code=(0, 3))
+        result = json.loads((self.folder / "d/result.json").read_text())["variants"]["pipeline"]["tolerance"]
+        found = rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=64, noise_length=0.1,
+                              reach_similarity=0.5).tolerance
+        self.assertEqual(found["noise_length"], 0.1)
+        for name, value in ("noise_rms", "noise_rms_mm"), ("tilt", "tilt_mm"), ("scale", "scale"):
+            self.assertEqual([level[name] for level in found["levels"]],
+                             [level[value] for level in result["levels"]])
+        self.assertGreater(found["levels"][-1]["noise_rms"], 0)
+
     def test_a_variant_gives_the_same_bits_by_name_and_by_its_printed_text(self):
         listing = self.rugosa("operators").stdout.split("\nvariants\n")[1]
         variants = dict(line.strip().split(" = ", 1) for line in listing.strip().splitlines())

@@ -1,4 +1,5 @@
 #include "domain/contact/names.hpp"
+#include "domain/design/tolerance.hpp"
 #include "domain/design/trust.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/response/curve.hpp"
@@ -98,22 +99,23 @@ TEST_CASE("where Eq. 11 applies the datum moves at the genome's own amplitude, a
           similarity(setup, respond(setup, genome, completed(periodic))));
 }
 
-TEST_CASE("noise far below the heights changes nothing, and noise like them does") {
+TEST_CASE("a given noise and tilt are checks that decide") {
     const Genome genome = two_waves();
     const DesignSetup setup = like_itself(genome);
-    const Profile profile = sample(genome, setup.model.grid);
-    const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
     TrustOptions options = without_draws();
-    options.noise_draws = 3;
-    options.noise = 1e-9 * range;
-    const Trust quiet = trust_in(setup, genome, options);
-    REQUIRE(quiet.checks.size() == 8);
-    options.noise = 0.1 * range;
-    const Trust loud = trust_in(setup, genome, options);
-    for (const int draw : {1, 2, 3}) {
-        const std::string name = "height noise, draw " + std::to_string(draw);
-        CHECK(answer(quiet.checks, name) == Approx(quiet.checks[0].similarity).margin(1e-4));
-        CHECK(answer(loud.checks, name) < 0.9);
+    options.noise_length = 0.1;
+    for (const double size : {1e-10, 1e-3}) {
+        options.noise = options.tilt = size;
+        const Trust trust = trust_in(setup, genome, options);
+        REQUIRE(trust.checks.size() == 7);
+        CHECK(trust.checks[5].similarity ==
+              similarity_under_noise(setup, genome, size, {.noise_length = 0.1}));
+        CHECK(trust.checks[6].similarity == similarity_under_tilt(setup, genome, size));
+        for (const std::size_t i : {5, 6}) {
+            CHECK(trust.checks[i].decides);
+            CHECK((trust.checks[i].similarity > trust.checks[0].similarity - 1e-4) == (size < 1e-6));
+        }
+        CHECK(trust.under == std::min(trust.checks[5].similarity, trust.checks[6].similarity));
     }
 }
 
