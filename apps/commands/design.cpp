@@ -27,7 +27,7 @@ namespace {
 
 /// Shares of --seconds after which the search, the tolerance (planned for a tenth) and the further checks of
 /// the answer end. The rest is left for drawing the report.
-constexpr double searched_by = 0.75, tolerance_by = 0.88, checked_by = 0.92;
+constexpr double searched_by = 0.75, tolerance_by = 0.86, checked_by = 0.9;
 /// Seconds for drawing the report if the time is spent.
 constexpr double drawing_seconds = 3;
 
