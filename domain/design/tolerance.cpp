@@ -20,6 +20,7 @@ namespace rough {
 namespace {
 
 constexpr int min_draws = 40, max_draws = 1000, min_draws_in_time = 5;
+constexpr int few_draws = 20;                       ///< for the octaves, at least
 constexpr double line_nodes = 4096, map_nodes = 64; ///< up to so many nodes, max_draws are made
 constexpr double precision = 1.01;                  ///< ratio of a size that is lost to one that is kept
 constexpr double max_scale = 0.99;
@@ -288,8 +289,9 @@ Effort effort_for(const MadeSurface& made, const Grid& grid, const ToleranceOpti
     made.with_scales(tried); // two curves each
     const double curves = 1.4 * made.seconds_left() * made.threads() / clock.seconds();
     effort.probes = static_cast<int>(std::clamp<double>(curves / 64, 2, effort.probes));
-    // 32 curves for octaves, 14 for each bisection of a tilt or a scale, and 5 for each draw.
-    const double left = curves - 32 - 6 * (2 * effort.probes + 14);
+    // 14 curves for each bisection of a tilt or a scale; 32 for their octaves; 7 octaves of noise; and 5 for
+    // each draw.
+    const double left = curves - 6 * (2 * effort.probes + 14) - 32 - 7 * few_draws;
     effort.draws = static_cast<int>(std::clamp<double>(left / 5, min_draws_in_time, effort.draws));
     return effort;
 }
@@ -332,7 +334,7 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
                  [&](const Sizes& tilts) { return made.with_tilts(tilts); });
             find(&ToleranceLevel::scale, max_scale,
                  [&](const Sizes& errors) { return made.with_scales(errors); });
-            const int few = std::max(2, result.draws / 10);
+            const int few = std::max(std::min(few_draws, result.draws), result.draws / 10);
             const KeptBySize all = octaves(made.range(), high, low, [&](double rms) {
                 const std::vector<double> similarities = made.with_noise(rms, few);
                 const double kept = similarities[may_lose(similarities.size())];
