@@ -45,13 +45,21 @@ inline Ended rugosa(const std::string& words, const std::filesystem::path& where
             rough::read_whole(logs / "err"), passed.count()};
 }
 
+/// The same, once it has ended with exit code 0.
+inline Ended succeeded(Ended ended) {
+    INFO(ended.out << ended.err);
+    REQUIRE(ended.code == 0);
+    return ended;
+}
+/// The same for a design, which ends with 3 if its answer is not as similar as required.
+inline Ended answered(Ended ended) {
+    INFO(ended.out << ended.err);
+    REQUIRE((ended.code == 0 || ended.code == 3));
+    return ended;
+}
+
 /// Runs it in an empty folder.
 inline Ended rugosa(const std::string& words) { return rugosa(words, Folder().path()); }
-
-/// Runs it and kills it without warning after so many seconds.
-inline Ended rugosa_killed(double seconds, const std::string& words, const std::filesystem::path& where) {
-    return rugosa(words, where, "timeout -s KILL " + std::to_string(seconds));
-}
 
 /// Runs it and asks it to stop so many seconds after a folder, or a file with something in it, has appeared:
 /// not before it has begun, however slow the machine. Gives its exit code; what it said is in the file log.

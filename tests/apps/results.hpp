@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/text/atomic_file.hpp"
+#include "tests/apps/program.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -12,6 +12,12 @@ namespace app::testing {
 /// What a run has left in its folder.
 inline nlohmann::json result_in(const std::filesystem::path& folder) {
     return nlohmann::json::parse(rough::read_whole(folder / "result.json"));
+}
+
+/// What a run that ended well has left there.
+inline nlohmann::json result_of(const Ended& ended, const std::filesystem::path& folder) {
+    answered(ended);
+    return result_in(folder);
 }
 
 /// Without what a clock or the command line decides.

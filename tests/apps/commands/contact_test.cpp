@@ -25,9 +25,7 @@ TEST_CASE("the program gives the six reference curves") {
             words << " --datum " << scene["datum_mm"];
         if (scene["kernel"] == "strip")
             words << " --strip-width " << scene["strip_width_mm"];
-        const Ended ended = rugosa(words.str(), folder.path());
-        INFO(scene["name"] << " " << ended.err);
-        REQUIRE(ended.code == 0);
+        succeeded(rugosa(words.str(), folder.path()));
         const auto rows = rows_of(folder / "c.csv", curve_header);
         REQUIRE(rows.size() == 20);
         for (std::size_t j = 0; j < 20; ++j) {
@@ -58,63 +56,6 @@ TEST_CASE("modulus and Poisson's ratio scale pressure and stiffness by E*") {
     }
 }
 
-TEST_CASE("a measured scan is pressed as it stands, its tilt removed") {
-    const Folder folder;
-    std::ostringstream scan;
-    scan.precision(12);
-    for (int i = 0; i < 200; ++i)
-        scan << i * 0.5 << "\t" << 3 * std::cos(0.2 * i) + 0.01 * i << "\r\n";
-    folder.write("scan.txt", scan.str());
-    const Ended ended = rugosa("contact --profile scan.txt --unit um --out c.csv", folder.path());
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
-    CHECK_THAT(ended.out, Catch::Contains("200 points"));
-    CHECK(rows_of(folder / "c.csv").size() == 20);
-
-    folder.write("gap.txt", "0 1\n1 NaN\n2 3\n3 1\n");
-    check_refused(rugosa("contact --profile gap.txt --unit um --out d.csv", folder.path()),
-                  "gap.txt, line 2");
-    CHECK_FALSE(std::filesystem::exists(folder / "d.csv"));
-}
-
-TEST_CASE("bad input to contact gets one line and exit code 2, and leaves no file") {
-    const Folder folder;
-    folder.write("g.json", one_wave);
-    folder.write("broken.json", "{\"series\":[");
-    folder.write("steep.json", std::string(one_wave).replace(one_wave.find("1.5"), 3, "0.9"));
-    // A wave of exactly the spacing is the same height at every node.
-    folder.write(
-        "flat.json",
-        R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.1,"chromosomes":[{"n":1,"phases":[0.3]}]}]})");
-    const std::vector<std::pair<std::string, std::string>> cases{
-        {"--genome missing.json", "missing.json: cannot be read"},
-        {"--genome broken.json", "broken.json: not JSON"},
-        {"--genome steep.json", "gamma is 0.9"},
-        {"--genome flat.json --nodes 11 --length 1", "all heights are equal"},
-        {"--genome g.json --nodes 1", "--nodes: 1 given"},
-        {"--genome g.json --nodes 20000000", "--nodes: 20000000 given"},
-        {"--genome g.json --nodes 12.5", "whole number"},
-        {"--genome g.json --nodes nan", "--nodes"},
-        {"--genome g.json --length nan", "--length"},
-        {"--genome g.json --length -1", "--length: -1 given"},
-        {"--genome g.json --datum 0.2", "0.212"},
-        {"--genome g.json --kernel fre", "did you mean 'free'?"},
-        {"--genome g.json --kernel periodic --reach 1", "less than 1"},
-        {"--genome g.json --steps 1", "--steps: 1 given"},
-        {"--genome g.json --poisson 0.7", "--poisson: 0.7 given"},
-        {"--genome g.json --modulus 0", "--modulus: 0 given"},
-        {"--genome g.json --no-such-flag 3", "unknown flag"},
-        {"--genome g.json --profile g.json", "one of --genome, --profile and --surface"},
-        {"--genome g.json --unit um", "expected with --profile only"},
-        {"", "one of --genome, --profile and --surface"},
-    };
-    for (const auto& [words, expected] : cases)
-        check_refused(rugosa("contact --out c.csv " + words, folder.path()), expected);
-    check_refused(rugosa("contact --genome g.json", folder.path()), "--out is missing");
-    check_refused(rugosa("contact --genome g.json --out no/such/c.csv", folder.path()), "no folder");
-    CHECK(folder.names().size() == 4);
-}
-
 TEST_CASE("the load may end at a pressure or stand at given ones") {
     const Folder folder;
     folder.write("g.json", one_wave);
@@ -129,14 +70,6 @@ TEST_CASE("the load may end at a pressure or stand at given ones") {
     REQUIRE(at.size() == 3);
     CHECK(at[1][1] == Approx(0.004).epsilon(1e-10));
     CHECK(at[2][0] == Approx(to[4][0]).epsilon(1e-10));
-    for (const auto& [words, expected] : std::vector<std::pair<std::string, std::string>>{
-             {"--pressures 0.1,0.1", "increasing"},
-             {"--pressures 0.1,x", "'x'"},
-             {"--pressures 0.1 --reach 0.5", "one of --reach"},
-             {"--pressures 0.1 --to-pressure 0.5", "one of --reach"},
-             {"--pressures 0.1 --steps 4", "--steps"},
-             {"--to-pressure 0", "--to-pressure: 0 given"}})
-        check_refused(rugosa("contact --genome g.json --out c.csv " + words, folder.path()), expected);
 }
 
 TEST_CASE("a hardness is held, counted and told; friction writes partial slip beside the curve") {
@@ -153,24 +86,14 @@ TEST_CASE("a hardness is held, counted and told; friction writes partial slip be
     REQUIRE(slip.size() == 21);
     CHECK(slip[20][1] == Approx(0.3 * normal[19][1]));
     CHECK(slip[0][3] == 1);
-    check_refused(rugosa("contact --genome g.json --friction 0.3 --out c.csv", folder.path()), "--force");
 
-    const Ended hard = rugosa("contact --genome g.json --hardness 0.05 --out h.csv", folder.path());
-    INFO(hard.err);
-    REQUIRE(hard.code == 0);
+    const Ended hard =
+        succeeded(rugosa("contact --genome g.json --hardness 0.05 --out h.csv", folder.path()));
     CHECK_THAT(hard.out, Catch::Contains("bear the hardness"));
     const auto held = rows_of(folder / "h.csv");
     CHECK(held[19][1] < normal[19][1]);
     const json account = json::parse(rough::read_whole(folder / "h.json"));
     CHECK(account["nodes_at_hardness"] > 0);
-    for (const auto& [words, expected] :
-         std::vector<std::pair<std::string, std::string>>{{"--hardness 0.05 --friction 0.3", "--friction"},
-                                                          {"--hardness 0.05 --accuracy 0.01", "hardness"},
-                                                          {"--hardness 0.05 --solver nested", "hardness"},
-                                                          {"--hardness -1", "--hardness: -1 given"},
-                                                          {"--friction 0", "--friction: 0 given"}})
-        check_refused(rugosa("contact --genome g.json --out d.csv " + words, folder.path()), expected);
-    CHECK_FALSE(std::filesystem::exists(folder / "d.csv"));
 }
 
 TEST_CASE("a page beside the curve shows pressure and gap at some loads, and links to the files") {
@@ -183,9 +106,8 @@ TEST_CASE("a page beside the curve shows pressure and gap at some loads, and lin
     INFO(ended.err);
     REQUIRE(ended.code == 0);
     const std::string page = rough::read_whole(folder / "page.html");
-    for (const char* part :
-         {"href=\"a%20curve.csv\"", "href=\"a%20curve.json\"", "href=\"a%20curve-slip.csv\"",
-          "no --modulus given", "Widest spot", "100 kPa", "200 kPa", "var(--blue)"})
+    for (const char* part : {"href=\"a%20curve.csv\"", "href=\"a%20curve.json\"",
+                             "href=\"a%20curve-slip.csv\"", "no --modulus given"})
         CHECK_THAT(page, Catch::Contains(part));
     REQUIRE(rugosa("report 'a curve.json' --out again.html", folder.path()).code == 0);
     CHECK(rough::read_whole(folder / "again.html") == page);
@@ -211,18 +133,6 @@ TEST_CASE("a curve is not written over unasked") {
     CHECK(rough::read_whole(folder / "c.csv") != before);
 }
 
-TEST_CASE("every subcommand has a help page") {
-    const Ended all = rugosa("--help");
-    CHECK(all.code == 0);
-    for (const char* name : {"contact", "run", "operators"}) {
-        CHECK_THAT(all.out, Catch::Contains(name));
-        const Ended help = rugosa(std::string(name) + " --help");
-        CHECK(help.code == 0);
-        CHECK_THAT(help.out, Catch::Contains("Usage: rugosa ") && Catch::Contains("Examples:"));
-    }
-    check_refused(rugosa("contcat"), "did you mean 'contact'?");
-}
-
 TEST_CASE("within an accuracy the curve is that near the resolved one, and an account beside it says what "
           "was modelled") {
     const Folder folder;
@@ -246,6 +156,4 @@ TEST_CASE("within an accuracy the curve is that near the resolved one, and an ac
     CHECK(account["estimated_error"] <= 1e-2);
     CHECK(account["chromosomes"]["used"].size() + account["chromosomes"]["dropped"].size() == 4);
     CHECK_THAT(account["words"].get<std::string>(), Catch::Contains("in place of 4097"));
-    check_refused(rugosa("contact --genome g.json --accuracy 2 --out x.csv", folder.path()), "accuracy");
-    check_refused(rugosa("contact --genome g.json --accuracy 1e-2 --out cheap.csv", folder.path()), "cheap");
 }

@@ -1,5 +1,4 @@
 #include "domain/accuracy/respond.hpp"
-#include "domain/database/sqlite.hpp"
 #include "domain/database/store.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/response/curve.hpp"
@@ -10,7 +9,6 @@
 
 #include <cmath>
 #include <map>
-#include <random>
 
 using namespace app::testing;
 
@@ -30,52 +28,7 @@ std::map<std::uint64_t, std::vector<double>> pressures(const std::filesystem::pa
     return rows;
 }
 
-/// Kills builds of one file without warning until `kills` have hit, then finishes it: nothing may be lost.
-void kill_and_resume(int kills) {
-    const Folder folder;
-    const std::string flags = " --genomes 1500 --batch 20 --nodes 256 --threads 1";
-    const Ended unbroken = rugosa("database build whole.db" + flags, folder.path());
-    REQUIRE(unbroken.code == 0);
-    const auto whole = pressures(folder / "whole.db");
-    std::mt19937_64 random(1);
-    std::size_t stored = 0;
-    int files = 0;
-    std::string file = "0.db";
-    for (int hit = 0; hit < kills;) {
-        const double share = std::uniform_real_distribution<double>(0.1, 0.6)(random);
-        const Ended ended =
-            rugosa_killed(share * unbroken.seconds, "database build " + file + flags, folder.path());
-        if (ended.code == 0) { // done before it was hit: begin another file
-            REQUIRE(++files < 10 * kills);
-            file = std::to_string(files) + ".db";
-            stored = 0;
-            continue;
-        }
-        ++hit;
-        if (!rough::GenomeStore::begun(folder / file))
-            continue; // killed before the file was made
-        const auto left = pressures(folder / file);
-        CHECK(left.size() >= stored);
-        CHECK(left.size() % 20 == 0);
-        for (const auto& [index, row] : left)
-            REQUIRE(row == whole.at(index));
-        stored = left.size();
-    }
-    REQUIRE(rugosa("database build " + file + flags, folder.path()).code == 0);
-    CHECK(pressures(folder / file) == whole);
-    rough::Sqlite finished(folder / file, rough::Sqlite::Access::existing);
-    rough::Statement check(finished, "PRAGMA integrity_check");
-    REQUIRE(check.step());
-    CHECK(check.bytes(0) == "ok");
-}
-
 } // namespace
-
-TEST_CASE("a database build that is killed without warning loses nothing that was stored") {
-    kill_and_resume(3);
-}
-
-TEST_CASE("20 kills without warning lose nothing that was stored", "[long]") { kill_and_resume(20); }
 
 TEST_CASE("two programs building one database at once make the same file as one") {
     const Folder folder;
@@ -120,58 +73,4 @@ TEST_CASE(
           Approx(similarity).margin(1e-6));
     CHECK(std::abs(finer - similarity) < 0.1);
     CHECK(rugosa("database query g.db --target " + target + " --out best.json", folder.path()).code == 2);
-}
-
-TEST_CASE("a database of another model is refused in one line that names the difference") {
-    const Folder folder;
-    REQUIRE(rugosa("database build g.db --genomes 10 --nodes 64", folder.path()).code == 0);
-    const std::string target = RUGOSA_TEST_DATA "/target_paper.csv";
-    for (const auto& [words, difference] : std::vector<std::pair<std::string, std::string>>{
-             {"build g.db --genomes 20 --nodes 128", "nodes is 64, not 128"},
-             {"build g.db --genomes 20 --nodes 64 --kernel strip", "kernel is free, not strip"},
-             {"build g.db --genomes 20 --nodes 64 --seed 9", "seed is 1, not 9"},
-             {"query g.db --target " + target + " --nodes 64 --steps 10", "steps is 20, not 10"},
-             {"query g.db --target " + target + " --nodes 64 --datum 2", "datum_mm is 0.84941"}}) {
-        const auto refused = rugosa("database " + words, folder.path());
-        check_refused(refused, difference);
-    }
-    CHECK(rugosa("database build g.db --genomes 20", folder.path()).code == 0); // as the file is
-    CHECK(pressures(folder / "g.db").size() == 20);
-}
-
-TEST_CASE("wrong use of the database is refused in one line, and no file is left") {
-    const Folder folder;
-    folder.write("text.db", "no database");
-    for (const std::string words :
-         {"build", "build x.db --genomes 0", "build x.db --datum 0.1", "build x.db --gamma-from 1",
-          "build none/x.db", "build text.db", "info none.db", "info text.db", "query text.db",
-          "query none.db --target t.csv", "bild x.db", "build x.db --shortest 5"}) {
-        const auto refused = rugosa("database " + words, folder.path());
-        INFO(words << ": " << refused.err);
-        CHECK(refused.code == 2);
-        CHECK(refused.error_lines() == 1);
-    }
-    CHECK(folder.names() == std::vector<std::string>{"text.db"});
-}
-
-TEST_CASE(
-    "databases of two machines are merged into a new file, and none that is read or there is written over") {
-    const Folder folder;
-    const std::string flags = " --nodes 64 --seed 3 --threads 1 --genomes ";
-    REQUIRE(rugosa("database build a.db" + flags + "30", folder.path()).code == 0);
-    REQUIRE(rugosa("database build b.db" + flags + "30 --first 20", folder.path()).code == 0);
-    REQUIRE(rugosa("database build whole.db" + flags + "50", folder.path()).code == 0);
-    const Ended merged = rugosa("database merge a.db b.db --out c.db", folder.path());
-    INFO(merged.err);
-    REQUIRE(merged.code == 0);
-    CHECK_THAT(merged.out, Catch::Contains("c.db: 50 genomes of 2 files"));
-    CHECK(pressures(folder / "c.db") == pressures(folder / "whole.db"));
-    for (const auto& [words, why] : {std::pair("a.db b.db --out c.db", "exists"),
-                                     {"a.db b.db --out a.db --force", "is read here"},
-                                     {"a.db --out d.db", "two genome databases"},
-                                     {"a.db none.db --out d.db", "none.db"}}) {
-        check_refused(rugosa(std::string("database merge ") + words, folder.path()), why);
-    }
-    CHECK_FALSE(std::filesystem::exists(folder / "d.db"));
-    CHECK(rugosa("database merge a.db b.db --out c.db --force", folder.path()).code == 0);
 }

@@ -15,25 +15,6 @@ const std::string words =
 
 } // namespace
 
-TEST_CASE("a design killed at any moment goes on to the very result of an uninterrupted one") {
-    const Folder folder;
-    const Ended unbroken = rugosa(words + " --out whole", folder.path());
-    REQUIRE(unbroken.code != 2);
-    CHECK_FALSE(std::filesystem::exists(folder / "whole/checkpoint.cbor"));
-    const json whole = timeless(result_in(folder / "whole"));
-    int kept = 0;
-    for (const double share : {0.1, 0.4, 0.7, 1.2}) {
-        const std::string out = "killed" + std::to_string(share);
-        rugosa_killed(share * unbroken.seconds, words + " --out " + out, folder.path());
-        kept += std::filesystem::exists(folder / (out + "/checkpoint.cbor"));
-        const Ended ended = rugosa(words + " --out " + out + " --resume", folder.path());
-        INFO(ended.err);
-        REQUIRE(ended.code != 2);
-        CHECK(timeless(result_in(folder / out)) == whole);
-    }
-    CHECK(kept > 0);
-}
-
 TEST_CASE("a design out of time goes on where it stopped, and a set-up that is another is refused") {
     const Folder folder;
     const Ended whole = rugosa(words + " --out whole", folder.path());
@@ -54,15 +35,4 @@ TEST_CASE("a design out of time goes on where it stopped, and a set-up that is a
     CHECK_THAT(homeless.err, Catch::Contains("--out"));
     REQUIRE(rugosa(words + " --out cut --resume", folder.path()).code != 2);
     CHECK(timeless(result_in(folder / "cut")) == timeless(result_in(folder / "whole")));
-}
-
-TEST_CASE("a similarity that is asked for and missed ends with 3, and once reached no checkpoint is left") {
-    const Folder folder;
-    const std::string asked =
-        "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 64 --pictures off "
-        "--pipeline 'sample 3 | score | refine lm 2' --reach-similarity ";
-    REQUIRE(rugosa(asked + "0.99999 --out missed", folder.path()).code == 3);
-    const Ended reached = rugosa(asked + "0.1 --out reached", folder.path());
-    CHECK(reached.code == 0);
-    CHECK_FALSE(std::filesystem::exists(folder / "reached/checkpoint.cbor"));
 }

@@ -21,10 +21,7 @@ const std::string small = "run '" RUGOSA_SOURCE "/experiments/accuracy.ini' --se
 
 TEST_CASE("the accuracy experiment charts every kind of scene and ends in a budget") {
     const Folder folder;
-    const Ended ended = rugosa(small + "--pictures off --out e", folder.path());
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
-    const json result = result_in(folder / "e");
+    const json result = result_of(rugosa(small + "--pictures off --out e", folder.path()), folder / "e");
     CHECK(result["accuracy"] == 0.01);
     REQUIRE(result["savings"].size() == 16); // smooth, rough; free, strip; light, full; two accuracies
     for (const json& row : result["savings"]) {
@@ -43,7 +40,7 @@ TEST_CASE("the accuracy experiment charts every kind of scene and ends in a budg
         CHECK(std::filesystem::exists(folder / "e" / table));
 }
 
-TEST_CASE("an error is covered by an estimate that is no smaller, and the page counts how many are") {
+TEST_CASE("an error is covered by an estimate that is no smaller, and the page draws what there is") {
     app::AccuracyRun run;
     for (const double true_error : {0.0, 0.004, 0.008, 0.0081, 0.02}) {
         app::SavingRow row;
@@ -61,29 +58,15 @@ TEST_CASE("an error is covered by an estimate that is no smaller, and the page c
     run.origin.kind = "accuracy";
     run.setup.targets = {rough::read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
     run.setup.max_pressure = 1.6e-4;
-    const Folder folder;
-    const auto page_of = [&] {
-        write_accuracy_study(run, folder.path());
-        return render(app::page_source(folder.path()));
-    };
-    const std::string page = page_of();
-    const auto covered = page.find("60.0 %"), within = page.find("80.0 %"); // three of five, four of five
-    CHECK(covered != std::string::npos);
-    CHECK(within != std::string::npos);
-    CHECK(covered < within);
-    CHECK(page.find(">2<") != std::string::npos); // the largest error over the accuracy
-    CHECK(page.find(">3<") != std::string::npos); // the saving
-    CHECK(rough::read_whole(folder / "medians.csv").ends_with("\nfree,smooth,full,0.01,2000,3\n"));
-    Outline parts{"# Time and accuracy of a curve",
-                  "table Accuracy that is requested, and errors that are found", "figure figure-1",
-                  "figure figure-2"};
-    CHECK(outline(page) == parts);
     run.design.name = "default";
     run.design.answer.genome.series = {{1, 0.8, 1.5, 0.85, {{1, {0.3}}}}};
     run.budget = {{"model", "a datum", 0.01}, {"numerical", "the grid", 0.001}};
-    for (const char* part : {"# Error budget of a designed surface", "table ", "figure figure-3"})
-        parts.push_back(part);
-    CHECK(outline(page_of()) == parts);
+    const Folder folder;
+    write_accuracy_study(run, folder.path());
+    const std::string page = render(app::page_source(folder.path()));
+    CHECK_THAT(page, Catch::Contains("60.0 %") && Catch::Contains("80.0 %")); // three of five, four of five
+    CHECK(rough::read_whole(folder / "medians.csv").ends_with("\nfree,smooth,full,0.01,2000,3\n"));
+    CHECK(found(page, "<figure id=\"figure-(\\d)\"") == std::vector<std::string>{"1", "2", "3"});
 }
 
 TEST_CASE("a page escapes what a result says, and rendering a folder again gives the same page") {

@@ -70,24 +70,6 @@ TEST_CASE("a solver's error on the Hertz scene falls with the grid") {
     CHECK(fine->error_contact < coarse->error_contact / 4);
 }
 
-TEST_CASE("no error is told of a grid that the reference does not resolve") {
-    const ChartScene scene = chart_scenes().back();
-    const ChartTruth truth = truth_of(scene, 2049);
-    CHECK(run_chart(scene, truth, nested(512, 5), 10)->error_pressure > 0);
-    CHECK(run_chart(scene, truth, nested(1024, 5), 10)->error_pressure == ChartRun::unknown);
-}
-
-TEST_CASE("a chart is planned from coarse grids to fine, and tries nothing twice") {
-    for (const ChartExtent* extent : {&quick_extent(), &whole_extent()}) {
-        const auto plan = chart_plan(*extent);
-        for (std::size_t k = 1; k < plan.size(); ++k)
-            CHECK(plan[k].nodes >= plan[k - 1].nodes);
-        for (const Solver method : {Solver::nested, Solver::nnls})
-            CHECK(std::count(plan.begin(), plan.end(), usual_setting(0, method, 512)) == 1);
-        CHECK(std::set<ChartSetting>(plan.begin(), plan.end()).size() == plan.size());
-    }
-}
-
 TEST_CASE("a chart without time left has the coarsest grid of every scene, and says what it left out") {
     std::vector<std::string> words;
     const ChartData data =
@@ -111,22 +93,6 @@ TEST_CASE("a chart without time left has the coarsest grid of every scene, and s
     CHECK_THAT(words.back(), Catch::StartsWith(std::to_string(data.runs.size()) + " of "));
 }
 
-TEST_CASE("a chart with time tries its whole plan, with the same errors each time") {
-    const std::vector<ChartScene> scenes{chart_scenes().front()};
-    const ChartBounds bounds{1000, 0, {}, {}};
-    const ChartData one = charted(scenes, small, bounds), other = charted(scenes, small, bounds);
-    CHECK(one.left_out.empty());
-    CHECK(left_out_in_a_line(one).empty());
-    REQUIRE(one.runs.size() == chart_plan(small).size());
-    REQUIRE(other.runs.size() == one.runs.size());
-    for (std::size_t k = 0; k < one.runs.size(); ++k) {
-        CHECK(one.runs[k].setting == chart_plan(small)[k]);
-        CHECK(one.runs[k].error_pressure == other.runs[k].error_pressure);
-        CHECK(one.runs[k].error_stiffness == other.runs[k].error_stiffness);
-        CHECK(one.runs[k].iterations == other.runs[k].iterations);
-    }
-}
-
 TEST_CASE("a method that was too slow on a grid is not tried on finer ones, and this is reported") {
     ChartExtent impatient = small;
     impatient.limit = 0;
@@ -145,21 +111,7 @@ TEST_CASE("a method that was too slow on a grid is not tried on finer ones, and 
     CHECK_THAT(chart_facts(data)["left_out"].dump(), Catch::Contains("one curve takes more than 0 s"));
 }
 
-TEST_CASE("an interrupted chart keeps what there is") {
-    int solved = 0;
-    const ChartData data = charted(chart_scenes(), small,
-                                   {1000, 0, [&] { return solved >= 12; },
-                                    [&](const ChartData& so_far, const std::string&) {
-                                        solved = static_cast<int>(so_far.runs.size());
-                                    }});
-    CHECK(data.runs.size() == 12);
-    CHECK(data.runs.size() + data.left_out.size() == 5 * chart_plan(small).size());
-    for (const LeftOut& each : data.left_out)
-        CHECK(each.why == LeftOutFor::interrupt);
-    CHECK_THAT(left_out_in_a_line(data), Catch::Contains("(interrupted)"));
-}
-
-TEST_CASE("a chart's facts name the fastest method, and its table has one row per run") {
+TEST_CASE("a chart's facts name the fastest method, and the best runs err less as they take longer") {
     ChartData data;
     const ChartScene scene = chart_scenes().front();
     data.scenes.push_back({scene.name, scene.words, "free", "the exact solution"});
@@ -167,27 +119,11 @@ TEST_CASE("a chart's facts name the fastest method, and its table has one row pe
     for (const Index nodes : {64, 512})
         for (const auto method : {Solver::nested, Solver::nnls})
             data.runs.push_back(*run_chart(scene, truth, usual_setting(0, method, nodes), 10));
-    const std::string table = chart_table(data).text();
-    CHECK(
-        table.rfind(
-            "scene,kernel,method,nodes,steps,tolerance,seconds,error_pressure,error_stiffness,error_contact,"
-            "iterations,outcome\nhertz,free,nested,64,20,0,",
-            0) == 0);
-    CHECK(std::count(table.begin(), table.end(), '\n') == 5);
-    for (const ChartRun& run : data.runs)
-        CHECK(data.at(run.setting) == &run);
-    CHECK(data.at(nested(4096, 20)) == nullptr);
-    CHECK(data.contact(0) == data.at(nested(512, 20))->contact_fraction);
-    CHECK(data.contact(1) == 0);
     const nlohmann::json facts = chart_facts(data);
     CHECK(facts["fastest_by_grid"]["rows"].size() == 1);
     CHECK(facts["fastest_by_grid"]["rows"][0]["cells"][0]["method"] != "");
-    CHECK_FALSE(facts.contains("ended_early"));
     CHECK(facts["failures"].empty());
-    CHECK(chart_facts(
-              {data.scenes, {}, {}, 1, {}})["fastest_by_pressure_error"]["rows"][0]["cells"][0]["method"] ==
-          "");
-    // The runs that no other beats: the error falls as the time grows.
+    CHECK(chart_table(data).rows().size() == data.runs.size());
     double error = HUGE_VAL;
     const auto points = points_table(data);
     for (const nlohmann::json& point : points.rows())
@@ -220,14 +156,8 @@ TEST_CASE("rugosa chart ends in time, complete over its scenes, and says in one 
         else
             CHECK(count == 7); // auto, nested, NNLS and two tolerances of the iterative methods
     const std::string page = rough::read_whole(folder / "r" / "chart.html");
-    for (const char* words :
-         {"<b>If in doubt, use auto</b>", "on ground-map", "Contact fractions between which"})
-        CHECK_THAT(page, Catch::Contains(words));
-    CHECK_THAT(page, Catch::Contains("<b>This chart ended early</b>") && !Catch::Contains("No picture"));
-    const auto parts = app::testing::outline(page);
-    for (const char* figure : {"models", "theories", "pressure", "stiffness", "contact", "time"})
-        CHECK(std::count(parts.begin(), parts.end(), "figure " + std::string(figure)) == 1);
-    CHECK(std::filesystem::exists(folder / "r" / "chart.html"));
+    CHECK(page.find("No picture") == std::string::npos);
+    CHECK(app::testing::found(page, "<figure id=\"([^\"]*)\"").size() == 6);
     CHECK(app::testing::result_in(folder / "r")["runs"].size() == 35 + 18);
 }
 
@@ -268,12 +198,4 @@ TEST_CASE("a chart's table grows as it is measured: what was there is kept when 
     const std::string table = rough::read_whole(folder / "r" / "chart.csv");
     CHECK_THAT(table, Catch::Contains("\nhertz,"));
     CHECK_THAT(table, !Catch::Contains("\nfractional-brownian,free,nested,2048,")); // whose turn is last
-}
-
-TEST_CASE("rugosa chart refuses a folder that holds a chart") {
-    const app::testing::Folder folder;
-    folder.write("chart.csv", "x");
-    const auto ended = app::testing::rugosa("chart --quick --out .", folder.path());
-    CHECK(ended.code == 2);
-    CHECK(ended.error_lines() == 1);
 }

@@ -16,10 +16,7 @@ TEST_CASE("a comparison writes medians, runtimes, shares and tests, the same on 
     const Folder folder;
     for (const int threads : {1, 2, 5}) {
         const std::string out = "t" + std::to_string(threads);
-        const Ended ended =
-            rugosa(few + "--threads " + std::to_string(threads) + " --out " + out, folder.path());
-        INFO(ended.err);
-        REQUIRE(ended.code == 0);
+        succeeded(rugosa(few + "--threads " + std::to_string(threads) + " --out " + out, folder.path()));
         for (const char* name : {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv"})
             CHECK(rough::read_whole(folder / out / name) == rough::read_whole(folder / "t1" / name));
     }
@@ -61,11 +58,6 @@ TEST_CASE("a comparison writes medians, runtimes, shares and tests, the same on 
     CHECK_THAT(cells, Catch::Contains("," + std::to_string(met) + ","));
     const std::string page = rough::read_whole(folder / "t1/report.html");
     CHECK(page.find("<svg") != std::string::npos);
-    for (const auto& [group, one] : result["groups"].items())
-        for (const auto& [variant, numbers] : one["variants"].items()) {
-            INFO(group << " " << variant);
-            CHECK_THAT(page, Catch::Contains("<td>" + variant + "</td>"));
-        }
 }
 
 TEST_CASE("variants given by flag or by file run in the place of the usual ones") {
@@ -91,44 +83,18 @@ TEST_CASE("variants given by flag or by file run in the place of the usual ones"
 
 TEST_CASE("the roughness problem is compared by curves, with similarity for precision") {
     const Folder folder;
-    const Ended ended =
+    const json result = result_of(
         rugosa("compare --problems roughness --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' "
                "--max-pressure 1.6e-4 --seeds 2 --curves 60 --variants plain,\"mine=sample 20 | score | "
                "best 1\" --out r",
-               folder.path());
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
-    const json result = result_in(folder / "r")["problems"]["roughness"];
+               folder.path()),
+        folder / "r")["problems"]["roughness"];
     for (const auto& [name, variant] : result["variants"].items())
         for (const json& run : variant["runs"]) {
             CHECK(run["evaluations"] <= 60);
             CHECK(run["precision"] > 0);
             CHECK(run["precision"] < 1);
         }
-}
-
-TEST_CASE("what a comparison cannot do gets one line and exit code 2") {
-    const Folder folder;
-    folder.write("chart.ini", "[experiment]\nkind = chart\n[compare]\nseeds = 2\n");
-    const std::vector<std::pair<std::string, std::string>> cases{
-        {"--problems bbob1", "--problems"},
-        {"--problems zdtt", "did you mean"},
-        {"--problems roughness", "without a target"},
-        {"--problems tsp --seeds 0", "--seeds"},
-        {"--problems tsp --budget many", "--budget"},
-        {"--problems tsp --budget 0", "--budget"},
-        {"--problems tsp --variants pagmo:cmaes", "--variants"},
-        {"--problems tsp --variants \"a=sample 3 | score | best 1,a=ga\"", "given twice"},
-        {"--problems tsp --variants \"a=sample 3 | cross sbx | score | best 1\"", "'a' on tsp14"},
-        {"--problems zdt --variants pagmo:de", "several objectives"},
-        {"chart.ini", "expected compare"},
-    };
-    for (const auto& [words, message] : cases) {
-        const Ended ended = rugosa("compare " + words, folder.path());
-        INFO(words << ": " << ended.err);
-        check_refused(ended, message);
-    }
-    CHECK_FALSE(std::filesystem::exists(folder / "out"));
 }
 
 TEST_CASE("runs on BBOB's functions are written as COCO has them, a folder for each variant") {
@@ -172,8 +138,4 @@ TEST_CASE("runs on BBOB's functions are written as COCO has them, a folder for e
         }
         CHECK(std::filesystem::exists(in / "data_f8/bbobexp_f8_DIM2.tdat"));
     }
-    const Ended none = rugosa(
-        "compare --variants nsga2 --problems zdt1 --seeds 1 --budget 200 --coco --out z", folder.path());
-    CHECK(none.code == 2);
-    CHECK_THAT(none.err, Catch::Contains("--coco"));
 }

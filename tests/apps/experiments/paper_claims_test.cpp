@@ -18,13 +18,6 @@ const Claim& claim_of(const std::string& id) {
     throw std::runtime_error("no claim " + id);
 }
 
-StageRecord stage(const std::string& path, const std::vector<std::pair<std::uint64_t, double>>& candidates) {
-    StageRecord record{path, {}};
-    for (const auto& [id, similarity] : candidates)
-        record.candidates.push_back({id, {}, similarity});
-    return record;
-}
-
 /// K(p) is 1, 2, 3 at p = 0.5, 2, 4.5 MPa; a contact fraction that grows with the pressure.
 rough::Response response_of_area(double last) {
     rough::Response response;
@@ -50,18 +43,6 @@ VariantRun variant(const std::string& name, const rough::Genome& genome, double 
     run.similarity = similarity;
     run.seconds = 60;
     return run;
-}
-
-ThresholdRow row(double p_bar, const std::string& name, double similarity,
-                 std::vector<std::uint64_t> parents) {
-    ThresholdRow threshold;
-    threshold.p_bar = p_bar;
-    threshold.variant = name;
-    threshold.u1 = 3;
-    threshold.u2 = name == "gco" && p_bar > 0.5 ? 4 : 3;
-    threshold.parents = std::move(parents);
-    threshold.similarity = threshold.best_child = similarity;
-    return threshold;
 }
 
 PaperRun run_with(const std::vector<TargetRun>& targets) {
@@ -131,112 +112,6 @@ TEST_CASE("a run without searches and studies has no verdict on any claim") {
         }
 }
 
-TEST_CASE("every claim but those without data can be reproduced, and the rest contradicted") {
-    for (const Claim& claim : paper_claims()) {
-        std::set<Verdict> reached;
-        for (double number : {-1e3, -0.5, 0., 1e-13, 0.04, 0.3, 0.97, 1., 1.5, 50., 66.6, 1e3})
-            reached.insert(verdict_of(claim, {number}));
-        CHECK(reached.contains(yes) == (claim.reproduced != "never"));
-        CHECK(reached.contains(no) == (claim.contradicted != "never"));
-    }
-}
-
-TEST_CASE("candidates are followed by their identity through both refinements") {
-    VariantRun run;
-    run.stages = {stage("sog/score.1", {{0, 0.1}, {1, 0.2}, {2, 0.3}}),
-                  stage("sog/best.1", {{2, 0.3}, {1, 0.2}}), stage("sog/refine.1", {{1, 0.5}, {2, 0.4}}),
-                  stage("sog/refine.2", {{2, 0.6}, {1, 0.5}}), stage("sog/best.2", {{2, 0.6}})};
-    const auto followed = refinements(run);
-    REQUIRE(followed.size() == 2);
-    CHECK(followed[0].id == 2);
-    CHECK(followed[0].similarity == std::array<double, 3>{0.3, 0.4, 0.6});
-    CHECK(followed[1].similarity == std::array<double, 3>{0.2, 0.5, 0.5});
-    run.stages.erase(run.stages.begin() + 3); // CCO: one refinement, copied
-    CHECK(refinements(run)[0].similarity == std::array<double, 3>{0.3, 0.4, 0.4});
-    CHECK(refinements({}).empty());
-}
-
-TEST_CASE("GCMMA is beneficial if the best candidate of each algorithm gains, whatever the others do") {
-    const auto with_gain = [](double gain) {
-        TargetRun target = answers(variant("sog", {}), variant("gco", {}), variant("cco", {}));
-        for (VariantRun& run : target.variants) // the second candidate loses
-            run.stages = {
-                stage(run.name + "/best.1", {{0, 0.9}, {1, 0.8}}),
-                stage(run.name + "/refine.1", {{0, 0.9 + (run.name == "gco" ? gain : 0.05)}, {1, 0.7}})};
-        return target;
-    };
-    CHECK(verdict("beneficial", with_gain(0.01)) == yes);
-    CHECK(verdict("beneficial", with_gain(-0.01)) == no);
-}
-
-TEST_CASE("similarity, time and number of chromosomes are judged over the three algorithms") {
-    const auto three = [](double similarity, double seconds) {
-        TargetRun target = answers(variant("sog", waves_of({0, 0})), variant("gco", waves_of({0, 0})),
-                                   variant("cco", waves_of({0}), 0.1, similarity));
-        target.variants[0].seconds = seconds;
-        return target;
-    };
-    CHECK(verdict("large", three(0.9, 60)) == yes);
-    CHECK(verdict("large", three(0.89, 60)) == no);
-    CHECK(verdict("overlap", three(0.951, 60)) == yes);
-    CHECK(verdict("overlap", three(0.949, 60)) == no);
-    CHECK(verdict("minute", three(1, 60)) == yes);
-    CHECK(verdict("minute", three(1, 121)) == no);
-    TargetRun fast = three(1, 0.1);
-    fast.variants[1].seconds = fast.variants[2].seconds = 0.2;
-    CHECK(verdict("minute", fast) == open);
-    CHECK(verdict("fewer-chromosomes", three(1, 60)) == yes);
-    std::swap(fast.variants[0].name, fast.variants[2].name);
-    fast.variants[1].answer = fast.variants[0].answer;
-    CHECK(verdict("fewer-chromosomes", fast) == no);
-    fast.variants.pop_back();
-    CHECK(verdict("large", fast) == open);
-}
-
-TEST_CASE("verdicts on the threshold turn when the numbers do") {
-    TargetRun as_paper;
-    as_paper.thresholds = {row(0.4, "gco", 0.93, {1, 2}), row(0.4, "cco", 0.92, {3, 4}),
-                           row(0.6, "gco", 0.97, {5, 6}), row(0.6, "cco", 0.925, {4, 3})};
-    for (const char* id : {"gco-varies", "cco-steady", "cco-parents", "efficient", "size-varies"})
-        CHECK(verdict(id, as_paper) == yes);
-    CHECK(verdict("size-equal", as_paper) == no);
-    TargetRun otherwise = as_paper;
-    otherwise.thresholds = {row(0.4, "gco", 0.93, {1, 2}), row(0.4, "cco", 0.95, {3, 4}),
-                            row(0.45, "gco", 0.931, {5, 6}), row(0.45, "cco", 0.98, {7, 8})};
-    for (const char* id : {"gco-varies", "cco-steady", "cco-parents", "efficient", "size-varies"})
-        CHECK(verdict(id, otherwise) == no);
-    CHECK(verdict("size-equal", otherwise) == yes);
-    CHECK(verdict("cco-parents", std::vector<TargetRun>{as_paper, otherwise}) == open);
-}
-
-TEST_CASE("a threshold's row counts its children, and those above 0.95") {
-    VariantRun run;
-    run.name = "gco";
-    run.similarity = 0.99;
-    run.stages = {stage("gco/pair.1/left/above.1", {{0, 0.96}, {1, 0.97}}),
-                  stage("gco/pair.1/right/above.1", {{0, 0.96}, {1, 0.97}, {2, 0.98}}),
-                  stage("gco/score.1", {{3, 0.95}, {4, 0.951}, {5, 0.4}, {6, 0.2}}),
-                  stage("gco/best.1", {{4, 0.99}})};
-    run.stages.back().candidates.front().parents = {0, 2};
-    const ThresholdRow found = threshold_row(run, 3);
-    CHECK(found.u1 * found.u2 == 6);
-    CHECK(found.children == 4);
-    CHECK(found.share_above == 0.25);
-    CHECK(found.best_child == 0.951);
-    CHECK(found.parents == std::vector<std::uint64_t>{0, 2});
-}
-
-TEST_CASE("areas are alike for two answers only if both are far from the third") {
-    const auto alike = [](double sog, double gco, double cco) {
-        const auto genome = waves_of({0});
-        return verdict("area-alike", answers(variant("sog", genome, sog), variant("gco", genome, gco),
-                                             variant("cco", genome, cco)));
-    };
-    CHECK(alike(0.10, 0.11, 0.14) == yes);
-    CHECK(alike(0.10, 0.12, 0.07) == no); // 0.02 is not less than half of 0.03
-    CHECK(alike(0.10, 0.10, 0.10) == no);
-}
-
 TEST_CASE("profiles are alike by the correlation of their heights") {
     // For waves that are shifted by an angle it is the angle's cosine.
     const auto similar = [](const char* id, double gco, double cco) {
@@ -267,17 +142,6 @@ TEST_CASE("a spectrum matches its own waves unless the profile holds more than t
     aliased.series.push_back({10, 0.8, 2, L / 40, {{1, {0.7}}}}); // beyond the Nyquist wavenumber, seen at 24
     CHECK(verdict("extra-peaks", with(aliased)) == yes);
     CHECK(verdict("match-high", with(aliased)) == no);
-}
-
-TEST_CASE("CCO's spectrum is proportional to SOG's if only its scale differs") {
-    const auto shaped = [](double H) {
-        const std::vector<double> phases{0.1, 1.2, 2.3, 0.4, 1.5};
-        rough::Genome scaled = waves_of(phases, H);
-        scaled.scale = 7;
-        return answers(variant("sog", waves_of(phases, 0.8)), variant("gco", {}), variant("cco", scaled));
-    };
-    CHECK(verdict("cco-proportional", shaped(0.8)) == yes);
-    CHECK(verdict("cco-proportional", shaped(4)) == no);
 }
 
 TEST_CASE("verdicts on formulas and parts of a genome turn when their numbers do") {
@@ -320,21 +184,6 @@ TEST_CASE("a part of the target is met better than the whole by a genome that is
     CHECK(verdict("high-part", target) == no);
     target.database.resize(1);
     CHECK(verdict("low-part", target) == open);
-}
-
-TEST_CASE("p_max is compared with the largest pressure of the database, and a target with its curves") {
-    for (const double scale : {1.1, -1.1, 0.9, -0.9}) {
-        PaperRun run = run_with({});
-        run.database = {{waves_of({0}), response_of_area(0.1)}, {waves_of({0}), response_of_area(0.1)}};
-        run.database[0].genome.scale = 2, run.database[1].genome.scale = scale;
-        CHECK(evaluated(claim_of("max-pressure"), run, {}).verdict == (std::abs(scale) > 1 ? yes : no));
-        run.database[1].response.displacement /= 2; // K is 1, 2 and 3, and twice that
-        TargetRun target;
-        target.target.x = Eigen::Vector3d(0.5, 2, 4.5);
-        target.target.y = Eigen::Vector3d(1.5, 4.1, 6.1);
-        run.targets = {target};
-        CHECK(evaluated(claim_of("trend"), run, {}).findings[0].second.number == Approx(1. / 3));
-    }
 }
 
 TEST_CASE("the Sobol pairs' discrepancy is the integral that defines it") {

@@ -49,24 +49,3 @@ TEST_CASE("a genome's curves change without half of its waves and at another dat
     CHECK(studies.contacts.nodes == Approx(nodes));
     CHECK(studies.contacts.lost == 0);
 }
-
-TEST_CASE("eight ridges are one cosine of their wavelength") {
-    for (int n : {1, 2}) {
-        const ChromosomeExample example = chromosome_example(n, 3);
-        CHECK(example.wave_length == Approx(n == 1 ? 0.1 : 0.1 / 1.5));
-        CHECK(example.misfit < 1e-13);
-        Eigen::VectorXd sum = Eigen::VectorXd::Zero(example.x.size());
-        for (const Eigen::VectorXd& ridge : example.ridges)
-            sum += ridge;
-        CHECK((sum - example.sum).cwiseAbs().maxCoeff() < 1e-15);
-    }
-}
-
-TEST_CASE("curves are compared at pressures that both reach") {
-    const rough::Curve line{Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(1, 2, 3), 0, 3};
-    const rough::Curve half{Eigen::Vector2d(0, 2), Eigen::Vector2d(0, 3), 0, 2};
-    CHECK(relative_gap(line, half) == Approx(0.5));
-    CHECK(relative_gap(line, line) == 0);
-    CHECK(gap(line, half) == Approx(1));
-    CHECK(std::isnan(gap(line, {Eigen::Vector2d(4, 5), Eigen::Vector2d(1, 1), 4, 5})));
-}

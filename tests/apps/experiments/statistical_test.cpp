@@ -1,5 +1,4 @@
 #include "tests/apps/experiments/finished.hpp"
-#include "tests/apps/found.hpp"
 
 using app::testing::Folder;
 using app::testing::rugosa;
@@ -15,21 +14,10 @@ TEST_CASE("a design without heights writes parameters, curves and surfaces that 
     CHECK(result["parameters"]["longest_mm"] > result["parameters"]["shortest_mm"]);
     CHECK(result["similarity_realised"].size() == 1);
     CHECK(result["curves"].size() == 15);
-    CHECK(app::testing::outline(rough::read_whole(folder / "r/report.html")) ==
-          app::testing::Outline{"figure curves", "table Similarity (Eq. 12) to the target", "# How"});
+    CHECK_THAT(rough::read_whole(folder / "r/report.html"),
+               Catch::Contains("<svg") && !Catch::Contains("No picture"));
     const auto read = rugosa(
         "profile --surface r/surface-1.x3p --periodic --pictures off --detrend none --out p", folder.path());
     INFO(read.err);
     REQUIRE(read.code == 0);
-    for (const auto& [words, expected] : {std::pair("--set statistical.theory=hertz", "hertz"),
-                                          std::pair("--set 'statistical.pipeline=samples 3'", "samples"),
-                                          std::pair("--set statistical.surface=profile --set "
-                                                    "statistical.theory=bush-gibson-thomas",
-                                                    "persson")}) {
-        const auto refused = rugosa(run + words + " --out x", folder.path());
-        INFO(refused.err);
-        CHECK(refused.code == 2);
-        CHECK(refused.error_lines() == 1);
-        CHECK_THAT(refused.err, Catch::Contains(expected));
-    }
 }

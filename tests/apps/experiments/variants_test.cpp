@@ -9,12 +9,10 @@ using nlohmann::json;
 
 TEST_CASE("ways to search are compared on the same targets with the same budget and seeds") {
     const Folder folder;
-    const Ended ended = rugosa(
-        "run '" RUGOSA_SOURCE "/experiments/variants.ini' --pictures off --set experiment.budget=150 --set "
-        "experiment.seeds=2 --set model.nodes=64 --set targets.shortest-wave=0.06 --out r",
-        folder.path());
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
+    succeeded(rugosa("run '" RUGOSA_SOURCE
+                     "/experiments/variants.ini' --pictures off --set experiment.budget=150 --set "
+                     "experiment.seeds=2 --set model.nodes=64 --set targets.shortest-wave=0.06 --out r",
+                     folder.path()));
     for (const char* place : {"r", "r/heldout"}) {
         const json result = result_in(folder / place);
         CHECK(result["variants"].size() == 9);
@@ -57,23 +55,14 @@ TEST_CASE("a way that cannot search is refused before any other has begun") {
 
 TEST_CASE("the paper's algorithms run on areas and on profiles, and the page shows both", "[areas]") {
     const Folder folder;
-    const Ended ended =
-        rugosa("run '" RUGOSA_SOURCE "/experiments/surface.ini' --set experiment.budget=120 --set "
-               "'model.nodes=16x16, 32' --set model.steps=6 --set targets.shortest-wave=0.2 "
-               "--set variants.cco= --out r",
-               folder.path());
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
+    succeeded(rugosa("run '" RUGOSA_SOURCE "/experiments/surface.ini' --set experiment.budget=120 --set "
+                     "'model.nodes=16x16, 32' --set model.steps=6 --set targets.shortest-wave=0.2 "
+                     "--set variants.cco= --out r",
+                     folder.path()));
     CHECK(result_in(folder / "r")["nodes"] == json({16, 16}));
     CHECK(result_in(folder / "r" / "drawn-32")["nodes"] == 32);
     const std::string page = rough::read_whole(folder / "r" / "report.html");
-    for (const char* words :
-         {"A map of 16 16 nodes", "A profile of 32 nodes", "<td>map</td>", "<td>profile</td>",
-          "Contact pressure at the last load", "<image", "Figure 1."}) {
-        INFO(words);
-        CHECK(page.find(words) != std::string::npos);
-    }
-    CHECK(page.find("No picture") == std::string::npos);
+    CHECK_THAT(page, Catch::Contains("<image") && Catch::Contains("<svg") && !Catch::Contains("No picture"));
 }
 
 TEST_CASE("names of files, folders and ways may hold bytes that are no UTF-8") {
@@ -86,11 +75,4 @@ TEST_CASE("names of files, folders and ways may hold bytes that are no UTF-8") {
     INFO(raced.err);
     CHECK(raced.code == 0);
     CHECK(result_in(folder / "r\xE9")["variants"].count("w\xEF\xBF\xBD") == 1);
-    const Ended designed =
-        rugosa("design --target t\xE9.csv --nodes 32 --pictures off --out d\xE9 --pipeline "
-               "'sample 4 | score | best 1'",
-               folder.path());
-    INFO(designed.err);
-    CHECK(designed.err.empty());
-    CHECK(result_in(folder / "d\xE9")["target"]["name"] == "t\xEF\xBF\xBD.csv");
 }

@@ -97,36 +97,45 @@ std::vector<Work> all_work() {
             {"database", database, database, of_database}};
 }
 
+/// Kills the work at random moments and resumes it, time and again. Returns the number of finished results.
+long kill_and_resume(const Work& work, long kills) {
+    const Folder unbroken;
+    const ga::Stopwatch clock;
+    const auto code = run_for(1e9, work.first, unbroken.path());
+    const double seconds = clock.seconds();
+    INFO(work.name << ": " << rough::read_whole(unbroken / "err"));
+    REQUIRE((code == 0 || code == 3));
+    const json expected = work.result(unbroken.path());
+    ga::Stream random(7);
+    long results = 0;
+    while (kills > 0) {
+        const Folder folder;
+        std::optional<int> ended = run_for(seconds * random.uniform(), work.first, folder.path());
+        while (!ended) {
+            --kills;
+            REQUIRE(whole_or_none(folder / "o/result.json"));
+            ended = run_for(seconds * (0.05 + random.uniform()), work.again, folder.path());
+        }
+        INFO(rough::read_whole(folder / "log") << rough::read_whole(folder / "err"));
+        REQUIRE(ended == code); // killed between its last file and its end, too
+        REQUIRE(work.result(folder.path()) == expected);
+        ++results;
+    }
+    return results;
+}
+
 } // namespace
 
-TEST_CASE("a thousand kills without warning, over design, run, optimise and database build, change no result",
-          "[long][kills]") {
+TEST_CASE("design, run, optimise and database build resume to the same result after being killed",
+          "[kills]") {
+    for (const Work& work : all_work())
+        kill_and_resume(work, 3);
+}
+
+TEST_CASE("a thousand kills without warning change no result", "[long][kills]") {
     const char* const given = std::getenv("RUGOSA_KILLS");
     const long each = (given ? std::atol(given) : 1000) / 4;
-    ga::Stream random(7);
-    for (const Work& work : all_work()) {
-        const Folder unbroken;
-        const ga::Stopwatch clock;
-        const auto code = run_for(1e9, work.first, unbroken.path());
-        const double seconds = clock.seconds();
-        INFO(work.name << ": " << rough::read_whole(unbroken / "err"));
-        REQUIRE((code == 0 || code == 3));
-        const json expected = work.result(unbroken.path());
-        long kills = 0, results = 0;
-        while (kills < each) {
-            const Folder folder;
-            std::optional<int> ended = run_for(seconds * random.uniform(), work.first, folder.path());
-            while (!ended) {
-                ++kills;
-                REQUIRE(whole_or_none(folder / "o/result.json"));
-                ended = run_for(seconds * (0.05 + random.uniform()), work.again, folder.path());
-            }
-            INFO(rough::read_whole(folder / "log") << rough::read_whole(folder / "err"));
-            REQUIRE(ended == code); // killed between its last file and its end, too
-            REQUIRE(work.result(folder.path()) == expected);
-            ++results;
-        }
-        std::cout << work.name << ": " << kills << " kills, " << results
-                  << " results as the uninterrupted one (" << seconds << " s)\n";
-    }
+    for (const Work& work : all_work())
+        std::cout << work.name << ": " << each << " kills, " << kill_and_resume(work, each)
+                  << " results as the uninterrupted one\n";
 }

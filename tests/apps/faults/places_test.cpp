@@ -14,9 +14,6 @@ const std::string design =
     "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 64 --threads 1 --pictures off "
     "--pipeline 'sample 30 | score | repeat 40 { tournament 2 | cross uniform | mutate 0.1 | score } | best "
     "1' ";
-const std::string experiment =
-    "run '" RUGOSA_SOURCE "/experiments/paper.ini' --pictures off --nodes 64 --threads 1 --set "
-    "database.pairs=20 --set paper.sweep-points=0 ";
 
 /// Runs it in a folder "o" that goes away as soon as there is a checkpoint in it.
 Ended without_its_folder(const Folder& folder, const std::string& words, const std::string& checkpoint) {
@@ -64,26 +61,4 @@ TEST_CASE("a run whose folder is taken away goes on and leaves its result in a n
     for (auto* result : {&found, &expected})
         (*result)["variants"]["pipeline"].erase("notes");
     CHECK(found == expected);
-}
-
-TEST_CASE("an experiment whose folder is taken away goes on and leaves its result in a new one") {
-    const Folder folder;
-    REQUIRE(rugosa(experiment + "--out whole", folder.path()).code == 0);
-    const Ended gone = without_its_folder(folder, experiment, "o/checkpoints/drawn-sog.cbor");
-    INFO(gone.err);
-    CHECK(gone.code == 0);
-    auto found = timeless(result_in(folder / "o")), expected = timeless(result_in(folder / "whole"));
-    for (auto* result : {&found, &expected})
-        for (auto& variant : (*result)["variants"])
-            variant.erase("notes");
-    CHECK(found == expected);
-}
-
-TEST_CASE("the time between checkpoints is seconds") {
-    for (const char* wrong : {"soon", "-1", "1s", ""}) {
-        const Folder folder;
-        check_refused(
-            rugosa(design + "--out o", folder.path(), "RUGOSA_CHECKPOINTS='" + std::string(wrong) + "' "),
-            "RUGOSA_CHECKPOINTS");
-    }
 }

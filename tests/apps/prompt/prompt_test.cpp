@@ -16,16 +16,13 @@ struct Desk : Folder {
         const std::string one = R"("lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]}]}]})";
         write("g.json", R"({"series":[{"A":1,"H":0.8,"gamma":1.5,)" + one);
         write("gamma.json", R"({"series":[{"A":1,"H":0.8,"gamma":0.5,)" + one);
-        write("word.json", R"({"series":[{"A":1,"H":"x","gamma":1.5,)" + one);
-        write("lacks.json", R"({"series":[{"A":1,"H":0.8,)" + one);
         write("length.json", R"({"length_mm":-1,"series":[{"A":1,"H":0.8,"gamma":1.5,)" + one);
         write("broken.json", R"({"series":[)");
-        write("list.json", "[1,2]");
         write("scan.txt", "x [um];z [um]\n0;1\n1;3\n2;0.5\n3;2\n4;1\n");
         write("gap.txt", "x [um];z [um]\n0;1\n1;NaN\n2;0.5\n3;2\n4;1\n");
         write("conductance.csv", "pressure_MPa,conductance\n1,10\n");
         write("one.txt", "1\n3\n0.5\n2\n1\n");
-        write("huge.txt", "0;-1e308\n1;1e308\n2;0.5\n3;2\n4;1\n");
+        write("map.txt", "0 1 2\n1 2 3\n");
         write("recorded.csv", "# kernel: strip\n# length_mm: 0.004\n# strip_width_mm: "
                               "1e-5\npressure_MPa,stiffness_MPa_per_mm\n1e-6,0.1\n");
         write("datum.csv", "# kernel: free\n# length_mm: 0.004\n# datum_mm: "
@@ -33,18 +30,15 @@ struct Desk : Folder {
         write("t.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-6,0.1\n5e-6,0.12\n1e-5,0.14\n");
         write("word.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-5,0.5\n5e-5,x\n");
         write("columns.csv", "a,b\n1,2\n");
-        write("empty", "");
         write("noise", std::string("\x01\x7f\xff\xfe\n\x80\n\x00key", 10));
         write("key.ini", "[paper]\nx=1\n");
         write("line.ini", "[paper]\nno equals\n");
         write("kind.ini", "\xEF\xBB\xBF[experiment]\nkind = foo\n");
         write("value.ini", "[target]\nfile = t.csv\n[paper]\nmax-pressure = some # MPa\n");
-        write("twice.ini", "[paper]\nthreshold = 0.4\nthreshold=0.5\n");
         write("variant.ini",
               "[target]\nfile = t.csv\n[paper]\nmax-pressure = 1e-5\n[variants]\nmine = scor | best 1\n");
         write("ways.ini",
               "[experiment]\nkind=variants\n[targets]\nfiles=t.csv\n[variants]\nmine=shape 9 | bst 1\n");
-        std::filesystem::create_directory(path() / "folder");
         write("result.json", "{}");
     }
 };
@@ -58,85 +52,43 @@ const std::string paper = "run '" RUGOSA_SOURCE "/experiments/paper.ini' ";
 
 const std::vector<Wrong> wrong_uses{
     {"", {"no subcommand", "contact", "--help"}},
-    {"--quiet", {"no subcommand"}},
     {"contct", {"'contct'", "did you mean 'contact'"}},
-    {"--hlep", {"'--hlep'", "did you mean '--help'"}},
     {"contact", {"--genome", "--profile"}},
-    {"contact --genome", {"--genome", "no value"}},
-    {"contact --genome= --out c.csv", {"--genome", "no value"}},
-    {"contact --force=yes --genome g.json --out c.csv", {"--force", "expected none"}},
     {"contact --genome g.json", {"--out", "missing"}},
     {"contact --genome g.json --out c.csv more", {"'more'", "flags only"}},
     {"contact --genome g.json --out c.csv --node 9", {"--node:", "did you mean '--nodes'"}},
     {"contact --genome g.json --out c.csv --nodes 9 --nodes 9", {"--nodes", "given twice"}},
     {"contact --genome none.json --out c.csv", {"none.json", "cannot be read"}},
-    {"contact --genome folder --out c.csv", {"folder", "cannot be read"}},
     {"contact --genome noise --out c.csv", {"noise", "not JSON", "line 1"}},
     {"contact --genome broken.json --out c.csv", {"broken.json", "line 1"}},
-    {"contact --genome list.json --out c.csv", {"list.json", "expected an object"}},
     {"contact --genome gamma.json --out c.csv", {"gamma.json", "gamma is 0.5", "greater than 1"}},
     {"contact --genome length.json --out c.csv", {"length.json", "length_mm is -1", "greater than 0"}},
-    {"contact --genome word.json --out c.csv", {"word.json", "H is \"x\"", "expected a number"}},
-    {"contact --genome lacks.json --out c.csv", {"lacks.json", "\"gamma\"", "missing"}},
-    {"contact --genome g.json --profile scan.txt --out c.csv", {"--genome", "--profile"}},
-    {"contact --genome g.json --unit um --out c.csv", {"--unit", "--profile only"}},
     {"contact --profile one.txt --out c.csv", {"--spacing: ", "one.txt", "one column of heights"}},
     {"contact --profile gap.txt --unit um --out c.csv", {"--fill: ", "gap.txt", "missing value"}},
     {"target --check conductance.csv", {"--resistivity: ", "conductance.csv"}},
     {"design --target t.csv --nodes 8", {"--nodes: 8 given", "16"}},
     {"design --target t.csv --shortest-wave 9", {"--shortest-wave: 9 mm", "longest wave, 3.39768"}},
-    {"contact --profile noise --out c.csv", {"noise", "binary"}},
-    {"contact --profile empty --out c.csv", {"empty", "no numbers"}},
     {"contact --profile scan.txt --unit mm --out c.csv", {"scan.txt", "µm", "mm"}},
     {"contact --profile scan.txt --unit ell --out c.csv", {"--unit", "'ell'", "known"}},
-    {"contact --profile scan.txt --detrend lin --out c.csv", {"--detrend", "'lin'", "parabola"}},
-    {"contact --genome g.json --out folder", {"--out", "folder"}},
     {"contact --genome g.json --out g.json", {"--out", "g.json", "is read here"}},
-    {"contact --genome g.json --out no/such/c.csv", {"--out", "no/such"}},
     {"contact --genome g.json --out c.csv --nodes 1e8", {"--nodes", "1e8", "10000000"}},
     {"contact --genome g.json --out c.csv --nodes ''", {"--nodes: \"\" given, expected a value"}},
-    {"contact --genome g.json --out c.csv --length ''", {"--length: \"\" given, expected a value"}},
-    {"contact --genome g.json --out c.csv --modulus ''", {"--modulus: \"\" given, expected a value"}},
-    {"design --target t.csv --seconds ''", {"--seconds: \"\" given, expected a value"}},
-    {"design --target t.csv --pipeline ''", {"--pipeline: \"\" given, expected a value"}},
     {"contact --genome g.json --out c.csv --nodes nan", {"--nodes", "nan", "finite"}},
-    {"contact --genome g.json --out c.csv --nodes 5.5", {"--nodes", "5.5", "whole number"}},
-    {"contact --genome g.json --out c.csv --length 0", {"--length", "greater than 0"}},
     {"contact --genome g.json --out c.csv --kernel fre", {"--kernel", "fre", "did you mean 'free'"}},
     {"contact --genome g.json --out c.csv --kernel periodic --reach 1", {"--reach", "less than 1"}},
-    {"contact --genome g.json --out c.csv --reach 0", {"--reach", "above 0 and up to 1"}},
     {"contact --genome g.json --out c.csv --datum 0.1",
      {"--datum: 0.1 mm given, expected more than 0.2127", "(L + spacing)/4"}},
     {"contact --genome g.json --out c.csv --modulus 1e308", {"pressure inf MPa", "fits double precision"}},
-    {"contact --genome g.json --out c.csv --length 1e-308", {"all heights are equal"}},
-    {"contact --profile one.txt --spacing 1e-308 --out c.csv", {"inf MPa", "fits double precision"}},
-    {"contact --profile huge.txt --unit mm --detrend parabola --out c.csv",
-     {"huge.txt", "fit double precision"}},
     {"contact --genome g.json --out c.csv --poisson 0.6", {"--poisson", "0.6", "0.5"}},
-    {"contact --genome g.json --out c.csv --seed -1", {"--seed", "-1"}},
-    {"contact --genome g.json --out c.csv --threads x", {"--threads", "\"x\""}},
-    {"profile", {"genome file", "--profile"}},
-    {"profile g.json g.json", {"'g.json'", "one genome"}},
-    {"profile g.json --nodes 3", {"--nodes", "10"}},
     {"profile g.json --width 1e308", {"width of 1e+308 mm", "single precision"}},
-    {"profile g.json --base 1e7", {"base 10000000 mm", "single precision"}},
-    {"profile g.json --out scan.txt", {"--out", "scan.txt"}},
-    {"design", {"--target", "--like"}},
     {"design --target word.csv", {"word.csv:3", "\"x\""}},
     {"design --target columns.csv", {"columns.csv", "\"a,b\"", "pressure_MPa"}},
-    {"design --target noise", {"noise", "expected"}},
     {"design --target t.csv --points 5", {"--points", "--like only"}},
     {"design --target t.csv --variant sgo", {"'sgo'", "did you mean 'sog'"}},
     {"design --target t.csv --pipeline 'scor | best 1'", {"column 1", "'scor'", "did you mean 'score'"}},
     {"design --target t.csv --hurst-from 3", {"--hurst-from: 3 given", "--hurst-to: 2.5"}},
-    {"design --target t.csv --hurst-from 2 --hurst-to 1", {"--hurst-from: 2 given", "--hurst-to: 1 given"}},
-    {"design --target t.csv --hurst-to 0.01", {"--hurst-from: 0.05", "--hurst-to: 0.01 given"}},
-    {"design --target t.csv --hurst-from -1 --hurst-to 0", {"--hurst-from: -1 given", "above 0"}},
     {"design --target t.csv --gamma-from 1", {"--gamma-from: 1 given", "1.001"}},
-    {"design --target t.csv --gamma-from 4.5", {"--gamma-from: 4.5 given", "--gamma-to: 4"}},
-    {"design --target t.csv --lambda-from 1e7", {"--lambda-from: 1e7 given", "--lambda-to: 3.39768"}},
     {"design --target t.csv --shortest-wave 1e-308", {"--shortest-wave: 1e-308", "two nodes, 0.00166"}},
-    {"design --target t.csv --max-pressure 1e308", {"--max-pressure: 1e308", "1e+100"}},
     {"design --target t.csv --max-pressure 5e-6", {"--max-pressure: 5e-6", "t.csv, 1.00000 × 10⁻⁵ MPa"}},
     {"design --target recorded.csv",
      {"recorded.csv", "kernel strip (here free), length_mm 0.004 (here 0.84942", "strip_width_mm 1e-5",
@@ -145,55 +97,55 @@ const std::vector<Wrong> wrong_uses{
      {"length_mm 0.004", "datum_mm 0.004 (here", "depends on it: --length 0.004\n"}},
     {"target --check datum.csv --length 0.004 --datum 1",
      {"datum.csv: recorded with datum_mm 0.004 (here 1)"}},
-    {"design --target t.csv --weights 1,2", {"--weights", "expected 1"}},
     {"design --target t.csv --out .", {"--out", "holds result.json", "--force"}},
     {"design --target t.csv --database g.json", {"g.json", "no genome database"}},
     {"database", {"build, info, merge or query"}},
     {"database bild", {"'bild'", "did you mean 'build'"}},
-    {"database build", {"no file"}},
-    {"database build g.json", {"g.json", "no genome database"}},
     {"database build new.db --hurst-from 3", {"H from 3 to 1.5"}},
-    {"database build new.db --hurst-from 0", {"H from 0", "above 0"}},
     {"database info none.db", {"none.db", "no such file"}},
-    {"database query none.db", {"--target"}},
-    {"database query none.db --target t.csv --max-pressure 1e308", {"--max-pressure: 1e308", "1e+100"}},
     {"target --formula 'sqr(p)' --to 1 --out x.csv", {"--formula", "column 1", "sqrt"}},
     {"target --formula 'p - 1' --to 1 --out x.csv", {"--formula", "point 1", "-0.95", "greater than 0"}},
     {"target --formula '" + std::string(200, '(') + "' --to 1 --out x.csv",
      {"--formula: column 101", "100 deep"}},
-    {"target --formula '" + std::string(9000, '-') + "p' --to 1 --out x.csv",
-     {"--formula: column 101", "100 deep"}},
-    {"target --formula '" + std::string(20000, '(') + "' --to 1 --out x.csv", {"20000 characters", "10000"}},
-    {"target --formula p --out x.csv", {"--to", "missing"}},
-    {"target --formula p --to 1 --out t.csv", {"t.csv exists"}},
-    {"target --check columns.csv", {"columns.csv"}},
     {"run", {"no experiment"}},
-    {"run none.ini", {"none.ini", "cannot be read"}},
     {"run key.ini", {"key.ini:2:", "'paper.x'", "expected one of paper."}},
     {"run line.ini", {"line.ini:2:", "\"no equals\"", "key = value"}},
     {"run kind.ini", {"kind.ini:2: experiment.kind:", "\"foo\"", "paper, variants, accuracy"}},
-    {"run kind.ini --set experiment.kind=variant", {"kind.ini: experiment.kind:", "'variants'"}},
     {"run value.ini", {"value.ini:4: paper.max-pressure:", "\"some\"", "number"}},
-    {"run twice.ini", {"twice.ini:3: paper.threshold:", "given twice"}},
     {"run variant.ini", {"variant.ini:6: variants.mine:", "'scor'", "'score'"}},
     {"run ways.ini", {"ways.ini:6: variants.mine:", "'bst'", "'best'"}},
     {"run key.ini --set paper.x= --set foo.bar=3", {"'foo.bar'", "expected one of accuracy.*, "}},
-    {"run empty", {"empty: target.file", "missing"}},
-    {"run noise", {"noise"}},
     {paper + "more", {"'more'", "one experiment"}},
-    {paper + "--set x", {"--set", "\"x\"", "section.key=value"}},
-    {paper + "--set", {"--set", "no value"}},
     {paper + "--set paper.threshhold=1", {"'paper.threshhold'", "did you mean 'paper.threshold'"}},
     {paper + "--set model.datum=0.1", {"model.datum: 0.1 mm given", "0.2127"}},
-    {paper + "--nodes 1", {"model.nodes", "1 given"}},
     {paper + "--resume", {"--resume", "--out"}},
     {"chart --quik", {"--quik", "did you mean '--quick'"}},
-    {"chart --minutes 0", {"--minutes", "0 given", "greater than 0"}},
     {"chart --minutes soon", {"--minutes", "soon", "number"}},
-    {"chart --minutes nan", {"--minutes", "nan"}},
     {"stability --scene spik", {"--scene", "\"spik\"", "did you mean 'spike'"}},
-    {"operators more", {"'more'", "flags only"}},
-    {"help contct", {"'contct'", "did you mean 'contact'"}},
+    {"contact --surface map.txt --out c.csv", {"--spacing"}},
+    {"contact --surface map.txt --spacing 1 --kernel strip --out c.csv", {"strip"}},
+    {"contact --genome g.json --nodes 8x8 --accuracy 0.1 --hardness 1 --out c.csv", {"hardness"}},
+    {"contact --genome g.json --pressures 0.1,0.1 --out c.csv", {"--pressures", "increasing"}},
+    {"contact --genome g.json --hardness 1 --friction 0.3 --out c.csv", {"--friction"}},
+    {"contact --genome g.json --accuracy 2 --out c.csv", {"--accuracy"}},
+    {"profile --profile scan.txt --lambda-c 0.1 --lambda-s 0.2", {"less than lambda-c"}},
+    {"profile --surface map.txt --spacing 1 --detrend arc", {"arc"}},
+    {"profile g.json --smr 0", {"--smr"}},
+    {"design --target t.csv --nodes 32x32 --datum 2", {"--datum"}},
+    {"design --target t.csv --nodes 32x32 --kernel strip", {"strip"}},
+    {"design --target t.csv --like scan.txt", {"--like"}},
+    {"design --target t.csv --variant mcco", {"goal2"}},
+    {"design --from g.json --control 1:9 --target t.csv", {"1:1"}},
+    {"design --from g.json --target t.csv", {"--control"}},
+    {"design --target t.csv --reach-similarity 2", {"--reach-similarity"}},
+    {"optimise --genes real:5:2:1 --evaluate cat", {"lower bound below"}},
+    {"optimise --genes bits:4", {"--evaluate: missing"}},
+    {"optimise --genes bits:4 --evaluate nothing-like-this", {"cannot be started"}},
+    {"optimise --genes permutation:4 --pipeline 'sample 4 | cross uniform | score' --evaluate cat",
+     {"needs genes at positions"}},
+    {"compare --problems zdtt", {"--problems", "did you mean"}},
+    {"compare --problems tsp --variants \"a=sample 3 | cross sbx | score | best 1\"", {"'a' on tsp14"}},
+    {"compare --variants nsga2 --problems zdt1 --seeds 1 --budget 200 --coco", {"--coco"}},
 };
 
 std::string lines_of(const std::string& text, const std::string& beginning) {
@@ -242,13 +194,7 @@ TEST_CASE("every help page has a usage and examples, and the program takes the f
         CHECK(help.code == 0);
         CHECK(help.err.empty());
         CHECK_THAT(help.out, Catch::StartsWith("Usage: rugosa " + command));
-        std::istringstream lines(help.out); // what it is for, behind the usage, is folded
-        std::string line;
-        for (int paragraph = 0; paragraph < 2 && std::getline(lines, line); paragraph += line.empty())
-            if (paragraph == 1)
-                CHECK(line.size() <= 100);
         CHECK(rugosa(command + " -h", desk.path()).out == help.out);
-        CHECK(rugosa(command + " --help --quiet", desk.path()).out == help.out);
         std::istringstream examples(lines_of(help.out, "  rugosa "));
         std::string example;
         int count = 0;
@@ -328,16 +274,4 @@ TEST_CASE("contact says what strains its model: a jump at periodic ends, short w
     const std::string modulus = "E is 1 MPa";
     CHECK_THAT(said("--genome meets.json"), Catch::Contains(modulus));
     CHECK(said("--genome meets.json --modulus 1").find(modulus) == std::string::npos);
-}
-
-TEST_CASE("contact, design and run share their common flags") {
-    for (const std::string command : {"contact", "design", "run"}) {
-        const std::string help = rugosa(command + " --help").out;
-        for (const std::string flag :
-             {"nodes", "length", "kernel", "datum", "strip-width", "modulus", "poisson", "steps", "reach",
-              "solver", "tolerance", "accuracy", "threads", "seed", "force"}) {
-            INFO(command << " --" << flag);
-            CHECK_THAT(help, Catch::Contains("\n  --" + flag + " "));
-        }
-    }
 }

@@ -1,13 +1,6 @@
-#include "apps/prompt/progress.hpp"
-#include "apps/prompt/verbosity.hpp"
 #include "tests/apps/program.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <iostream>
-#include <pty.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 using namespace app::testing;
 
@@ -39,26 +32,4 @@ TEST_CASE("no colour and no progress reach a pipe") {
     const auto built = rugosa("database build g.db --genomes 3000 --nodes 64", folder.path());
     CHECK(built.err.empty());
     CHECK(built.out.find('\033') == std::string::npos);
-}
-
-TEST_CASE("a line of progress fits the terminal and is taken away before anything is said") {
-    int terminal = -1;
-    winsize size{24, 20, 0, 0};
-    std::cout << std::flush; // or the child would say it, too
-    const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
-    REQUIRE(child >= 0);
-    if (child == 0) {
-        app::Progress progress;
-        sleep(2); // nothing is shown in the first second
-        progress.show("a long tale of µm and more");
-        app::say("done");
-        std::cout << std::flush;
-        _exit(0);
-    }
-    std::string told;
-    for (char c = 0; read(terminal, &c, 1) == 1;)
-        told += c;
-    waitpid(child, nullptr, 0);
-    close(terminal);
-    CHECK(told == "\r\033[K2 s  a long tale of\r\033[Kdone\r\n");
 }

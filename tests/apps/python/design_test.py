@@ -1,6 +1,5 @@
 import json
 import os
-import resource
 import signal
 import threading
 import unittest
@@ -41,23 +40,6 @@ class Design(WithFolder):
             self.assertEqual([level[name] for level in found["levels"]],
                              [level[value] for level in result["levels"]])
         self.assertGreater(found["levels"][-1]["noise_rms"], 0)
-
-    def test_a_variant_gives_the_same_bits_by_name_and_by_its_printed_text(self):
-        listing = self.rugosa("operators").stdout.split("\nvariants\n")[1]
-        variants = dict(line.strip().split(" = ", 1) for line in listing.strip().splitlines())
-        self.assertIn("default", variants)
-        targets = 2 * [rugosa.Target(PRESSURE, STIFFNESS)]
-        for name, text in variants.items():
-            nodes = (16, 16) if name == "maps" else 48
-            asked = {"target": targets, "max_pressure": PRESSURE[-1]}
-            if name == "like":
-                asked = {"like": rugosa.Profile(rough_heights(64), 0.01)}
-            with self.subTest(name):
-                genomes = [
-                    rugosa.design(**asked, pipeline=pipeline, nodes=nodes, evaluations=120, alternatives=1).genome
-                    .to_dict() for pipeline in (name, text)
-                ]
-                self.assertEqual(*genomes)
 
     def test_answers_as_it_says(self):
         design = rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=128, steps=20)
@@ -132,21 +114,6 @@ class Design(WithFolder):
             rugosa.Target(PRESSURE[::-1], STIFFNESS)
         with self.assertRaisesRegex(TypeError, "unknown keyword 'kernell'"):
             rugosa.Target.like(rough_heights(), 0.004, kernell="free")
-
-
-class Memory(unittest.TestCase):
-    def test_stays_bounded_over_many_designs(self):
-        many = int(os.environ.get("RUGOSA_DESIGNS", 90))
-
-        def design(seed):
-            rugosa.design(PRESSURE, STIFFNESS, nodes=64, seed=seed, pipeline="shape 2 | score | best 1")
-
-        for seed in range(many // 3):
-            design(seed)
-        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-        for seed in range(many):
-            design(seed)
-        self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 8 << 10)  # kB
 
 
 class Database(WithFolder):

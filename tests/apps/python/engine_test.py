@@ -29,12 +29,6 @@ class Engine(WithFolder):
         self.assertEqual(found.best.tolist(), result["best"]["genes"])
         self.assertEqual(found.objectives, result["best"]["objectives"])
 
-    def test_every_named_variant_of_the_program_is_known(self):
-        for variant in "bipop-cma-es", "lshade":
-            found = rugosa.optimise(sphere, lower=[-5] * 3, upper=[5] * 3, minimise=True, variant=variant,
-                                    evaluations=900)
-            self.assertLess(found.objectives[0], 1e-2, variant)
-
     def test_batches_answer_alike(self):
         class Batch:
             calls = 0

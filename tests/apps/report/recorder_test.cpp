@@ -25,9 +25,3 @@ TEST_CASE("the record of a run without end stays bounded and ends with its last 
     observe({end, {}, population, counters, 0});
     CHECK(stages.back().path == end);
 }
-
-TEST_CASE("a stage's record is found by its path") {
-    const std::vector<StageRecord> stages{{"v/score.1", {{0, {}, 0.7}}}, {"v/best.1", {{1, {}, 0.8}}}};
-    CHECK(stage_at(stages, "v/best.1") == &stages[1]);
-    CHECK(stage_at(stages, "v/best.2") == nullptr);
-}

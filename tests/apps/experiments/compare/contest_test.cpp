@@ -45,15 +45,6 @@ Reached reached(std::vector<double> evaluations, long spent) { return {std::move
 
 } // namespace
 
-TEST_CASE("targets are 51 precisions with every decade among them") {
-    const std::vector<double> targets = precisions(1e2, 1e-8);
-    REQUIRE(targets.size() == 51);
-    CHECK(targets.front() == 1e2);
-    CHECK(targets[5] == Approx(1e1));
-    CHECK(targets[30] == Approx(1e-4));
-    CHECK(targets.back() == Approx(1e-8));
-}
-
 TEST_CASE("a tally keeps the first evaluation at which each target is met, and ends with the last") {
     const std::vector<double> targets{10, 1, 0.1};
     Tally tally(targets, within(100));

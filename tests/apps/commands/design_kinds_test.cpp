@@ -1,0 +1,242 @@
+#include "domain/design/front.hpp"
+#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/mwm/waves.hpp"
+#include "domain/problem/problem.hpp"
+#include "domain/scan/source.hpp"
+#include "domain/target/like.hpp"
+#include "tests/apps/results.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <numbers>
+
+using namespace app::testing;
+using nlohmann::json;
+
+namespace {
+
+/// Stiffness and contact area that no one surface has: those of two different ones.
+std::string two_targets(const Folder& folder) {
+    folder.write("a.json", R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":
+        [{"n":1,"phases":[0.3]},{"n":2,"phases":[2]},{"n":3,"phases":[4]}]}]})");
+    folder.write("b.json", R"({"series":[{"A":1,"H":1.2,"gamma":1.5,"lambda":0.84942,"chromosomes":
+        [{"n":1,"phases":[3.0]},{"n":2,"phases":[1]}]}]})");
+    REQUIRE(rugosa("target --genome a.json --nodes 128 --to 1e-2 --out K.csv", folder.path()).code == 0);
+    REQUIRE(rugosa("target --genome b.json --nodes 128 --to 1e-2 --quantity area --out A.csv", folder.path())
+                .code == 0);
+    return "design --target K.csv,A.csv --nodes 128 ";
+}
+
+/// A surface with these phases of its second and fourth waves.
+std::string drifting(double second, double fourth) {
+    return "{\"series\":[{\"A\":1,\"H\":0.9,\"gamma\":1.6,\"lambda\":0.84942,\"chromosomes\":[{\"n\":1,"
+           "\"phases\":[0.3]},{\"n\":2,\"phases\":[" +
+           std::to_string(second) + "]},{\"n\":3,\"phases\":[4]},{\"n\":4,\"phases\":[" +
+           std::to_string(fourth) + "]}]}]}";
+}
+
+/// 401 points on 2 mm.
+void write_scan(const Folder& folder) {
+    std::string text = "x [mm];z [mm]\n";
+    for (int i = 0; i <= 400; ++i)
+        text += std::to_string(0.005 * i) + ";" +
+                std::to_string(1e-3 * (std::cos(0.05 * i) + 0.3 * std::cos(0.31 * i + 1))) + "\n";
+    folder.write("scan.txt", text);
+}
+
+const std::string brief =
+    "design --like scan.txt --nodes 128 --reach-similarity -1 --pipeline 'own 1 | score | "
+    "refine lm 4' ";
+
+} // namespace
+
+TEST_CASE("two targets give a front whose similarities follow from its genomes, with a picture") {
+    const Folder folder;
+    const json result = result_of(
+        rugosa(
+            two_targets(folder) +
+                "--pipeline 'shape 12 | score | refine lm 3 | pareto goal1 goal2 | repeat 2 { tournament 2 "
+                "| cross uniform | mutate 0.1 | parents | pareto goal1 goal2 | best 12 } | front' --out r",
+            folder.path()),
+        folder / "r");
+    const json& front = result["variants"]["pipeline"]["front"];
+    REQUIRE(front.size() > 1);
+    rough::DesignSetup setup;
+    setup.model.grid = {128, 0.84942, false};
+    setup.targets = {rough::read_target(folder / "K.csv"), rough::read_target(folder / "A.csv")};
+    double best = -HUGE_VAL;
+    for (const json& one : front) {
+        const rough::Genome genome = rough::genome_from_json(one["genome"], "genome");
+        for (const auto& [name, refine] : {std::pair("similarity", 1), std::pair("similarity_refined", 4)}) {
+            const auto each =
+                similarities(setup, respond(setup, genome, rough::refined(setup.model, refine)));
+            for (std::size_t g = 0; g < 2; ++g)
+                CHECK(one[name][g].get<double>() == Approx(each[g]).margin(1e-9));
+        }
+        best =
+            std::max(best, std::min({one["similarity"][0].get<double>(), one["similarity"][1].get<double>(),
+                                     one["similarity_refined"][0].get<double>(),
+                                     one["similarity_refined"][1].get<double>()}));
+    }
+    const json& variant = result["variants"]["pipeline"];
+    CHECK(std::min(variant["similarity"].get<double>(), variant["similarity_refined"].get<double>()) >=
+          best - 0.05);
+    CHECK_THAT(rough::read_whole(folder / "r/report.html"),
+               Catch::Contains("What the targets cost each other"));
+}
+
+TEST_CASE("the two-target variants answer by name") {
+    const Folder folder;
+    const std::string words = two_targets(folder) + "--pictures off --seconds 4 --variant ";
+    for (const std::string variant : {"mcco", "nsga2"}) {
+        const json result =
+            result_of(rugosa(words + variant + " --out " + variant, folder.path()), folder / variant);
+        CHECK(result["variants"][variant]["genome"]["series"].size() >= 1);
+        CHECK(result["targets"].size() == 2);
+    }
+}
+
+TEST_CASE("every variant's answer holds every limit, on a grid four times finer too") {
+    const Folder folder;
+    const double slope = 6e-4, height = 2e-4, radius = 5, wave = 0.04;
+    const std::vector<std::string> all{"default", "multistart", "plain", "sog", "gco", "cco"};
+    const std::vector<std::string> few{"default", "sog", "gco"}; // Eq. 11 leaves amplitude no freedom
+    for (const std::string mode : {"", " --max-pressure 1.6e-4"})
+        for (const std::string& variant : mode.empty() ? all : few) {
+            const std::string words = "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 128 "
+                                      "--pictures off --max-slope 6e-4 --max-height 2e-4 "
+                                      "--min-radius 5 --shortest-wave 0.04 --force --out r --variant " +
+                                      variant + mode;
+            const json answer = result_of(rugosa(words, folder.path()), folder / "r")["variants"][variant];
+            CHECK(answer["within_limits"] == true);
+            for (const json& margin : answer["margins"])
+                CHECK(margin["margin"].get<double>() >= 0);
+            for (const json& alternative : answer["alternatives"]) {
+                const rough::Genome genome = rough::genome_from_json(alternative["genome"], "genome");
+                const rough::Profile fine = sample(genome, refined(rough::Grid{128, 0.84942, false}, 4));
+                const rough::Index n = fine.nodes();
+                const Eigen::VectorXd steep =
+                    (fine.heights.tail(n - 1) - fine.heights.head(n - 1)) / fine.spacing;
+                const Eigen::VectorXd bend = (steep.tail(n - 2) - steep.head(n - 2)) / fine.spacing;
+                CHECK(steep.cwiseAbs().maxCoeff() <= slope);
+                CHECK(fine.heights.maxCoeff() - fine.heights.minCoeff() <= height);
+                CHECK(bend.cwiseAbs().maxCoeff() <= 1 / radius);
+                for (const rough::Series& series : genome.series)
+                    for (const rough::Chromosome& chromosome : series.chromosomes)
+                        CHECK(wave_length(series, chromosome.n) >= wave * (1 - 1e-9));
+            }
+        }
+}
+
+TEST_CASE("a design's genes keep to the bounds that were given") {
+    const Folder folder;
+    const json all = result_of(
+        rugosa("design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 64 --shortest-wave 0.1 "
+               "--pictures off --pipeline 'sample 8 | score | refine lm 3 | best 1' --hurst-from 0.6 "
+               "--hurst-to 0.65 "
+               "--gamma-from 1.75 --gamma-to 1.8 --lambda-from 0.5 --lambda-to 0.6 --out r",
+               folder.path()),
+        folder / "r")["variants"]["pipeline"]["genome"]["series"];
+    REQUIRE_FALSE(all.empty());
+    for (const json& series : all)
+        for (const auto& [gene, from, to] :
+             {std::tuple("H", 0.6, 0.65), std::tuple("gamma", 1.75, 1.8), std::tuple("lambda", 0.5, 0.6)}) {
+            CHECK(series[gene].get<double>() >= from);
+            CHECK(series[gene].get<double>() <= to);
+        }
+}
+
+TEST_CASE("a drifted surface is brought back by the chromosomes that may be changed, and by no others") {
+    const Folder folder;
+    folder.write("wanted.json", drifting(1.9, 2.2));
+    folder.write("drifted.json", drifting(2.2, 1.9));
+    REQUIRE(rugosa("target --genome wanted.json --out T.csv", folder.path()).code == 0);
+    succeeded(
+        rugosa("design --from drifted.json --control 1:2,1:4 --largest-change 0.1 --target T.csv --out r",
+               folder.path()));
+    const json answer = result_in(folder / "r")["variants"]["morph"];
+    CHECK(answer["morph"]["similarity_before"].get<double>() < 0.97);
+    CHECK(answer["similarity"].get<double>() >= 0.99);
+    CHECK(answer["morph"]["changes"].size() == 2);
+    CHECK(answer["morph"]["out_of_reach"].empty());
+    const rough::Genome before = rough::read_genome(folder / "drifted.json"),
+                        after = rough::read_genome(folder / "r" / "genome.json");
+    for (const std::size_t kept : {0, 2})
+        CHECK(before.series[0].chromosomes[kept].phases == after.series[0].chromosomes[kept].phases);
+    for (const std::size_t moved : {1, 3})
+        CHECK(std::abs(before.series[0].chromosomes[moved].phases[0] -
+                       after.series[0].chromosomes[moved].phases[0]) <= 0.2 * std::numbers::pi);
+}
+
+TEST_CASE("a design like a scan asks for stiffness and area together, and for one where that is said") {
+    const Folder folder;
+    write_scan(folder);
+    for (const auto& [flag, quantities] :
+         {std::pair<std::string, std::vector<std::string>>("", {"stiffness_MPa_per_mm", "contact_fraction"}),
+          {" --quantity area", {"contact_fraction"}},
+          {" --quantity interface_stiffness", {"interface_stiffness_MPa_per_mm"}}}) {
+        const json result =
+            result_of(rugosa(brief + "--pictures off --force --out r" + flag, folder.path()), folder / "r");
+        REQUIRE(result["targets"].size() == quantities.size());
+        for (std::size_t t = 0; t < quantities.size(); ++t)
+            CHECK(result["targets"][t]["points"][0].contains(quantities[t]));
+    }
+}
+
+TEST_CASE("what was not asked for is said with how far the answer is off, the same on all three places") {
+    const Folder folder;
+    write_scan(folder);
+    const Ended ended = answered(rugosa(brief + "--quantity stiffness --out r", folder.path()));
+    const json result = result_in(folder / "r"), summary = result["summary"];
+    rough::ScanOptions options;
+    const rough::Profile scan = rough::open_scan(folder / "scan.txt", options).measured;
+    rough::DesignSetup setup;
+    setup.like = scan;
+    setup.model.grid = {128, result["length_mm"], false};
+    setup.model.loading.steps = result["steps"];
+    setup.model = completed(setup.model);
+    setup.targets = {target_like(scan, setup.model, "area", rough::Quantity::area_at_pressure)};
+    const rough::Genome genome = rough::genome_from_json(result["variants"]["pipeline"]["genome"], "genome");
+    const double off = summary["not_asked"]["contact area"];
+    CHECK(off == Approx(1 - similarity(setup, genome)).epsilon(1e-6));
+    CHECK(summary["found"] == true);
+    CHECK(summary["lowest"] == result["variants"]["pipeline"]["similarity_worst"]);
+    const std::string page = rough::read_whole(folder / "r/report.html");
+    for (const char* fact :
+         {"matched", "not_asked_for", "worst_case", "yielding", "making", "carries_over"}) {
+        const std::string text = summary[fact];
+        INFO(fact << ": " << text);
+        CHECK_THAT(ended.out, Catch::Contains(text));
+        CHECK_THAT(page, Catch::Contains(text.substr(0, 20)));
+    }
+    CHECK_THAT(summary["not_asked_for"].get<std::string>(),
+               Catch::Contains("interface stiffness was not asked"));
+    CHECK_THAT(summary["carries_over"].get<std::string>(), Catch::Contains("length and datum alone"));
+}
+
+TEST_CASE("a verdict asked with noise or a hardness is a verdict under them") {
+    const Folder folder;
+    write_scan(folder);
+    const auto verified = [&](const std::string& flags) {
+        const Ended ended =
+            rugosa("design --like scan.txt --nodes 128 --pipeline 'own 1 | score | refine lm 10' "
+                   "--quantity stiffness --pictures off --force --out r" +
+                       flags,
+                   folder.path());
+        INFO(flags << ": " << ended.err << ended.out);
+        CHECK(ended.code == (result_in(folder / "r")["summary"]["found"].get<bool>() ? 0 : 3));
+        return result_in(folder / "r")["summary"];
+    };
+    const double alone = verified("")["lowest"];
+    const std::string asked = " --reach-similarity " + std::to_string(alone - 0.01);
+    const json calm = verified(asked + " --noise 1e-9 --hardness 1e3");
+    CHECK(calm["found"] == true);
+    CHECK_THAT(calm["yielding"].get<std::string>(), Catch::StartsWith("elastic"));
+    const json noisy = verified(asked + " --noise 0.01");
+    CHECK(noisy["found"] == false);
+    CHECK(noisy["lowest"] < alone - 0.01);
+    const json soft = verified(asked + " --hardness 1e-3");
+    CHECK(soft["found"] == false);
+    CHECK_THAT(soft["yielding"].get<std::string>(), Catch::StartsWith("yields"));
+}
