@@ -281,7 +281,7 @@ struct Effort {
 
 /// All that is wanted; less if time is short, as some curves tell: it is planned for 0.7 of the time.
 Effort effort_for(const MadeSurface& made, const Grid& grid, const ToleranceOptions& options) {
-    Effort effort{draws_for(grid), grid.is_2d() ? 4 : 32};
+    Effort effort{draws_for(grid), grid.is_2d() ? 4 : 64};
     if (options.fixed_draws || std::isinf(options.seconds))
         return effort;
     const ga::Stopwatch clock;
