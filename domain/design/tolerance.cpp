@@ -341,6 +341,8 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
                 result.curve.push_back({rms, kept, quantile(similarities, 0.5), few});
                 return kept;
             });
+            for (ToleranceLevel* level : feasible) // until all draws are made
+                level->noise_rms = bracket(all, level->similarity).first;
             for (auto level = feasible.rbegin(); level != feasible.rend(); ++level) {
                 const double similarity = (*level)->similarity;
                 (*level)->noise_rms = largest_noise(made, all, similarity, few, result.draws);

@@ -46,7 +46,7 @@ struct Tolerance {
     double share_to = 1;                  ///< its upper end
     std::vector<ToleranceLevel> levels;   ///< 0.99, 0.95, 0.9 and the requested one, the highest first
     std::vector<NoiseQuantile> curve;     ///< from the smallest noise to the largest
-    bool complete = true;                 ///< there was time for all levels
+    bool complete = true; ///< false: no time for all levels; a noise may be the octave that few draws keep
 };
 
 /// The tolerance of a genome in final amplitude on the set-up's grid and load steps. A draw's heights are not

@@ -165,7 +165,9 @@ std::string machine(const DesignRun& run) {
     if (!missed.empty())
         join(all, "none for " + missed + ": without errors the similarity is " +
                       readable(tolerance.similarity, 4));
-    return all.empty() ? "not known: there was no time; set more --seconds" : all;
+    if (!tolerance.complete)
+        join(all, "not all is known for lack of time; set more --seconds");
+    return all;
 }
 
 std::string yielding(const DesignRun& run) {

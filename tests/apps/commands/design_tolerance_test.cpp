@@ -65,7 +65,7 @@ TEST_CASE("a report is written when the time is spent") {
     CHECK(ended.code == 3);
     CHECK_THAT(ended.out, Catch::Contains("Machine: "));
     CHECK_THAT(rough::read_whole(folder / "r/report.html"),
-               Catch::Contains("not known") && Catch::Contains("Requested and found"));
+               Catch::Contains("not all is known") && Catch::Contains("Requested and found"));
 }
 
 TEST_CASE("a noise length or tilt out of range is refused") {
