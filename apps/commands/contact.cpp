@@ -19,7 +19,6 @@
 #include "domain/text/atomic_file.hpp"
 
 #include <filesystem>
-#include <sstream>
 
 namespace app {
 
@@ -39,14 +38,10 @@ std::vector<Setting> contact_settings() {
         accuracy_setting("",
                          "the resolved model: --nodes if given, else 64 nodes to the shortest wave; a scan "
                          "is always solved on its own nodes, a map too unless one line answers for it"),
-        {"to-pressure", "", "mean pressure of the last load step, MPa, in place of --reach"},
-        {"pressures", "",
-         "mean pressures of the load steps, MPa, as P1,P2,…, in place of --reach and --steps"},
-        {"hardness", "", "largest pressure that a node bears, MPa; nodes at it sink in [none]"},
         {"friction", "",
          "friction coefficient: writes CURVE-slip.csv, partial slip under the last load [none]"},
     };
-    return joined({area_settings(), settings, scan_settings(), model_settings()});
+    return joined({area_settings(), settings, loading_settings(), scan_settings(), model_settings()});
 }
 
 /// CURVE.json beside CURVE.csv.
@@ -60,39 +55,6 @@ rough::Model within_accuracy(rough::Model model, const Settings& settings) {
     model.accuracy = accuracy_from(settings);
     if (model.accuracy > 0 && !settings.given("tolerance"))
         model.contact.tolerance = 0.01;
-    return model;
-}
-
-std::vector<double> pressures_from(const Settings& settings) {
-    std::vector<double> pressures;
-    std::istringstream words(settings.text("pressures"));
-    for (std::string word; std::getline(words, word, ',');) {
-        std::istringstream number(word);
-        number.imbue(std::locale::classic());
-        double pressure = 0;
-        const double before = pressures.empty() ? 0 : pressures.back();
-        if (!(number >> pressure) || !(number >> std::ws).eof() || !(pressure > before))
-            throw rough::InputError("--pressures: '" + word + "' given after " + readable(before) +
-                                    ", expected positive increasing numbers with commas between, MPa");
-        pressures.push_back(pressure);
-    }
-    return pressures;
-}
-
-/// The load's end and what a node bears, which only this command can set.
-rough::Model loaded(rough::Model model, const Settings& settings) {
-    if (settings.given("to-pressure") + settings.given("pressures") + settings.given("reach") > 1)
-        throw rough::InputError("contact: expected one of --reach, --to-pressure and --pressures");
-    if (settings.given("pressures") && settings.given("steps"))
-        throw rough::InputError("contact: --steps given with --pressures, expected one of them");
-    if (settings.has("to-pressure"))
-        model.loading.to_pressure = settings.pressure("to-pressure");
-    if (settings.has("pressures")) {
-        model.loading.pressures = pressures_from(settings);
-        model.loading.steps = static_cast<int>(model.loading.pressures.size());
-    }
-    if (settings.has("hardness"))
-        model.body.hardness = settings.pressure("hardness");
     return model;
 }
 

@@ -34,7 +34,7 @@ Settings along(const Settings& settings, const std::string& prefix, bool x) {
     return settings.with(values);
 }
 
-/// Throws where one of these keys, which only a profile has, or its kernel is given.
+/// Throws if one of these keys, which only a profile has, or its kernel is given.
 void expect_of_areas(const Settings& settings, const std::string& prefix,
                      const std::vector<const char*>& keys) {
     for (const char* key : keys)
@@ -106,6 +106,21 @@ bool asks_for_area(const Settings& settings, const std::string& prefix) {
            (settings.knows(prefix + "spacing") && is_pair("spacing"));
 }
 
+rough::Model model_of(const rough::Profile& surface, const Settings& settings) {
+    const bool wraps = kernel_from(settings) == rough::Kernel::periodic;
+    const auto length = [&](double spacing, rough::Index n) {
+        return spacing * static_cast<double>(wraps ? n : n - 1);
+    };
+    const auto [columns, rows] = surface.shape();
+    rough::Grid grid{columns, length(surface.spacing, columns)};
+    if (surface.is_2d()) {
+        expect_of_areas(settings, "", {"datum", "strip-width"});
+        grid.rows = rows;
+        grid.width = length(surface.row_spacing, rows);
+    }
+    return model_on(grid, settings);
+}
+
 rough::Model surface_model_from(const Settings& settings, const std::string& prefix) {
     if (!asks_for_area(settings, prefix))
         return model_from(settings, prefix);
@@ -152,13 +167,8 @@ AreaScene area_from(const Settings& settings, const std::string& map) {
     if (settings.knows(map) && settings.has(map)) {
         rough::Map read = surface_from(settings, map);
         scene.map = std::move(read.heights);
-        scene.model = model_from(x.with({{"spacing", ""}}));
-        rough::Grid& grid = scene.model.grid;
-        const auto [columns, rows] = scene.map.shape();
-        grid.nodes = columns;
-        grid.rows = rows;
-        grid.length = profile_length(scene.map, scene.model.body.kernel);
-        grid.width = scene.map.row_spacing * static_cast<double>(grid.wraps ? rows : rows - 1);
+        scene.model = model_of(scene.map, settings);
+        const rough::Grid& grid = scene.model.grid;
         scene.notes.push_back(read.account + "; " + readable(grid.length) + " x " + readable(grid.width) +
                               " mm");
     } else {

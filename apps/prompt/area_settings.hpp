@@ -18,6 +18,9 @@ inline constexpr const char* no_datum_note =
 /// Whether the settings ask for an area: by --surface, or by --nodes, --length or --spacing as a pair.
 bool asks_for_area(const Settings& settings, const std::string& prefix = "");
 
+/// The model on a surface's own nodes. Throws rough::InputError on what only a profile has.
+rough::Model model_of(const rough::Profile& surface, const Settings& settings);
+
 /// The model that the settings describe, of an area where --nodes or --length is a pair. Throws
 /// rough::InputError on what only a profile has.
 rough::Model surface_model_from(const Settings& settings, const std::string& prefix = "");

@@ -26,10 +26,18 @@ rough::Index nodes_from(const Settings& settings, rough::Index otherwise, const 
 
 rough::Kernel kernel_from(const Settings& settings, const std::string& prefix = "");
 
+/// The model on a grid that --nodes and --length may change, complete. Throws rough::InputError if it has no
+/// solution.
+rough::Model model_on(rough::Grid grid, const Settings& settings, const std::string& prefix = "");
 /// The model they describe, complete. Throws rough::InputError where it has no solution.
 rough::Model model_from(const Settings& settings, const std::string& prefix = "");
 /// The same for what brings its own grid along: nodes and length default to that.
 rough::Model model_from(const Settings& settings, const rough::Source& source,
                         const std::string& prefix = "");
+
+/// The end of the load and what a node bears: --to-pressure, --pressures and --hardness.
+std::vector<Setting> loading_settings();
+/// The model under that load. Throws rough::InputError on loads that contradict each other.
+rough::Model loaded(rough::Model model, const Settings& settings);
 
 } // namespace app

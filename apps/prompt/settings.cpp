@@ -113,6 +113,11 @@ std::string key_suggestion(const std::string& name, const std::vector<std::strin
 
 } // namespace
 
+std::string keyword(std::string name) {
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
 Settings::Settings(std::string source, std::vector<Setting> known, std::map<std::string, std::string> given,
                    std::map<std::string, int> lines)
     : source_(std::move(source)), given_(std::move(given)), lines_(std::move(lines)) {
@@ -123,6 +128,8 @@ Settings::Settings(std::string source, std::vector<Setting> known, std::map<std:
 std::string Settings::place(const std::string& name) const {
     if (source_.empty())
         return "--" + name.substr(name.find('.') + 1); // an experiment's key by its short name's flag
+    if (source_ == keywords)
+        return keyword(name);
     const auto line = lines_.find(name);
     return source_ + (line == lines_.end() ? "" : ":" + std::to_string(line->second)) + ": " + name;
 }
@@ -149,6 +156,13 @@ double Settings::number(const std::string& name, double from, double to) const {
                                                                      : "from " + ga::number(from) + " to ") +
                          ga::number(to));
     return value;
+}
+
+std::vector<double> Settings::numbers(const std::string& name, double from, double to) const {
+    std::vector<double> all;
+    for (const std::string& word : rough::listed(text(name)))
+        all.push_back(with({{name, word}}).number(name, from, to));
+    return all;
 }
 
 double Settings::positive(const std::string& name) const {

@@ -20,11 +20,16 @@ struct Setting {
     std::string group = {}; ///< heading in the help page; "" for the command's own
 };
 
+/// A setting's name as Python has it: strip_width.
+std::string keyword(std::string name);
+
 /// Values by name. Every reader throws rough::InputError naming the setting, what was given and what was
 /// expected.
 class Settings {
   public:
-    /// `lines` are those of the file, by name, of what was not given on the command line.
+    static constexpr const char* keywords = "()";
+    /// `source` is an .ini file, "" for a command line or `keywords` for a call in Python; `lines` are those
+    /// of the file, by name, of what was not given on the command line.
     Settings(std::string source, std::vector<Setting> known, std::map<std::string, std::string> given,
              std::map<std::string, int> lines = {});
 
@@ -34,6 +39,8 @@ class Settings {
     const std::string& text(const std::string& name) const;
     bool is_on(const std::string& name) const;
     double number(const std::string& name, double from, double to) const;
+    /// Numbers with commas between.
+    std::vector<double> numbers(const std::string& name, double from, double to) const;
     double positive(const std::string& name) const;
     /// A pressure (MPa) whose squares fit double precision.
     double pressure(const std::string& name) const;
@@ -49,8 +56,8 @@ class Settings {
     /// Every file that is there and that a value names, but those of --out and --report: those that are read.
     std::vector<std::filesystem::path> files() const;
 
-    /// "--nodes", "paper.ini:12: model.nodes" or, where no line of the file gives it, "paper.ini:
-    /// model.nodes"; for messages.
+    /// "--nodes", of a call in Python "nodes", "paper.ini:12: model.nodes" or, where no line of the file
+    /// gives it, "paper.ini: model.nodes"; for messages.
     std::string place(const std::string& name) const;
     /// The same with some values changed; "" takes one away.
     Settings with(const std::map<std::string, std::string>& values) const;
@@ -63,7 +70,7 @@ class Settings {
   private:
     std::filesystem::path beside(const std::string& name, const std::string& word) const;
 
-    std::string source_; ///< the file, "" for a command line
+    std::string source_;
     std::map<std::string, Setting> known_;
     std::map<std::string, std::string> given_;
     std::map<std::string, int> lines_; ///< of the file

@@ -12,7 +12,6 @@
 #include "domain/profile/spectrum.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "domain/text/words.hpp"
 
 namespace app {
 
@@ -30,14 +29,6 @@ std::string matrix(const rough::Profile& map) {
     return table.substr(table.find('\n') + 1);
 }
 
-/// Numbers with commas between, each from `from` to `to`.
-std::vector<double> list_of(const Settings& settings, const std::string& name, double from, double to) {
-    std::vector<double> numbers;
-    for (const std::string& word : rough::listed(settings.text(name)))
-        numbers.push_back(settings.with({{name, word}}).number(name, from, to));
-    return numbers;
-}
-
 /// The material ratio curve at one place.
 struct OnCurve {
     double ratio, height; ///< mm from the mean plane
@@ -51,9 +42,9 @@ struct MaterialRatios {
 MaterialRatios ratios_of(rough::Profile map, const Settings& settings) {
     map.heights.array() -= map.heights.mean();
     MaterialRatios found;
-    for (const double height : list_of(settings, "smr", -1e300, 1e300))
+    for (const double height : settings.numbers("smr", -1e300, 1e300))
         found.of_heights.push_back({material_ratio(map, height), height});
-    for (const double ratio : list_of(settings, "smc", 0, 1))
+    for (const double ratio : settings.numbers("smc", 0, 1))
         found.of_ratios.push_back({ratio, rough::material_height(map.heights, ratio)});
     return found;
 }

@@ -15,10 +15,10 @@
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "domain/text/words.hpp"
 #include "ga/base/stopwatch.hpp"
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -63,15 +63,6 @@ Csv coverage_table(const AccuracyRun& run) {
     return table;
 }
 
-std::vector<double> numbers_in(const Settings& settings, const std::string& name) {
-    std::vector<double> numbers;
-    for (const std::string& part : rough::listed(settings.text(name)))
-        numbers.push_back(rough::number_from(part, settings.place(name)));
-    if (numbers.empty())
-        throw rough::InputError(settings.place(name) + ": none given, expected numbers with commas between");
-    return numbers;
-}
-
 /// Each accuracy on one surface.
 void add_savings(AccuracyRun& run, SavingRow row, const rough::Genome& genome, const rough::Model& model,
                  const std::vector<double>& accuracies) {
@@ -93,7 +84,11 @@ void add_savings(AccuracyRun& run, SavingRow row, const rough::Genome& genome, c
 /// Random surfaces of each kind on each body under each load.
 void try_accuracies(AccuracyRun& run, const Settings& settings, const Conditions& conditions) {
     const long samples = settings.whole("accuracy.surfaces", 1, 1000);
-    const std::vector<double> accuracies = numbers_in(settings, "accuracy.accuracies");
+    const std::vector<double> accuracies =
+        settings.numbers("accuracy.accuracies", std::numeric_limits<double>::min(), 1);
+    if (accuracies.empty())
+        throw rough::InputError(settings.place("accuracy.accuracies") +
+                                ": none given, expected numbers with commas between");
     const double light = settings.number("accuracy.light", 1e-3, 1);
     for (const std::string kind : {"smooth", "rough"})
         for (const rough::Kernel kernel : {rough::Kernel::free, rough::Kernel::strip})

@@ -168,20 +168,22 @@ void add_contact(py::module_& module) {
         },
         py::arg("heights"), py::arg("spacing") = py::none(), py::kw_only(), py::arg("gradient") = false,
         py::arg("area_gradient") = false,
-        "Presses a rough surface on an elastic body, load step by load step.\n\n"
-        "heights: N heights (mm) of a line, or N_y x N_x of an area, with their spacing (mm; a pair along x\n"
-        "and y), a Profile, a Surface, or a Genome.\n"
-        "Model keywords, as the program's flags: kernel ('free', 'periodic', 'strip'), datum, strip_width,\n"
-        "modulus, poisson, steps, reach, to_pressure, pressures, hardness, solver, tolerance, accuracy;\n"
-        "of a Genome also nodes and length (pairs along x and y for an area). An area has no datum,\n"
-        "strip_width or accuracy. Returns a Curve. Raises InputError, NotConverged.\n\n"
-        ">>> import numpy, rugosa\n"
-        ">>> x = (numpy.arange(512) - 255.5) / 512\n"
-        ">>> curve = rugosa.contact(-x**2 / 2, 1 / 512)\n"
-        ">>> curve.pressure.shape\n"
-        "(20,)\n"
-        ">>> bool(curve.kkt_residual.max() < 1e-9)\n"
-        "True\n");
+        documented(
+            "Presses a rough surface on an elastic body, load step by load step.\n\n"
+            "heights: N heights (mm) of a line, or N_y x N_x of an area, with their spacing (mm; a pair "
+            "along x\n"
+            "and y), a Profile, a Surface, or a Genome.\n"
+            "Only a Genome takes nodes and length (pairs along x and y for an area). An area has no datum,\n"
+            "strip_width or accuracy. Returns a Curve. Raises InputError, NotConverged.\n\n"
+            ">>> import numpy, rugosa\n"
+            ">>> x = (numpy.arange(512) - 255.5) / 512\n"
+            ">>> curve = rugosa.contact(-x**2 / 2, 1 / 512)\n"
+            ">>> curve.pressure.shape\n"
+            "(20,)\n"
+            ">>> bool(curve.kkt_residual.max() < 1e-9)\n"
+            "True\n",
+            response_settings())
+            .c_str());
 }
 
 } // namespace rugosa::python

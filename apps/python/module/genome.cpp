@@ -52,11 +52,12 @@ void add_genome(py::module_& module) {
             py::arg("genes"), "The genome with its genes replaced.")
         .def(
             "profile",
-            [](const Genome& genome, const OneOrTwo<rough::Index>& nodes, const OneOrTwo<double>& length,
-               const std::string& kernel) {
-                rough::Grid grid = grid_of(nodes, length);
-                grid.wraps = rough::kernel_named(kernel) == rough::Kernel::periodic;
-                return as_python(rough::sample(genome, grid));
+            [](const Genome& genome, const py::object& nodes, const py::object& length,
+               const py::object& kernel) {
+                using namespace py::literals;
+                Keywords keywords(py::dict("nodes"_a = nodes, "length"_a = length, "kernel"_a = kernel),
+                                  "profile");
+                return as_python(rough::sample(genome, model_from(keywords).grid));
             },
             py::arg("nodes") = 512, py::arg("length") = rough::standard_length, py::arg("kernel") = "free",
             "Its heights at `nodes` nodes over `length` mm: a Profile, or, where one of them is a pair along "

@@ -1,7 +1,10 @@
+#include "apps/prompt/area_settings.hpp"
+#include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
 #include "domain/errors.hpp"
 #include "ga/base/errors.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <thread>
 
@@ -38,83 +41,62 @@ bool Interruptible::asked() const { return holds_ && stop_; }
 
 namespace {
 
-/// What only a profile has.
-void expect_for_areas(const Keywords& keywords) {
-    for (const char* name : {"datum", "strip_width", "accuracy"})
-        if (keywords.has(name))
-            throw rough::InputError(std::string(name) + ": given with an area, expected none: it is for "
-                                                        "profiles alone");
+/// A value as the program's flags and keys have it: "on", "1e-3", "64x48", or with commas between.
+std::string text_of(const py::handle& value, const std::string& between) {
+    if (py::isinstance<py::bool_>(value))
+        return value.cast<bool>() ? "on" : "off";
+    if (py::isinstance<py::str>(value) || !py::hasattr(value, "__len__"))
+        return py::str(value);
+    std::string text;
+    for (const py::handle each : value)
+        text += (text.empty() ? "" : between) + text_of(each, between);
+    return text;
 }
 
-rough::Model model_on(Keywords& keywords, const std::function<rough::Grid(bool wraps)>& grid) {
-    rough::Model model;
-    rough::Body& body = model.body;
-    body.kernel = rough::kernel_named(keywords.take<std::string>("kernel", "free"));
-    model.grid = grid(body.kernel == rough::Kernel::periodic);
-    if (model.grid.is_2d()) {
-        expect_for_areas(keywords);
-        if (body.kernel == rough::Kernel::strip)
-            throw rough::InputError("kernel: strip given with an area, expected free or periodic");
-    }
-    body.effective_modulus =
-        rough::effective_modulus(keywords.take("modulus", 1.0), keywords.take("poisson", 0.0));
-    body.datum = keywords.take("datum", 0.0);
-    body.strip_width = keywords.take("strip_width", 0.0);
-    body.hardness = keywords.take("hardness", body.hardness);
-    rough::Loading& loading = model.loading;
-    loading.steps = keywords.take("steps", loading.steps);
-    loading.reach = keywords.take("reach", 0.0);
-    loading.to_pressure = keywords.take("to_pressure", 0.0);
-    if (auto pressures = keywords.take<std::vector<double>>("pressures")) {
-        loading.pressures = std::move(*pressures);
-        loading.steps = static_cast<int>(loading.pressures.size());
-    }
-    model.contact.solver = rough::solver_named(keywords.take<std::string>("solver", "auto"));
-    model.contact.tolerance = keywords.take("tolerance", model.contact.tolerance);
-    model.accuracy = keywords.take("accuracy", 0.0);
-    model = completed(model);
+rough::Model with_load(rough::Model model, const app::Settings& settings) {
+    model.accuracy = app::accuracy_from(settings);
+    model = completed(loaded(std::move(model), settings));
     validate(model);
     return model;
 }
 
 } // namespace
 
-rough::Grid grid_of(const OneOrTwo<rough::Index>& nodes, const OneOrTwo<double>& length) {
-    rough::Grid grid;
-    std::tie(grid.nodes, grid.rows) = both(nodes);
-    std::tie(grid.length, grid.width) = both(length);
-    if (grid.nodes < 2 || grid.rows < 2 || !(grid.length > 0 && grid.width > 0))
-        throw rough::InputError("nodes, length: expected 2 nodes at least and a length above 0");
-    if (nodes.index() + length.index() == 0) { // a line
-        grid.rows = 1;
-        grid.width = 0;
-    } else if (static_cast<double>(grid.nodes) * static_cast<double>(grid.rows) > 1e7) {
-        throw rough::InputError("nodes: " + std::to_string(grid.nodes) + " x " + std::to_string(grid.rows) +
-                                " given, expected at most 1e7 in all");
+app::Settings Keywords::settings(const std::vector<app::Setting>& known,
+                                 const std::vector<std::string>& but) {
+    std::map<std::string, std::string> given;
+    for (const app::Setting& setting : known) {
+        const std::string keyword = app::keyword(setting.name);
+        if (std::find(but.begin(), but.end(), keyword) == but.end())
+            if (const auto value = take<py::object>(keyword))
+                given[setting.name] = text_of(*value, keyword == "pressures" ? "," : "x");
     }
-    return grid;
+    return {app::Settings::keywords, known, given};
 }
 
 rough::Model model_from(Keywords& keywords) {
-    const rough::Grid usual;
-    const auto nodes = keywords.take("nodes", OneOrTwo<rough::Index>(usual.nodes));
-    const rough::Grid grid = grid_of(nodes, keywords.take("length", OneOrTwo<double>(usual.length)));
-    return model_on(keywords, [&](bool) { return grid; });
+    const app::Settings settings = keywords.settings(response_settings());
+    return with_load(surface_model_from(settings), settings);
 }
 
 rough::Model model_from(Keywords& keywords, const rough::Profile& surface) {
-    const auto [columns, rows] = surface.shape();
-    return model_on(keywords, [&, columns = columns, rows = rows](bool wraps) {
-        const auto length = [&](double spacing, rough::Index n) {
-            return spacing * static_cast<double>(wraps ? n : n - 1);
-        };
-        rough::Grid grid{columns, length(surface.spacing, columns)};
-        if (surface.is_2d()) {
-            grid.rows = rows;
-            grid.width = length(surface.row_spacing, rows);
-        }
-        return grid;
-    });
+    const app::Settings settings = keywords.settings(response_settings(), {"nodes", "length"});
+    if (surface.is_2d() && settings.has("accuracy"))
+        throw rough::InputError("accuracy: given with an area, expected none: it is for profiles");
+    return with_load(model_of(surface, settings), settings);
+}
+
+const std::vector<app::Setting>& response_settings() {
+    static const auto all =
+        app::joined({app::model_settings(), {app::accuracy_setting()}, app::loading_settings()});
+    return all;
+}
+
+std::string documented(std::string text, const std::vector<app::Setting>& settings) {
+    for (const app::Setting& setting : settings)
+        text += "\n" + app::keyword(setting.name) + ": " + setting.meaning +
+                (setting.fallback.empty() ? "" : " [" + setting.fallback + "]");
+    return text;
 }
 
 } // namespace rugosa::python

@@ -1,3 +1,5 @@
+#include "apps/prompt/area_settings.hpp"
+#include "apps/prompt/scan_settings.hpp"
 #include "apps/python/module/python.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"
@@ -60,6 +62,15 @@ py::dict in_dictionary(const rough::SurfaceParameters& parameters) {
     for (const rough::SurfaceParameter& one : parameters.rows)
         all[py::str(one.name == "rms curvature" ? "rms_curvature" : one.name)] = one.value;
     return all;
+}
+
+/// The options of a scan that a map has, too.
+std::vector<app::Setting> map_options() {
+    std::vector<app::Setting> options = app::scan_settings();
+    std::erase_if(options, [](const app::Setting& option) {
+        return option.name == "row" || option.name == "fill" || option.name == "outliers";
+    });
+    return options;
 }
 
 } // namespace
@@ -151,41 +162,32 @@ void add_profile(py::module_& module) {
         });
     module.def(
         "read_surface",
-        [](const std::filesystem::path& file, const OneOrTwo<double>& spacing, const std::string& unit,
-           const std::string& detrend) {
-            const auto [along, across] = both(spacing);
-            Surface surface{rough::read_map(file, {unit, along, across}).heights};
-            surface.heights = detrended(surface, rough::detrend_named(detrend, "detrend"));
-            return surface;
+        [](const std::filesystem::path& file, const py::kwargs& options) {
+            Keywords keywords(options, "read");
+            app::Settings settings = keywords.settings(app::joined({app::area_settings(), map_options()}));
+            keywords.expect_none_left();
+            if (!settings.given("detrend"))
+                settings = settings.with({{"detrend", "none"}});
+            return Surface{app::surface_from(settings.with({{"surface", file.string()}})).heights};
         },
-        py::arg("file"), py::kw_only(), py::arg("spacing") = 0.0, py::arg("unit") = "",
-        py::arg("detrend") = "none",
-        "A measured area: X3P, SDF, SUR, GSF, columns x, y, height, or a text matrix with its spacing (a "
-        "pair\n"
-        "along x and y) in `unit` (mm). detrend: the form that is taken off, line for a plane.");
+        py::arg("file"),
+        documented("A measured area: X3P, SDF, SUR, GSF, columns x, y, height, or a text matrix with its "
+                   "spacing (a pair along x and y); detrend is none unless it is given.",
+                   map_options())
+            .c_str());
     module.def(
         "read_profile",
-        [](const std::filesystem::path& file, const std::string& unit, double spacing,
-           const std::string& detrend, bool fill, rough::Index row, const std::string& outliers,
-           double lambda_s, double lambda_c) {
-            rough::ScanOptions options;
-            if (outliers != "keep" && outliers != "remove")
-                throw rough::InputError("outliers: '" + outliers + "' given, expected keep or remove");
-            options.remove_outliers = outliers == "remove";
-            options.lambda_s = lambda_s;
-            options.lambda_c = lambda_c;
-            options.unit = unit;
-            options.spacing = spacing;
-            options.detrend = rough::detrend_named(detrend, "detrend");
-            options.fill = fill;
-            options.row = row;
-            rough::Source source = rough::open_scan(file, options);
+        [](const std::filesystem::path& file, const py::kwargs& options) {
+            Keywords keywords(options, "read");
+            const app::Settings settings = keywords.settings(app::scan_settings());
+            keywords.expect_none_left();
+            rough::Source source = app::scan_from(file, settings, 0);
             return py::make_tuple(std::move(source.measured), std::move(source.account));
         },
-        py::arg("file"), py::kw_only(), py::arg("unit") = "", py::arg("spacing") = 0.0,
-        py::arg("detrend") = "line", py::arg("fill") = false, py::arg("row") = 0,
-        py::arg("outliers") = "keep", py::arg("lambda_s") = 0.0, py::arg("lambda_c") = 0.0,
-        "(Profile, what was read and done to it in words) of a measured scan.");
+        py::arg("file"),
+        documented("(Profile, what was read and done to it in words) of a measured scan.",
+                   app::scan_settings())
+            .c_str());
 }
 
 } // namespace rugosa::python

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/prompt/settings.hpp"
 #include "domain/domain.hpp"
 
 #include <pybind11/eigen.h>
@@ -26,7 +27,7 @@ void add_engine(py::module_& module);
 /// What a Python caller says of a model set-up and a search, each word taken once.
 class Keywords {
   public:
-    Keywords(const py::kwargs& given, std::string of) : of_(std::move(of)) {
+    Keywords(const py::dict& given, std::string of) : of_(std::move(of)) {
         for (const auto& [name, value] : given)
             if (!value.is_none())
                 left_[py::cast<std::string>(name)] = py::reinterpret_borrow<py::object>(value);
@@ -51,7 +52,9 @@ class Keywords {
     T take(const std::string& name, T otherwise) {
         return take<T>(name).value_or(std::move(otherwise));
     }
-    bool has(const std::string& name) const { return left_.contains(name); }
+    /// The keywords with the names of these settings ('_' for '-'), to be read as the program reads its
+    /// flags.
+    app::Settings settings(const std::vector<app::Setting>& known, const std::vector<std::string>& but = {});
     /// Throws TypeError that names a keyword nobody took.
     void expect_none_left() const {
         if (!left_.empty())
@@ -77,13 +80,16 @@ using Spacing = std::optional<OneOrTwo<double>>;
 /// Heights over an area; Python has them in two dimensions.
 struct Surface : rough::Profile {};
 
-/// So many nodes over so many mm; of an area where one of them is a pair.
-rough::Grid grid_of(const OneOrTwo<rough::Index>& nodes, const OneOrTwo<double>& length);
 /// The model that keywords named like the program's flags describe, for a genome: on 512 nodes over 0.84942
 /// mm unless `nodes` and `length` say otherwise.
 rough::Model model_from(Keywords& keywords);
 /// The same on a surface's own nodes.
 rough::Model model_from(Keywords& keywords, const rough::Profile& surface);
+
+/// How a response is computed: keywords of contact(), named like the program's flags.
+const std::vector<app::Setting>& response_settings();
+/// A docstring with a line for each setting that is a keyword.
+std::string documented(std::string text, const std::vector<app::Setting>& settings);
 
 /// Heights (mm) and their distance as a caller gives them: a Profile or Surface, or an array of one or two
 /// dimensions and a spacing.
