@@ -1,7 +1,7 @@
 #include "apps/cluster/cluster.hpp"
 
 #include "apps/prompt/interrupt.hpp"
-#include "apps/prompt/verbosity.hpp"
+#include "apps/prompt/terminal.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/build.hpp"
 #include "ga/base/parallel.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/cluster/cluster.hpp"
+#include "domain/database/build.hpp"
 #include "domain/problem/problem.hpp"
 #include "ga/run/evaluator.hpp"
 
@@ -11,5 +12,10 @@ std::unique_ptr<ga::Evaluator<rough::DesignProblem>> design_evaluator(int thread
 
 /// What each rank does for it, given a DesignSetup: outcomes of genomes, and derivatives.
 cluster::Work designs_under(const nlohmann::json& setup);
+
+/// Responses of a database computed on so many threads of every rank.
+rough::Computing computing_on_ranks(int threads);
+/// What each rank does for it: from a genome's number to its response.
+cluster::Work responses_under(const nlohmann::json& setting);
 
 } // namespace app

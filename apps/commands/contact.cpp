@@ -1,28 +1,118 @@
 #include "apps/commands/commands.hpp"
-#include "apps/prompt/area_settings.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/prompt/scan_settings.hpp"
-#include "apps/prompt/verbosity.hpp"
-#include "apps/report/account.hpp"
-#include "apps/report/contact_tables.hpp"
+#include "apps/prompt/terminal.hpp"
 #include "apps/report/csv.hpp"
+#include "apps/report/drawn.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/render.hpp"
+#include "apps/report/result.hpp"
 #include "apps/report/shape_notes.hpp"
 #include "apps/report/units.hpp"
 #include "domain/accuracy/line_of_map.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/contact/pressure_and_gap.hpp"
 #include "domain/errors.hpp"
+#include "domain/response/model.hpp"
 #include "domain/response/partial_slip.hpp"
+#include "domain/response/response.hpp"
 #include "domain/text/atomic_file.hpp"
 
+#include <nlohmann/json.hpp>
+
+#include <cmath>
 #include <filesystem>
+#include <map>
+#include <string>
 
 namespace app {
 
 namespace {
+
+/// What the page of a contact curve shows beside the curve.
+struct ContactTables {
+    nlohmann::json values;                     ///< keys of CURVE.json
+    std::map<std::string, std::string> tables; ///< CURVE-NAME.csv by NAME
+};
+
+using rough::Index;
+
+/// All of up to four load steps, else one early, one half-way and the last.
+std::vector<Index> shown_steps(Index steps) {
+    if (steps > 4)
+        return {steps / 10, (steps - 1) / 2, steps - 1};
+    std::vector<Index> all;
+    for (Index j = 0; j < steps; ++j)
+        all.push_back(j);
+    return all;
+}
+
+rough::ContactCurve solved_again(const rough::Profile& surface, const rough::Model& model,
+                                 const rough::Response& response) {
+    std::vector<double> displacements;
+    for (const Index j : shown_steps(response.steps()))
+        displacements.push_back(response.displacement[j]);
+    rough::ContactOptions options = model.contact;
+    options.states = true;
+    options.tolerance = std::min(options.tolerance, rough::ContactOptions{}.tolerance);
+    return solve_contact(surface, model.body, displacements, options);
+}
+
+/// Values at the last load, and pressure and gap along a profile or on a map at up to four load steps, which
+/// are solved again. The model is complete. Throws as solve_contact.
+ContactTables contact_tables(const rough::Profile& surface, const rough::Model& model,
+                             const rough::Response& response) {
+    const rough::ContactCurve curve = solved_again(surface, model, response);
+    const bool is_2d = surface.is_2d();
+    Csv loads("load,mean_pressure_MPa,pressure_over_modulus,contact_fraction,spots," +
+              std::string(is_2d ? "largest_spot_mm2" : "widest_spot_mm") +
+              ",highest_pressure_MPa,mean_gap_mm");
+    std::string along = "load,x_mm,pressure_MPa,gap_mm\n";
+    std::vector<std::string> names{"height_mm"};
+    std::vector<Eigen::VectorXd> maps{below_highest(surface)};
+    for (std::size_t i = 0; i < curve.steps.size(); ++i) {
+        const rough::LoadStep& step = curve.steps[i];
+        const rough::Interface at = interface_at(surface, model.body, step, curve.states[i]);
+        loads.row(i + 1, step.pressure, step.pressure / model.body.effective_modulus, step.contact_fraction,
+                  at.spots, at.widest, curve.states[i].pressure.maxCoeff(), at.gap.mean());
+        if (is_2d) {
+            names.push_back("pressure_" + std::to_string(i + 1) + "_MPa");
+            maps.emplace_back(Eigen::VectorXd::Constant(surface.nodes(), NAN));
+            maps.back()(curve.states[i].nodes) = curve.states[i].pressure;
+        } else {
+            along += drawn_rows(std::to_string(i + 1), {positions(surface), at.pressure, at.gap.cwiseMax(0)});
+        }
+    }
+    const Index last = response.steps() - 1;
+    ContactTables all;
+    all.values = {{"kind", "contact"},
+                  {"is_2d", is_2d},
+                  {"pressed_nodes", surface.nodes()},
+                  {"kernel", name_of(model.body.kernel)},
+                  {"effective_modulus_MPa", model.body.effective_modulus},
+                  {"last",
+                   {{"pressure_MPa", response.pressure[last]},
+                    {"contact_fraction", response.contact_fraction[last]},
+                    {"stiffness_MPa_per_mm", response.tangent_stiffness[last]}}},
+                  {"largest_kkt_residual", response.kkt_residual.maxCoeff()}};
+    if (is_2d)
+        all.values["pressed_nodes"] = {surface.shape().columns, surface.shape().rows};
+    all.tables["loads"] = loads.text();
+    if (is_2d) {
+        all.tables["map"] = map_csv(surface, names, maps);
+    } else {
+        all.tables["along"] = along;
+        all.tables["heights-drawn"] = heights_csv(surface);
+        all.tables["bearing"] = bearing_csv(surface.heights);
+    }
+    return all;
+}
+
+/// The names of the tables.
+std::vector<std::string> contact_table_names(bool is_2d) {
+    return is_2d ? std::vector<std::string>{"loads", "map"}
+                 : std::vector<std::string>{"loads", "along", "heights-drawn", "bearing"};
+}
 
 std::vector<Setting> contact_settings() {
     const std::vector<Setting> settings{

@@ -1,13 +1,10 @@
 #include "apps/commands/commands.hpp"
-#include "apps/commands/profile/map.hpp"
-#include "apps/commands/profile/parameters.hpp"
-#include "apps/prompt/area_settings.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/prompt/scan_settings.hpp"
-#include "apps/prompt/verbosity.hpp"
+#include "apps/prompt/terminal.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/drawn.hpp"
 #include "apps/report/output.hpp"
+#include "apps/report/render.hpp"
 #include "apps/report/shape_notes.hpp"
 #include "apps/report/solids.hpp"
 #include "apps/report/units.hpp"
@@ -21,14 +18,14 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 namespace app {
 
 namespace {
 
-constexpr const char* numbers_file = "profile.json";
-constexpr rough::Index fewest_nodes = 10; ///< that roughness can be told of
+constexpr rough::Index fewest_nodes = 10; ///< that roughness can be told of, of a map a side
 
 std::vector<Setting> profile_settings() {
     const std::vector<Setting> settings{
@@ -95,30 +92,6 @@ rough::Extrusion extrusion_from(const Settings& settings) {
     return extrusion;
 }
 
-nlohmann::json numbers_of(const Shape& shape, const rough::Roughness& r, const Settings& settings,
-                          const std::string& name, const std::vector<std::string>& files) {
-    nlohmann::json numbers{
-        {"kind", "profile"},
-        {"name", name},
-        {"account", shape.account},
-        {"files", files},
-        {"nodes", shape.profile.nodes()},
-        {"length_mm", shape.profile.spacing * static_cast<double>(shape.profile.nodes() - 1)},
-        {"lambda_s_mm", settings.has("lambda-s") ? nlohmann::json(settings.positive("lambda-s")) : nullptr},
-        {"lambda_c_mm", settings.has("lambda-c") ? nlohmann::json(settings.positive("lambda-c")) : nullptr},
-        {"section_length_mm", r.section_length},
-        {"sections", r.sections},
-        {"version", RUGOSA_VERSION}};
-    add_parameters(numbers, r.rows);
-    if (!shape.lines.empty()) { // exact, over lengths that all waves divide
-        double m0 = 0, m2 = 0, m4 = 0;
-        for (const auto& [k, power] : shape.lines)
-            m0 += power, m2 += power * k * k, m4 += power * k * k * k * k;
-        numbers["series"] = {{"m0_mm2", m0}, {"m2", m2}, {"m4_per_mm2", m4}};
-    }
-    return numbers;
-}
-
 std::pair<Eigen::VectorXd, Eigen::VectorXd> columns(const std::vector<rough::SpectralLine>& lines) {
     Eigen::VectorXd k(static_cast<Eigen::Index>(lines.size())), power(k.size());
     for (Eigen::Index i = 0; i < k.size(); ++i) {
@@ -126,6 +99,242 @@ std::pair<Eigen::VectorXd, Eigen::VectorXd> columns(const std::vector<rough::Spe
         power[i] = lines[static_cast<std::size_t>(i)].power;
     }
     return {k, power};
+}
+
+/// A text matrix as --surface reads it.
+std::string matrix(const rough::Profile& map) {
+    std::vector<Eigen::VectorXd> columns;
+    const auto [nodes, rows] = map.shape();
+    for (rough::Index i = 0; i < nodes; ++i)
+        columns.emplace_back(map.heights(Eigen::seqN(i, rows, nodes)));
+    const std::string table = csv(std::vector<std::string>(columns.size()), columns);
+    return table.substr(table.find('\n') + 1);
+}
+
+/// The material ratio curve at one place.
+struct OnCurve {
+    double ratio, height; ///< mm from the mean plane
+};
+
+/// What --smr and --smc ask for, of the mean plane.
+struct MaterialRatios {
+    std::vector<OnCurve> of_heights, of_ratios;
+};
+
+MaterialRatios ratios_of(rough::Profile map, const Settings& settings) {
+    map.heights.array() -= map.heights.mean();
+    MaterialRatios found;
+    for (const double height : settings.numbers("smr", -1e300, 1e300))
+        found.of_heights.push_back({material_ratio(map, height), height});
+    for (const double ratio : settings.numbers("smc", 0, 1))
+        found.of_ratios.push_back({ratio, rough::material_height(map.heights, ratio)});
+    return found;
+}
+
+/// The ratios that were requested, as rows beside the set that surface.json holds.
+std::vector<rough::SurfaceParameter> told(const MaterialRatios& ratios) {
+    std::vector<rough::SurfaceParameter> all;
+    for (const OnCurve& one : ratios.of_heights) {
+        const Unit unit = length_unit(std::abs(one.height));
+        all.push_back({"Smr(" + brief(unit.factor * one.height, 4) + " " + unit.name + ")", "",
+                       "material ratio at this height over the mean plane", one.ratio});
+    }
+    for (const OnCurve& one : ratios.of_ratios)
+        all.push_back({"Smc(" + brief(100 * one.ratio, 4) + " %)", "mm",
+                       "height that this share of the area exceeds", one.height});
+    return all;
+}
+
+nlohmann::json curve_json(const std::vector<OnCurve>& points) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const OnCurve& one : points)
+        all.push_back({{"material_ratio", one.ratio}, {"height_mm", one.height}});
+    return all;
+}
+
+/// A file by its name, made when it is written: a map's are large.
+using Table = std::pair<std::string, std::function<std::string()>>;
+
+/// What is written of a profile or a map.
+struct Description {
+    std::string kind; ///< profile or surface, as its files are called
+    std::shared_ptr<const rough::Profile> surface;
+    rough::Spectrum spectrum;
+    std::string account;
+    std::vector<rough::SurfaceParameter> rows; ///< parameters
+    std::vector<rough::SurfaceParameter> requested = {};
+    double largest_height;  ///< mm
+    nlohmann::json numbers; ///< keys of KIND.json besides those that both have
+    std::vector<Table> tables;
+    std::vector<std::string> unlisted = {}; ///< of these, files that the page does not name
+    std::vector<std::pair<std::string, std::string>> pictures; ///< SVG files and figures
+};
+
+Description described_profile(const Settings& settings) {
+    const auto shape = std::make_shared<Shape>(shape_from(settings));
+    const rough::Profile& profile = shape->profile;
+    const bool is_roughness = settings.has("lambda-c");
+    const rough::Roughness r = rough::roughness(profile, is_roughness ? settings.positive("lambda-c") : 0);
+    Description all{.kind = "profile",
+                    .surface = {shape, &profile},
+                    .spectrum = continuous_spectrum(profile),
+                    .account = shape->account + (shape->jump.empty() ? "" : "\n" + shape->jump),
+                    .rows = r.rows,
+                    .largest_height = r[is_roughness ? "Rt" : "Pt"],
+                    .numbers = {{"account", shape->account},
+                                {"nodes", profile.nodes()},
+                                {"length_mm", profile.spacing * static_cast<double>(profile.nodes() - 1)},
+                                {"section_length_mm", r.section_length},
+                                {"sections", r.sections}},
+                    .tables = {},
+                    .pictures = {{"profile.svg", "profile-heights"}, {"spectrum.svg", "spectrum:mm³"}}};
+    all.tables = {{"heights.csv",
+                   [=] {
+                       return csv({"x_mm", "height_mm"}, {positions(shape->profile), shape->profile.heights});
+                   }},
+                  {"heights-drawn.csv", [=] { return heights_csv(shape->profile); }},
+                  {"spectrum.csv", [s = all.spectrum] {
+                       return csv({"wave_number_rad_per_mm", "density_mm3"}, {s.wave_number, s.density});
+                   }}};
+    all.unlisted = {"heights-drawn.csv", "lines.csv"};
+    if (!shape->lines.empty()) { // exact, over lengths that all waves divide
+        double m0 = 0, m2 = 0, m4 = 0;
+        for (const auto& [k, power] : shape->lines)
+            m0 += power, m2 += power * k * k, m4 += power * k * k * k * k;
+        all.numbers["series"] = {{"m0_mm2", m0}, {"m2", m2}, {"m4_per_mm2", m4}};
+        all.tables.emplace_back("lines.csv", [=] {
+            const auto [k, power] = columns(shape->lines);
+            return csv({"wave_number_rad_per_mm", "power_mm2"}, {k, power});
+        });
+    }
+    return all;
+}
+
+Description described_map(const Settings& settings) {
+    const bool wraps = settings.is_on("periodic"), measured = settings.has("surface");
+    rough::Map read = measured ? surface_from(settings) : sampled_from(settings, wraps, fewest_nodes);
+    const auto map = std::make_shared<const rough::Profile>(std::move(read.heights));
+    const rough::ArealParameters areal = areal_parameters(*map, wraps);
+    const MaterialRatios ratios = ratios_of(*map, settings);
+    const auto [nodes, rows] = map->shape();
+    Description all{.kind = "surface",
+                    .surface = map,
+                    .spectrum = continuous_spectrum(*map, wraps),
+                    .account = (measured ? settings.text("surface") + ": " : "") + read.account,
+                    .rows = areal.rows,
+                    .requested = told(ratios),
+                    .largest_height = areal["Sz"],
+                    .numbers = {{"account", read.account},
+                                {"length_mm",
+                                 {map->spacing * static_cast<double>(nodes - 1),
+                                  map->row_spacing * static_cast<double>(rows - 1)}},
+                                {"nodes", {nodes, rows}},
+                                {"spacing_mm", {map->spacing, map->row_spacing}},
+                                {"Str_is_bound", areal.Str_is_bound}},
+                    .tables = {},
+                    .pictures = {{"heights.svg", "map:height"}, {"spectrum.svg", "spectrum:mm⁴"}}};
+    all.tables = {{"heights.txt", [=] { return matrix(*map); }},
+                  {"surface.vtk", [=] { return vtk(*map); }},
+                  {"map.csv", [=] { return map_csv(*map, {"height_mm"}, {below_highest(*map)}); }},
+                  {"spectrum.csv", [s = all.spectrum] {
+                       return csv({"wave_number_rad_per_mm", "density_mm4", "power_mm2"},
+                                  {s.wave_number, s.density, s.power});
+                   }}};
+    all.unlisted = {"map.csv"};
+    if (settings.has("smr"))
+        all.numbers["Smr_of_heights"] = curve_json(ratios.of_heights);
+    if (settings.has("smc"))
+        all.numbers["Smc_of_ratios"] = curve_json(ratios.of_ratios);
+    return all;
+}
+
+/// KIND.json: each parameter under its key (`Pa_mm`), and under `parameters` all rows that the page shows.
+nlohmann::json numbers_of(const Description& of, const Settings& settings, const std::string& name,
+                          const std::vector<std::string>& files) {
+    const auto cut_off = [&](const char* flag) {
+        return settings.has(flag) ? nlohmann::json(settings.positive(flag)) : nullptr;
+    };
+    nlohmann::json numbers = of.numbers;
+    numbers.update({{"kind", of.kind},
+                    {"name", name},
+                    {"files", files},
+                    {"lambda_s_mm", cut_off("lambda-s")},
+                    {"lambda_c_mm", cut_off("lambda-c")},
+                    {"version", RUGOSA_VERSION}});
+    for (const rough::SurfaceParameter& one : of.rows)
+        numbers[one.key()] = one.value;
+    for (const auto* const all : {&of.rows, &of.requested})
+        for (const rough::SurfaceParameter& one : *all)
+            numbers["parameters"].push_back(
+                {{"name", one.name}, {"value", one.value}, {"unit", one.unit}, {"meaning", one.meaning}});
+    return numbers;
+}
+
+/// Prints parameters as lines of the terminal, heights in the unit that suits the largest (mm).
+void print_parameters(const std::vector<rough::SurfaceParameter>& all, double largest) {
+    const Unit height = length_unit(largest);
+    for (const rough::SurfaceParameter& one : all) {
+        char line[160];
+        if (std::isfinite(one.value))
+            std::snprintf(line, sizeof line, "  %-14s %12.6g %-5s %s", one.name.c_str(),
+                          one.value * (one.unit == "mm" ? height.factor : 1),
+                          one.unit == "mm" ? height.name.c_str() : one.unit.c_str(), one.meaning.c_str());
+        else
+            std::snprintf(line, sizeof line, "  %-14s %12s %-5s %s", one.name.c_str(), "none", "",
+                          one.meaning.c_str());
+        say(line);
+    }
+}
+
+/// Writes report.html and, of each figure, an SVG file. A picture that cannot be drawn costs nothing else.
+void write_pages(const std::filesystem::path& folder,
+                 const std::vector<std::pair<std::string, std::string>>& pictures) {
+    const PageSource source = page_source(folder);
+    for (const auto& [file, figure] : pictures)
+        try {
+            rough::write_atomically(folder / file, figure_file(figure, source));
+        } catch (const rough::InputError& error) {
+            say("note: " + file + " is left out: " + error.what());
+        }
+    rough::write_atomically(page_of(source), render(source));
+}
+
+void write_description(const Description& of, const Settings& settings, const rough::Extrusion& extrusion) {
+    const bool pictures = settings.is_on("pictures");
+    const Solids solids = solids_of(*of.surface, extrusion);
+    const std::filesystem::path source = settings.text(settings.has("genome")    ? "genome"
+                                                       : settings.has("profile") ? "profile"
+                                                                                 : "surface");
+    std::vector<std::string> names{of.kind + ".json", of.kind + ".x3p",     of.kind + ".stl",
+                                   of.kind + ".3mf",  "bearing.csv",        "spectrum-drawn.csv",
+                                   "report.html",     of.pictures[0].first, of.pictures[1].first};
+    for (const Table& table : of.tables)
+        names.push_back(table.first);
+    const OutputFolder out(settings.text("out"), source.stem().string(),
+                           {names, settings.files(), settings.is_on("force")});
+    const auto write = [&](const std::string& name, const std::string& content) {
+        rough::write_atomically(out.path() / name, content);
+    };
+    std::vector<std::string> files{of.kind + ".json", "bearing.csv", of.kind + ".x3p"};
+    for (const auto& [name, content] : of.tables) {
+        write(name, content());
+        if (std::find(of.unlisted.begin(), of.unlisted.end(), name) == of.unlisted.end())
+            files.push_back(name);
+    }
+    write(of.kind + ".x3p", x3p(*of.surface));
+    write("bearing.csv", bearing_csv(of.surface->heights));
+    write("spectrum-drawn.csv", drawn_csv({"wave_number_rad_per_mm", "density"},
+                                          {of.spectrum.wave_number, of.spectrum.density}, true));
+    for (const std::string& solid : write_solids(solids, out.path(), of.kind))
+        files.push_back(solid);
+    write_json(out.path() / (of.kind + ".json"), numbers_of(of, settings, source.filename().string(), files));
+    if (pictures)
+        write_pages(out.path(), of.pictures);
+    say(of.account);
+    std::vector<rough::SurfaceParameter> all = of.rows;
+    all.insert(all.end(), of.requested.begin(), of.requested.end());
+    print_parameters(all, of.largest_height);
+    say("written to " + out.path().string());
 }
 
 } // namespace
@@ -154,55 +363,12 @@ int profile(const Words& words) {
     if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
         throw rough::InputError("profile: expected one of a genome file, --profile and --surface");
     const rough::Extrusion extrusion = extrusion_from(settings);
-    if (settings.has("surface") || (settings.has("genome") && asks_for_area(settings)))
-        return profile_map(settings, extrusion);
+    const bool is_map = settings.has("surface") || (settings.has("genome") && asks_for_area(settings));
     for (const std::string name : {"periodic", "smr", "smc"})
-        if (settings.given(name))
+        if (!is_map && settings.given(name))
             throw rough::InputError("--" + name +
                                     ": given without an area, expected with --surface or --nodes NXxNY");
-    const bool pictures = settings.is_on("pictures");
-
-    const Shape shape = shape_from(settings);
-    const bool is_roughness = settings.has("lambda-c");
-    const rough::Roughness roughness =
-        rough::roughness(shape.profile, is_roughness ? settings.positive("lambda-c") : 0);
-    const rough::Spectrum spectrum = continuous_spectrum(shape.profile);
-    const Solids solids = solids_of(shape.profile, extrusion);
-
-    const std::filesystem::path source = settings.text(settings.has("genome") ? "genome" : "profile");
-    const OutputFolder out(settings.text("out"), source.stem().string(),
-                           {{numbers_file, "heights.csv", "heights-drawn.csv", "profile.x3p", "profile.stl",
-                             "profile.3mf", "spectrum.csv", "spectrum-drawn.csv", "lines.csv", "bearing.csv",
-                             "profile.svg", "spectrum.svg", "report.html"},
-                            settings.files(),
-                            settings.is_on("force")});
-    const auto write = [&](const char* name, const std::string& content) {
-        rough::write_atomically(out.path() / name, content);
-    };
-    write("heights.csv", csv({"x_mm", "height_mm"}, {positions(shape.profile), shape.profile.heights}));
-    write("profile.x3p", x3p(shape.profile));
-    const std::vector<std::string> solid_files = write_solids(solids, out.path(), "profile");
-    write("bearing.csv", bearing_csv(shape.profile.heights));
-    write("spectrum.csv",
-          csv({"wave_number_rad_per_mm", "density_mm3"}, {spectrum.wave_number, spectrum.density}));
-    write("heights-drawn.csv", heights_csv(shape.profile));
-    write("spectrum-drawn.csv",
-          drawn_csv({"wave_number_rad_per_mm", "density"}, {spectrum.wave_number, spectrum.density}, true));
-    if (!shape.lines.empty()) {
-        const auto [k, power] = columns(shape.lines);
-        write("lines.csv", csv({"wave_number_rad_per_mm", "power_mm2"}, {k, power}));
-    }
-    std::vector<std::string> files{numbers_file, "heights.csv", "bearing.csv", "spectrum.csv", "profile.x3p"};
-    files.insert(files.end(), solid_files.begin(), solid_files.end());
-    write_json(out.path() / numbers_file,
-               numbers_of(shape, roughness, settings, source.filename().string(), files));
-    if (pictures)
-        write_pages(out.path(), {{"profile.svg", "profile-heights"}, {"spectrum.svg", "spectrum:mm³"}});
-    say(shape.account);
-    if (!shape.jump.empty())
-        say(shape.jump);
-    print_parameters(roughness.rows, roughness[is_roughness ? "Rt" : "Pt"]);
-    say("written to " + out.path().string());
+    write_description(is_map ? described_map(settings) : described_profile(settings), settings, extrusion);
     return 0;
 }
 

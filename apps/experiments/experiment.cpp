@@ -1,7 +1,7 @@
 #include "apps/experiments/experiment.hpp"
 
 #include "apps/prompt/interrupt.hpp"
-#include "apps/prompt/verbosity.hpp"
+#include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/render.hpp"
 #include "apps/report/units.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/prompt/progress.hpp"
+#include "apps/prompt/terminal.hpp"
 #include "apps/prompt/settings.hpp"
 #include "apps/report/record.hpp"
 #include "ga/base/stopwatch.hpp"

@@ -18,4 +18,11 @@ std::vector<std::string> carried_notes(const std::vector<rough::Target>& goals, 
 std::vector<std::string> without_effect(const Settings& settings,
                                         const std::vector<std::string>& targets = {});
 
+/// The target files that a setting names, commas between: as given on the command line, or beside the .ini
+/// that names them. Throws rough::InputError where there is none.
+std::vector<std::filesystem::path> target_files(const Settings& settings, const std::string& name);
+
+/// What they hold, each named as its file.
+std::vector<rough::Target> named_targets(const Settings& settings, const std::string& name);
+
 } // namespace app

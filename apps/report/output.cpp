@@ -1,6 +1,6 @@
 #include "apps/report/output.hpp"
 
-#include "apps/prompt/verbosity.hpp"
+#include "apps/prompt/terminal.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/report/record.hpp"
+#include "domain/accuracy/respond_within.hpp"
 #include "domain/design/search.hpp"
 
 #include <nlohmann/json.hpp>
@@ -24,5 +25,13 @@ nlohmann::json origin_json(const Origin& origin);
 /// was modelled of the answer (an account for each way the target is loaded) and, for the free half-plane,
 /// dK/d ln d at each load step.
 nlohmann::json result_json(const Record& record);
+
+/// What was modelled, as CURVE.json and result.json hold it: nodes, steps, chromosomes used and dropped with
+/// their bound, solver, tolerance, seconds, estimated error, and the same in words.
+nlohmann::json account_json(const rough::Account& account);
+
+/// What a search modelled of a genome, and how far off that is from the same model solved throughout
+/// (`true_error`).
+nlohmann::json modelled_json(const rough::Genome& genome, const rough::Model& model);
 
 } // namespace app

@@ -1,6 +1,6 @@
 #include "apps/report/solids.hpp"
 
-#include "apps/prompt/verbosity.hpp"
+#include "apps/prompt/terminal.hpp"
 #include "domain/text/atomic_file.hpp"
 
 namespace app {

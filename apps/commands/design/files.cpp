@@ -1,7 +1,7 @@
 #include "apps/commands/design/files.hpp"
 
 #include "apps/commands/design/summary.hpp"
-#include "apps/prompt/verbosity.hpp"
+#include "apps/prompt/terminal.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"

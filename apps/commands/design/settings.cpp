@@ -1,9 +1,7 @@
 #include "apps/commands/design/settings.hpp"
 
-#include "apps/prompt/area_settings.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/prompt/scan_settings.hpp"
 #include "apps/report/units.hpp"
 #include "domain/database/starts.hpp"
 #include "domain/design/like.hpp"

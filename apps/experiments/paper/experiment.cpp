@@ -4,7 +4,7 @@
 #include "apps/experiments/paper/studies.hpp"
 #include "apps/experiments/paper/variant_runs.hpp"
 #include "apps/report/output.hpp"
-#include "apps/report/recorder.hpp"
+#include "apps/report/record.hpp"
 #include "apps/report/result.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/stored.hpp"

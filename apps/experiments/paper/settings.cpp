@@ -1,6 +1,5 @@
 #include "apps/experiments/paper/run.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/prompt/scan_settings.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/curve.hpp"
 #include "domain/text/atomic_file.hpp"

@@ -1,6 +1,6 @@
 #include "apps/experiments/paper/variant_runs.hpp"
 
-#include "apps/report/recorder.hpp"
+#include "apps/report/record.hpp"
 #include "domain/target/similarity.hpp"
 #include "ga/base/parallel.hpp"
 

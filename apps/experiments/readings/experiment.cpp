@@ -4,7 +4,7 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
-#include "apps/report/recorder.hpp"
+#include "apps/report/record.hpp"
 #include "apps/report/result.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"

@@ -1,7 +1,7 @@
 #include "apps/experiments/solvers/chart.hpp"
 
 #include "apps/experiments/experiment.hpp"
-#include "apps/prompt/progress.hpp"
+#include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
 #include "apps/report/units.hpp"

@@ -1,4 +1,3 @@
-#include "apps/prompt/area_settings.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
 #include "domain/errors.hpp"

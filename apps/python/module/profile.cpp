@@ -1,5 +1,4 @@
-#include "apps/prompt/area_settings.hpp"
-#include "apps/prompt/scan_settings.hpp"
+#include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"

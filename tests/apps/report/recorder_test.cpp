@@ -1,4 +1,4 @@
-#include "apps/report/recorder.hpp"
+#include "apps/report/record.hpp"
 
 #include <catch2/catch.hpp>
 
