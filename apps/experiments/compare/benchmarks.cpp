@@ -1,4 +1,4 @@
-#include "apps/experiments/compare/benchmarks.hpp"
+#include "apps/experiments/compare/contest.hpp"
 
 #include "apps/experiments/compare/problems/bbob.hpp"
 #include "apps/experiments/compare/problems/problems.hpp"

@@ -2,7 +2,7 @@
 
 #include "apps/cluster/evaluator.hpp"
 #include "apps/experiments/paper/studies.hpp"
-#include "apps/experiments/paper/variant_runs.hpp"
+#include "apps/experiments/paper/run.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/record.hpp"
 #include "apps/report/result.hpp"

@@ -1,5 +1,5 @@
 #include "apps/experiments/paper/claims.hpp"
-#include "apps/experiments/paper/variant_runs.hpp"
+#include "apps/experiments/paper/run.hpp"
 
 #include <catch2/catch.hpp>
 

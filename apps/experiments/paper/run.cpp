@@ -1,4 +1,4 @@
-#include "apps/experiments/paper/variant_runs.hpp"
+#include "apps/experiments/paper/run.hpp"
 
 #include "apps/report/record.hpp"
 #include "domain/target/similarity.hpp"
