@@ -6,7 +6,6 @@
 #include "ga/base/number.hpp"
 
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +16,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <poll.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
 #include <vector>

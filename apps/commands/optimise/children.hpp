@@ -5,13 +5,12 @@
 #include "ga/base/budget.hpp"
 #include "ga/base/stopwatch.hpp"
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <sys/types.h>
 #include <vector>
 
 namespace app {
