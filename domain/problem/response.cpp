@@ -1,6 +1,8 @@
 #include "domain/problem/response.hpp"
 
+#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
+#include "domain/mwm/sampling.hpp"
 #include "domain/target/similarity.hpp"
 
 #include <algorithm>
@@ -14,6 +16,9 @@ Model pressed_by(Model model, const Loading& loading) {
     model.loading = loading;
     return model;
 }
+
+/// Of the displacement of full contact, where the curve of a profile ends that cannot be pressed further.
+constexpr double nearly_full = 0.999;
 
 /// An area's load is found to its solver's tolerance, and solved once more there: none ends below the target.
 double load_slack(const Model& model) { return model.grid.is_2d() ? 1 + 3 * model.contact.tolerance : 1; }
@@ -78,11 +83,34 @@ DesignResponse scored(const DesignSetup& setup, std::vector<Response> pressed) {
     return result;
 }
 
+bool may_pass_full_contact(const Loading& loading, const Body& body) {
+    return body.kernel == Kernel::periodic && !body.yields() &&
+           loading.to_displacement + loading.to_pressure > 0;
+}
+
+Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model) {
+    if (!may_pass_full_contact(loading, model.body))
+        return loading;
+    const double last = nearly_full * displacement_range(profile, model.body.kernel);
+    const bool beyond = loading.to_displacement > last ||
+                        (loading.to_pressure > 0 &&
+                         solve_contact(profile, model.body, {last}, model.contact).steps.front().pressure <
+                             loading.to_pressure);
+    if (beyond) {
+        loading.to_displacement = loading.to_pressure = 0;
+        loading.reach = nearly_full;
+    }
+    return loading;
+}
+
 std::vector<Response> pressed(const DesignSetup& setup, const Genome& genome, const Model& model) {
     std::vector<Response> responses;
-    for (const Loading& loading : loadings_of(setup, model.loading).each)
-        responses.push_back(respond(at_scale_one(genome, setup), pressed_by(model, loading)));
-
+    const Genome shape = at_scale_one(genome, setup);
+    for (Loading loading : loadings_of(setup, model.loading).each) {
+        if (may_pass_full_contact(loading, model.body))
+            loading = up_to_full_contact(loading, sample(shape, model.grid), model);
+        responses.push_back(respond(shape, pressed_by(model, loading)));
+    }
     return responses;
 }
 
@@ -93,7 +121,7 @@ DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Mod
 DesignResponse respond(const DesignSetup& setup, const Profile& profile, const Model& model) {
     std::vector<Response> responses;
     for (const Loading& loading : loadings_of(setup, model.loading).each)
-        responses.push_back(respond(profile, pressed_by(model, loading)));
+        responses.push_back(respond(profile, pressed_by(model, up_to_full_contact(loading, profile, model))));
     return scored(setup, std::move(responses));
 }
 

@@ -12,6 +12,11 @@ struct Loadings {
 };
 /// The ways a set-up's targets are loaded, `loading` giving the steps.
 Loadings loadings_of(const DesignSetup& setup, const Loading& loading);
+/// Whether a profile may be in full contact before the load steps end: on an elastic periodic body.
+bool may_pass_full_contact(const Loading& loading, const Body& body);
+/// The load steps as they are, or, where they pass full contact, up to 0.999 of its displacement: beyond it
+/// there is no displacement. The profile's curves are then continued by their last segments.
+Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model);
 /// The set-up's model for each way the targets are loaded.
 std::vector<Model> loaded_models(const DesignSetup& setup);
 

@@ -45,7 +45,8 @@ Pressed pressed_with_jacobian(const DesignSetup& setup, const Genome& genome, co
         for (std::size_t t = 0; t < setup.targets.size(); ++t)
             with_area |= loadings.of_target[t] == way && is_contact_fraction(setup.targets[t].quantity);
         auto [response, gradient, area] =
-            respond_with_gradient(profile, model.body, loadings.each[way], model.contact, with_area);
+            respond_with_gradient(profile, model.body, up_to_full_contact(loadings.each[way], profile, model),
+                                  model.contact, with_area);
         result.jacobians.push_back(in_genes(
             gradient, [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); },
             area));

@@ -66,6 +66,26 @@ TEST_CASE("they do so for loads against displacement, bands, weights and two tar
     check_jacobian(setup, genome, "similarity");
 }
 
+TEST_CASE("they do so for a periodic profile in full contact before the target ends") {
+    std::mt19937_64 random(37);
+    for (const Quantity quantity : {Quantity::load_at_displacement, Quantity::stiffness}) {
+        DesignSetup setup = drawn_setup();
+        setup.model.body.kernel = Kernel::periodic;
+        setup.model.grid.wraps = true;
+        const Genome genome =
+            testing::random_genome(random, 2, 1, setup.model.grid.length, setup.limits.shortest_wave);
+        const double full = displacement_range(sample(genome, setup.model.grid), Kernel::periodic);
+        const Response own = respond(genome, setup.model);
+        const double last = quantity == Quantity::stiffness ? 2 * own.pressure.maxCoeff() : 1.5 * full;
+        Target& target = setup.targets[0];
+        target.quantity = quantity;
+        target.x = Eigen::VectorXd::LinSpaced(10, 0.1 * last, last);
+        target.y = Eigen::VectorXd::LinSpaced(10, 1, 10) *
+                   (quantity == Quantity::stiffness ? own.tangent_stiffness[2] : own.pressure[2]);
+        check_jacobian(setup, genome, "similarity");
+    }
+}
+
 TEST_CASE("they do so for interface stiffness, with and without Eq. 11") {
     std::mt19937_64 random(36);
     for (const bool free_amplitude : {false, true}) {
