@@ -1,6 +1,5 @@
 #include "domain/mwm/sobol.hpp"
 #include "domain/paper/variants.hpp"
-#include "domain/target/similarity.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -123,16 +122,6 @@ TEST_CASE("CCO's parents are reduced to their dominant chromosomes and keep thei
         CHECK(part[i].genome.scale == whole[i].genome.scale);
         CHECK(shape_key(part[i].genome) ==
               shape_key(reduced(whole[i].genome, (*coarse.words.rule)(whole[i].genome))));
-    }
-}
-
-TEST_CASE("an answer's similarity can be computed again from its genome") {
-    const Coarse coarse;
-    for (auto algorithm : {sog, gco, cco}) {
-        const auto answer = run_on(coarse, algorithm(coarse.words, Form::paper), 2).population.front();
-        CHECK(similarity(coarse.problem.setup(), answer.genome) == Approx(answer.value()).margin(1e-9));
-        const Curve curve = secant_stiffness(respond(folded(answer.genome), coarse.model));
-        CHECK(similarity(coarse.problem.setup().targets[0], curve) == Approx(answer.value()).margin(1e-9));
     }
 }
 

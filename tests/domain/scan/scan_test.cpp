@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <random>
 
 using namespace rough;
 
@@ -185,31 +184,6 @@ TEST_CASE("a layout of its own that is no profile, or ends early, is refused wit
     CHECK_THAT(refusal("1 2\na 0 PRF\nCX M 3 MM 1 D\nCZ M 3 UM 1 L\nEOR\nEOR\n1\n2\n1\nEOR\n"),
                Catch::Contains("line 6") && Catch::Contains("SPACING CX"));
     CHECK_THAT(refusal("SigmaSurf_Data 1.0\nPROFILE_UM:\n1\n2\n"), Catch::Contains("SPACING_UM"));
-}
-
-TEST_CASE("a damaged file is read or refused in one line, whatever is cut out of it or put into it") {
-    std::mt19937 random(7);
-    const auto below = [&](std::size_t n) { return random() % n; };
-    const std::string marks = std::string(";,\t\n =*-.eE19#x\xB5\x03", 18) + '\0';
-    for (const QuirkFile& file : quirk_files())
-        for (int i = 0; i < 25; ++i) {
-            std::string bytes = file.bytes;
-            if (i % 2)
-                bytes.erase(below(bytes.size()), below(20));
-            else
-                bytes.insert(below(bytes.size()), 1, marks[below(marks.size())]);
-            if (i % 5 == 0)
-                bytes.resize(below(bytes.size()));
-            INFO(file.quirk << "\n" << bytes);
-            try {
-                const Scan scan =
-                    read(bytes, {.unit = file.unit, .spacing = file.spacing, .fill = i % 3 == 0});
-                CHECK(scan.profile.heights.allFinite());
-                CHECK(scan.profile.spacing > 0);
-            } catch (const InputError& error) {
-                CHECK(std::string(error.what()).find('\n') == std::string::npos);
-            }
-        }
 }
 
 TEST_CASE("mean, line and parabola are removed exactly and only they") {
