@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <numeric>
+
 using namespace ga;
 
 namespace {
@@ -130,6 +132,27 @@ TEST_CASE("three generations of CMA-ES equal those of an independent program") {
     cloud.learn(c, 5 * steps); // so far that the path of C stalls
     check(3.1282184853713275, 2.8491011812147575, 1.3130938780643515, 2.197923196966732, 0.44020658447124417,
           2.2152431620282624, -0.013511614158820797, 0.714564252159636);
+}
+
+TEST_CASE("a mirrored child teaches nothing when it is bad, all when it is good") {
+    const CmaConstants c(2, 6);
+    Eigen::MatrixXd steps(2, 6);
+    steps << 1, 0.3, -0.2, 0.9, -1.5, 0.1, 0.5, -1, 0.4, 1.1, 0.2, 2;
+    const auto learnt = [&](const Eigen::MatrixXd& from, const std::vector<bool>& altered) {
+        Cloud cloud(Eigen::Vector2d(1, 2), 0.5);
+        cloud.learn(c, from, altered);
+        return cloud;
+    };
+    const Cloud whole = learnt(steps, {});
+    CHECK(learnt(steps, {true, true, true, false, false, false}).covariance == whole.covariance);
+    // What is taken away is c_mu |w| (n y y' / |y|^2 - C): Eq. 46 and 47 from C = I.
+    const Eigen::Vector2d y = steps.col(4);
+    const double w = c.c_mu * c.weights[4];
+    const Eigen::Matrix2d less = w * (2 * y * y.transpose() / y.squaredNorm() - Eigen::Matrix2d::Identity());
+    const Cloud without = learnt(steps, {false, false, false, false, true});
+    CHECK((without.covariance - (whole.covariance - less)).norm() < 1e-15);
+    CHECK(without.mean == whole.mean);
+    CHECK(without.sigma == whole.sigma);
 }
 
 TEST_CASE("CMA-ES needs the published evaluations on sphere, ellipsoid and Rosenbrock") {
@@ -299,6 +322,29 @@ TEST_CASE("CMA-ES learns only from its own children") {
     REQUIRE(joined.population.size() > alone.population.size());
     for (std::size_t i = 0; i < alone.population.size(); ++i)
         CHECK(joined.population[i].genome == alone.population[i].genome);
+    /// New individuals in everybody's place.
+    struct Strangers : Operator {
+        std::string text() const { return "strangers"; }
+        void check(CheckState&) const {}
+        Population<Vector> operator()(Population<Vector> population, Context<Reals>& context) const {
+            for (auto& each : population)
+                context.make_child(each, Parents());
+            return population;
+        }
+    };
+    int looked = 0;
+    const Watched<CmaEs> cma{cma_es(), [&](const CmaEs::State& before, const CmaEs::State& now, const auto&) {
+                                 if (before.moving.empty())
+                                     return;
+                                 CHECK(now.cloud.mean == before.cloud.mean);
+                                 CHECK(now.cloud.covariance == before.cloud.covariance);
+                                 CHECK(now.cloud.sigma == before.cloud.sigma);
+                                 CHECK(now.children != before.children);
+                                 ++looked;
+                             }};
+    run(reals("sample 1 | score") | repeat(5, Stage<Reals>(cma) | Strangers() | reals("score")), rosenbrock,
+        {});
+    CHECK(looked == 4);
 }
 
 TEST_CASE("CMA-ES converges when a refinement moves its children far, or its start fails") {
@@ -556,12 +602,20 @@ TEST_CASE("an operator's state starts again with its block and differs between i
 }
 
 TEST_CASE("a learning operator is refused when nothing repeats or scores it") {
-    for (const auto& [pipeline, message] :
-         {std::pair("sample 9 | score | cma-es | score", "learns from one generation to the next"),
-          {"sample 9 | score | self-adaptive | score", "learns from one generation to the next"},
-          {"sample 9 | repeat 2 { cma-es | score }", "needs a scored population"},
-          {"sample 9 | pareto f f2 | repeat 2 { l-shade | pareto f f2 }", "objective"},
-          {"sample 9 | score | repeat 2 { cma-es restarts=often | score }", "expected bipop, ipop or none"},
-          {"sample 9 | score | repeat 2 { de worst | score }", "expected rand, best or current-to-best"}})
+    const auto refused = [](const std::string& pipeline, const std::string& message) {
         CHECK_THROWS_WITH(run(pipeline, minimum(3, functions::sphere)), Catch::Contains(message));
+    };
+    for (const std::string name : {"cma-es", "l-shade", "self-adaptive"})
+        refused("sample 9 | score | " + name + " | score", "learns from one generation to the next");
+    for (const std::string name : {"cma-es", "de"})
+        refused("sample 9 | repeat 2 { " + name + " | score }", "needs a scored population");
+    for (const std::string name : {"cma-es", "l-shade"})
+        refused("sample 9 | pareto f f2 | repeat 2 { " + name + " | pareto f f2 }", "objective");
+    refused("sample 9 | score | repeat 2 { cma-es restarts=often | score }", "expected bipop, ipop or none");
+    refused("sample 9 | score | repeat 2 { de worst | score }", "expected rand, best or current-to-best");
+    refused("sample 9 | score | repeat 2 { de crossing=Exp | score }",
+            "crossing is 'Exp'; expected bin or exp");
+    refused("sample 9 | score | repeat 2 { self-adaptive steps=two | score }", "expected each or one");
+    refused("sample 9 | score | repeat 2 { cma-es population=1 | score }",
+            "population is '1'; expected 0, or 2 at least");
 }

@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <fstream>
 #include <map>
 
 using namespace ga;
@@ -90,27 +89,19 @@ TEST_CASE("islands inside islands never give one identity to two individuals") {
     CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
 }
 
-TEST_CASE("nested islands keep to a bounded number of threads and give the same bits on any") {
-    std::string first;
-    for (const int threads : {1, 3}) {
-        std::atomic<long> most = 0; // threads of the process during an evaluation
-        Reals problem;
-        problem.f = [&](const Vector& x) {
-            std::ifstream status("/proc/self/status");
-            for (std::string word; status >> word;)
-                if (long count = 0; word == "Threads:" && status >> count)
-                    for (long before = most; before < count && !most.compare_exchange_weak(before, count);) {
-                    }
-            return x;
-        };
-        const auto result = run("sample 400 | score | islands 20 rounds=2 migrants=0 { islands 20 rounds=1 "
-                                "migrants=0 { mutate 0.5 | score } }",
-                                problem, {}, {.threads = threads});
-        CHECK(result.population.size() == 400);
-        CHECK(most <= 64 + 64 + 8);
-        CHECK((first.empty() || bits_of(result) == first));
-        first = bits_of(result);
-    }
+TEST_CASE("islands without migrants need no score") {
+    CHECK(run("sample 4 | islands 2 rounds=2 migrants=0 { mutate 1 } | score", Reals{}).population.size() ==
+          4);
+    CHECK_THROWS_AS(run("sample 4 | islands 2 rounds=2 migrants=1 { mutate 1 } | score", Reals{}),
+                    UsageError);
+}
+
+TEST_CASE("islands note remarks under their own paths") {
+    CHECK(run("score | islands 2 rounds=1 migrants=0 { score | above 50 at_least=2 }", given(),
+              individuals({1, 2, 3, 4, 5, 6}))
+              .notes ==
+          std::vector<std::string>{"pipeline/islands.1/island1/above.1: 0 of 3 above 50; took the 2 best",
+                                   "pipeline/islands.1/island2/above.1: 0 of 3 above 50; took the 2 best"});
 }
 
 TEST_CASE("restarts join the answers of different runs") {

@@ -263,7 +263,7 @@ TEST_CASE("a run that used the older checkpoint keeps it until the next is writt
     CHECK_NOTHROW(opened(before));
 }
 
-TEST_CASE("a forged checkpoint that nests too deep is refused") {
+TEST_CASE("a forged checkpoint that nests too deep or does not fit is refused") {
     const tests::Folder folder;
     const fs::path file = folder / "run";
     seal(file, std::string(200000, '\x81') + '\x01'); // arrays of one array of one array ...
@@ -272,6 +272,27 @@ TEST_CASE("a forged checkpoint that nests too deep is refused") {
                       "checkpoint '" + file.string() + "' nests too deep; expected one that a run wrote");
     CHECK(read_cbor(std::string(63, '\x81') + '\x80', file).size() == 1); // 64 arrays
     CHECK_THROWS_AS(read_cbor(std::string(64, '\x81') + '\x80', file), UsageError);
+    const json good = stopped(file, evolving);
+    for (const auto& [place, value] :
+         std::vector<std::pair<std::string, json>>{{"/snapshot/0/0/0", 99},
+                                                   {"/snapshot/0/1/2", json::array()},
+                                                   {"/snapshot/0/1/3", json::array()}}) {
+        json altered = good;
+        altered[json::json_pointer(place)] = value;
+        CHECK_THROWS_WITH(forged(file, altered, evolving),
+                          "the checkpoint does not fit its pipeline; expected one that was written by it");
+    }
+}
+
+TEST_CASE("a forged checkpoint with a gene fewer than its origin is refused") {
+    const tests::Folder folder;
+    const std::string pipeline = "sample 3 | score | repeat 3 { refine nlopt LN_COBYLA 4 }";
+    json altered = stopped(folder / "run", pipeline);
+    for (auto& frame : altered["snapshot"][0])
+        for (auto& individual : frame[1])
+            individual[0].erase(0);
+    CHECK_THROWS_WITH(forged(folder / "run", altered, pipeline),
+                      "refine: gene 5 is to move, the genome has 5");
 }
 
 TEST_CASE("a forged state of an operator that learns is refused or harmless") {
@@ -319,4 +340,15 @@ TEST_CASE("a checkpoint follows no link, and a failed write does not stop the ru
     CHECK(result.population.size() == 3);
     REQUIRE(result.notes.size() == 1);
     CHECK(result.notes[0].find("cannot be written") != std::string::npos);
+}
+
+TEST_CASE("a checkpoint is written when the program has no standard input") {
+    const tests::Folder folder;
+    const int input = ::dup(0);
+    ::close(0); // the next file takes its number
+    const std::string trouble = seal(folder / "run", "all");
+    ::dup2(input, 0);
+    ::close(input);
+    CHECK(trouble.empty());
+    CHECK(opened(folder / "run") == "all");
 }

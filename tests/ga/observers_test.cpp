@@ -46,6 +46,8 @@ TEST_CASE("a log has one row per stage with the population's fitness") {
     for (std::string line; std::getline(lines, line);)
         rows.push_back(line);
     REQUIRE(rows.size() == 1 + 2 + 10 * 5 + 1);
+    CHECK(rows[0] ==
+          "path,generation,individuals,best,median,diversity,asked,evaluations,gradients,failures,seconds");
     CHECK(rows[1].starts_with("v/sample.1,,20,,,1,0,0,0,0,"));
     CHECK(rows[2].starts_with("v/score.1,,20,-"));
     CHECK(rows[52].starts_with("v/repeat.1/elite.1,9,20," + number(result.best->value())));
@@ -117,6 +119,16 @@ TEST_CASE("a hall of fame keeps the best different genomes, best first") {
         values.push_back(member.value());
     CHECK(values == std::vector<double>{5, 4, 3});
     CHECK(hall.members[0].identity == 1);
+}
+
+TEST_CASE("the status names place, generation, best and evaluations") {
+    std::vector<std::string> lines;
+    const Reals problem;
+    run(pipeline, problem, {}, {.variant = "v"},
+        {progress<Vector>([&](const std::string& line) { lines.push_back(line); }, 0)});
+    CHECK(lines[0] == "v/sample.1, 0 evaluations");
+    CHECK(lines[7].starts_with("v/repeat.1/tournament.1 generation 2: best -0."));
+    CHECK(lines.back().ends_with(" evaluations"));
 }
 
 TEST_CASE("a summary has count, best, median and share of different individuals") {

@@ -319,4 +319,25 @@ TEST_CASE("every algorithm of NLopt runs or is refused by name") {
             CHECK(std::string(refused.what()).find("unknown") == std::string::npos);
         }
     }
+    const auto refused = [](const std::string& name, const std::string& message) {
+        CHECK_THROWS_WITH(run("score | refine nlopt " + name + " 8", CurveFit{}, CurveFit::start(2)),
+                          Catch::Contains(message));
+    };
+    refused("LN_COBYLE",
+            "refine nlopt: unknown algorithm 'LN_COBYLE'; expected one of NLopt's, e.g. LN_COBYLA");
+    refused("LN_AUGLAG", "refine nlopt: algorithm 'LN_AUGLAG' needs a second optimiser; expected one that "
+                         "works alone, e.g. LN_COBYLA");
+    refused("LD_LBFGS", "needs the problem's gradient; expected a method without, e.g. nlopt LN_COBYLA");
+}
+
+TEST_CASE("a choice of genes that does not fit is refused") {
+    const auto refused = [](std::vector<Variable> box, const std::string& method,
+                            const std::string& message) {
+        Reals problem;
+        problem.box = [box](const Vector&) { return box; };
+        CHECK_THROWS_WITH(run("sample 1 | score | refine " + method, problem), message);
+    };
+    refused({{7, 0, 1}}, "nlopt LN_COBYLA 3", "refine: gene 7 is to move, the genome has 6");
+    refused({{0, -HUGE_VAL, HUGE_VAL}}, "nlopt GN_CRS2_LM 8",
+            "refine nlopt GN_CRS2_LM: finite domain required for global algorithm");
 }

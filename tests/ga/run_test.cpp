@@ -158,6 +158,16 @@ TEST_CASE("every thread works from the first batch on, without effect on a bit")
     }
 }
 
+TEST_CASE("four threads are 3.5 times as fast as one when evaluations are uneven", "[.][speed]") {
+    const auto seconds = [](int threads) {
+        Uneven uneven;
+        const Stopwatch clock;
+        run("sample 200 | score", uneven.problem, {}, {.threads = threads});
+        return clock.seconds();
+    };
+    CHECK(seconds(1) > 3.5 * seconds(4));
+}
+
 TEST_CASE("an evaluator's failures mark their individuals") {
     struct Odd : Serial<Reals> {
         void outcomes(const Reals& problem, std::span<Call<Reals>> calls, const Watch& watch) override {

@@ -68,6 +68,19 @@ TEST_CASE("a population has converged when all are feasible and their objectives
     CHECK_FALSE(holds({Fitness(Name("both"), Point{1, 2}), Fitness(Name("both"), Point{1, 2.75})}));
 }
 
+TEST_CASE("an unscored population does not count as an improvement") {
+    Numbers memory;
+    const auto start = run("sample 3 | score", Reals{}).population;
+    CHECK(improves(Progress<Vector>{0, 0, 0, start}, memory));
+    auto better = run("score", Reals{}, population<Vector>({Vector(6, 0)})).population;
+    better.push_back({Vector(6, 0), 1, {}, {}, {}});
+    CHECK_FALSE(improves(Progress<Vector>{1, 0, 0, better}, memory));
+    better.pop_back();
+    CHECK(improves(Progress<Vector>{2, 0, 0, better}, memory));
+    CHECK_FALSE(improves(Progress<Vector>{3, 0, 0, better}, memory));
+    CHECK(memory[2] == 2);
+}
+
 TEST_CASE("stagnation ignores failed individuals") {
     const auto start = run("sample 5 | score", Reals{}).population;
     auto with_failed = start;

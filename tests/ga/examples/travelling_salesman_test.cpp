@@ -1,6 +1,8 @@
 // The travelling salesman, with an optimum that is known: towns on a circle, and a grid of even side.
 
+#include "ga/checkpoint/checkpoint.hpp"
 #include "ga/ga.hpp"
+#include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -65,6 +67,31 @@ TEST_CASE("a search with restarts finds the shortest tour of a 4 x 6 grid") {
     // where one population may stop at a longer tour, several seldom all do
     const auto restarted = restarts(6, pipeline | best(1));
     CHECK(-run(restarted, problem, nobody).best->value() == Approx(24).epsilon(1e-12));
+}
+
+TEST_CASE("a run of permutations resumes to the uninterrupted result, in any memory") {
+    const tests::Folder folder;
+    Salesman problem{{{0, 0}, {1, 0}, {3, 0}, {3, 1}, {0, 2}, {2, 2}, {1, 1}}};
+    const Stage<Salesman> breeding =
+        sample(20) | score() |
+        repeat(8, tournament(4) | cross(order(), 0.3) | mutate(0.05, reverse()) | score() | plus());
+    for (const std::size_t bytes : {std::size_t{1} << 30, std::size_t{5000}, std::size_t{3000}}) {
+        const auto whole = run(breeding, problem, {}, {.memory_bytes = bytes});
+        for (long budget = 30;; budget += 30) {
+            Checkpoints<Salesman> checkpoints(folder / "run", std::to_string(bytes), budget > 30);
+            const auto part =
+                run(breeding, problem, {}, {.memory_bytes = bytes, .budget = {.evaluations = budget}}, {},
+                    &checkpoints);
+            if (!part.stopped.empty())
+                continue;
+            CHECK(budget > 30);
+            CHECK(json(part.population) == json(whole.population));
+            CHECK(json(part.counters) == json(whole.counters));
+            break;
+        }
+        if (bytes == 3000) // some outcomes were forgotten
+            CHECK(whole.counters.evaluations > run(breeding, problem, {}).counters.evaluations);
+    }
 }
 
 TEST_CASE("a start that is no permutation is refused") {
