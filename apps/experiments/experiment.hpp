@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/prompt/terminal.hpp"
 #include "apps/prompt/settings.hpp"
+#include "apps/prompt/terminal.hpp"
 #include "apps/report/record.hpp"
 #include "ga/base/stopwatch.hpp"
 

@@ -1,7 +1,7 @@
 #include "apps/experiments/experiment.hpp"
 #include "apps/external/process.hpp"
-#include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/goals.hpp"
+#include "apps/prompt/model_settings.hpp"
 #include "apps/report/builtin.hpp"
 #include "apps/report/result.hpp"
 #include "domain/errors.hpp"

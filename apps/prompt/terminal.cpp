@@ -2,13 +2,12 @@
 
 #include "domain/errors.hpp"
 
-#include <sys/ioctl.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace app {

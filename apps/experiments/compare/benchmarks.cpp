@@ -1,5 +1,4 @@
 #include "apps/experiments/compare/contest.hpp"
-
 #include "apps/experiments/compare/problems/bbob.hpp"
 #include "apps/experiments/compare/problems/problems.hpp"
 #include "domain/design/search.hpp"

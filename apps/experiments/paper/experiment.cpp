@@ -1,8 +1,8 @@
 #include "apps/experiments/experiment.hpp"
 
 #include "apps/cluster/evaluator.hpp"
-#include "apps/experiments/paper/studies.hpp"
 #include "apps/experiments/paper/run.hpp"
+#include "apps/experiments/paper/studies.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/record.hpp"
 #include "apps/report/result.hpp"

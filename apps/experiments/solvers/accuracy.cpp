@@ -2,8 +2,8 @@
 
 #include "apps/experiments/experiment.hpp"
 #include "apps/experiments/solvers/trial.hpp"
-#include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/goals.hpp"
+#include "apps/prompt/model_settings.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/record.hpp"

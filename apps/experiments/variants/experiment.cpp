@@ -2,8 +2,8 @@
 
 #include "apps/cluster/evaluator.hpp"
 #include "apps/experiments/variants/run.hpp"
-#include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/goals.hpp"
+#include "apps/prompt/model_settings.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/record.hpp"

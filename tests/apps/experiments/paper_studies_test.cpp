@@ -1,5 +1,5 @@
-#include "apps/experiments/paper/studies.hpp"
 #include "apps/experiments/paper/run.hpp"
+#include "apps/experiments/paper/studies.hpp"
 
 #include <catch2/catch.hpp>
 
