@@ -13,7 +13,7 @@ namespace {
 
 using rough::Index;
 
-/// All of up to four load steps, else one early, one half-way and the last.
+/// All load steps, if there are at most four. If there are more: an early one, the middle one and the last.
 std::vector<Index> shown_steps(Index steps) {
     if (steps > 4)
         return {steps / 10, (steps - 1) / 2, steps - 1};

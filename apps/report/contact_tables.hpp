@@ -10,14 +10,14 @@
 
 namespace app {
 
-/// What the page of a contact curve shows beside the curve.
+/// Values and tables of the page of a contact curve, besides the curve.
 struct ContactTables {
     nlohmann::json values;                     ///< keys of CURVE.json
     std::map<std::string, std::string> tables; ///< CURVE-NAME.csv by NAME
 };
 
-/// Values at the last load, and pressure and gap along a profile or on a map at up to four load steps, which
-/// are solved again. The model is complete. Throws as solve_contact.
+/// Values at the last load, and pressure and gap along a profile or on a map. Up to four load steps are
+/// solved again for them. The model is complete. Throws as solve_contact.
 ContactTables contact_tables(const rough::Profile& surface, const rough::Model& model,
                              const rough::Response& response);
 

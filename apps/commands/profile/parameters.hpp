@@ -3,7 +3,7 @@
 #include "apps/report/render.hpp"
 #include "domain/profile/roughness.hpp"
 
-/// What `profile` does with the parameters and pictures of a line and of a map alike.
+/// Output of the parameters and pictures of a line or a map.
 namespace app {
 
 /// Prints parameters as lines of the terminal, heights in the unit that suits the largest (mm).
@@ -14,7 +14,8 @@ void print_parameters(const std::vector<rough::SurfaceParameter>& all, double la
 void add_parameters(nlohmann::json& values, const std::vector<rough::SurfaceParameter>& rows,
                     const std::vector<rough::SurfaceParameter>& more = {});
 
-/// Writes report.html and, of each figure, an SVG file. A picture that cannot be drawn costs nothing else.
+/// Writes report.html and, of each figure, an SVG file. A picture that cannot be drawn is left out with a
+/// note.
 void write_pages(const std::filesystem::path& folder,
                  const std::vector<std::pair<std::string, std::string>>& pictures);
 
