@@ -37,7 +37,7 @@ struct ContactTables {
 
 using rough::Index;
 
-/// All of up to four load steps, else one early, one half-way and the last.
+/// All load steps, if there are at most four. If there are more: an early one, the middle one and the last.
 std::vector<Index> shown_steps(Index steps) {
     if (steps > 4)
         return {steps / 10, (steps - 1) / 2, steps - 1};
@@ -120,8 +120,7 @@ std::vector<Setting> contact_settings() {
         {"profile", "", "measured profile in place of a genome: text, SDF, SUR, GSF or X3P"},
         {"out", "", "curve file to write (CSV)"},
         {"report", "",
-         "page to write beside it (HTML): the curve, pressure and gap along the profile or on the area "
-         "[none]"},
+         "page to write (HTML): the curve, and pressure and gap along the profile or on the area [none]"},
         {"force", "", "write over existing files", true},
         {"threads", "0", "accepted as in design and run, but a curve needs one thread only"},
         {"seed", "1", "accepted as in design and run, but nothing here is random"},
@@ -134,7 +133,7 @@ std::vector<Setting> contact_settings() {
     return joined({area_settings(), settings, loading_settings(), scan_settings(), model_settings()});
 }
 
-/// CURVE.json beside CURVE.csv.
+/// The path of CURVE.json, in the folder of CURVE.csv.
 std::filesystem::path account_beside(const std::filesystem::path& curve) {
     auto account = curve;
     return curve.extension() == ".json" ? account += ".json" : account.replace_extension(".json");
@@ -148,7 +147,7 @@ rough::Model within_accuracy(rough::Model model, const Settings& settings) {
     return model;
 }
 
-/// CURVE-NAME.csv beside CURVE.csv.
+/// The path of CURVE-NAME.csv, in the folder of CURVE.csv.
 std::filesystem::path beside(const std::filesystem::path& curve, const std::string& name) {
     return std::filesystem::path(curve).replace_filename(curve.stem().string() + "-" + name +
                                                          curve.extension().string());
@@ -160,19 +159,19 @@ std::string slip_csv(const rough::PartialSlip& slip) {
                {slip.displacement, slip.traction, slip.stiffness, slip.stick_fraction});
 }
 
-/// Flags that decide nothing are still held to their range.
+/// Checks the range of flags that have no effect here.
 void expect_common(const Settings& settings) {
     settings.threads("threads");
     settings.seed("seed");
 }
 
-/// What was pressed, and how it answered.
+/// A surface and its response.
 struct Pressed {
     rough::Source source;
-    rough::Profile map; ///< of an area
+    rough::Profile map; ///< an area; empty if a line was pressed
     rough::Model model;
     rough::AccountedResponse result;
-    std::vector<std::string> notes; ///< what was read, and what strains the model
+    std::vector<std::string> notes; ///< on the input, and on limits of the model
 };
 
 /// The contact spots of the last load step, the largest first; those of a line are as wide as the map.
@@ -187,7 +186,7 @@ std::string spots_csv(const AreaScene& scene, const rough::AccountedResponse& re
     return csv({"nodes", "area_mm2"}, {nodes, nodes * scene.map.spacing * scene.map.row_spacing});
 }
 
-/// Of a measured surface on a periodic body.
+/// Notes a measured surface whose ends differ, on a periodic body.
 void add_jump_note(const rough::Profile& surface, const rough::Model& model,
                    std::vector<std::string>& notes) {
     if (model.body.kernel == rough::Kernel::periodic)
@@ -236,7 +235,7 @@ Pressed pressed(const Settings& settings) {
     return {std::move(source), {}, std::move(model), std::move(result), std::move(notes)};
 }
 
-/// What is written beside the curve, as the page links to it.
+/// A written file as the page links to it.
 std::string from_page(const std::filesystem::path& file, const std::filesystem::path& page) {
     const auto folder = std::filesystem::absolute(page).parent_path();
     return std::filesystem::absolute(file).lexically_proximate(folder).string();

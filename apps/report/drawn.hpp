@@ -8,16 +8,17 @@
 /// Tables that figures draw: no more rows than a picture can show.
 namespace app {
 
-/// The rows of lines through the same x that a picture shows: all of up to 4,000; of more, the lowest and the
-/// highest point of each line on each of its places along x. With `logarithmic` the places are even in log x.
+/// The rows that a picture of some lines over common x shows. Up to 4,000 rows are all shown. Of more, x is
+/// cut into even intervals (even in log x with `logarithmic`), and each line's lowest and highest point in
+/// each interval are shown.
 std::vector<rough::Index> rows_to_draw(const Eigen::VectorXd& x, const std::vector<Eigen::VectorXd>& lines,
                                        bool logarithmic = false);
 
-/// Those rows as CSV: x, then the lines. Columns have equal lengths.
+/// The rows of rows_to_draw() as CSV: x, then the lines. Columns have equal lengths.
 std::string drawn_csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns,
                       bool logarithmic = false);
 
-/// The same without a header, each row behind a word.
+/// The rows of drawn_csv() without a header, each after a word and a comma.
 std::string drawn_rows(const std::string& word, const std::vector<Eigen::VectorXd>& columns);
 
 /// Positions of a profile's nodes along it, mm.
@@ -26,9 +27,9 @@ Eigen::VectorXd positions(const rough::Profile& profile);
 /// Heights (mm) of a profile about their mean along it: `x_mm,height_mm`.
 std::string heights_csv(const rough::Profile& profile);
 
-/// Values at the nodes of a map as CSV, 6 digits: `x_mm`, `y_mm` and one column each. At most 256 places
-/// along an axis: the mean of the finite values among the nodes that a place stands for; empty if there are
-/// none.
+/// Values at the nodes of a map as CSV, 6 digits: `x_mm`, `y_mm` and one column each. A larger map than
+/// 256 x 256 is averaged over blocks of nodes. A block's value is the mean of its finite values, or an empty
+/// cell if it has only others.
 std::string map_csv(const rough::Profile& map, const std::vector<std::string>& names,
                     const std::vector<Eigen::VectorXd>& values);
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <kainjow/mustache.hpp>
 #include <sstream>
 #include <string_view>
 #include <sys/mman.h>
@@ -17,6 +18,8 @@
 namespace app {
 
 namespace {
+
+using kainjow::mustache::html_escape;
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
@@ -36,13 +39,13 @@ constexpr std::array<std::array<const char*, 2>, 11> colours{{{"rgb(  1,   2,   
                                                               {"\"black\"", "\"var(--ink)\""},
                                                               {"rgb(  0,   0,   0)", "var(--ink)"}}};
 
-/// What a script's first line says is to be seen.
+/// A figure's description: the first line of its script.
 std::string told_by(const std::string& script) {
     const std::string line = script.substr(0, script.find('\n'));
     return line.starts_with("# ") ? line.substr(2) : "Picture";
 }
 
-/// What gnuplot made of a script.
+/// The outcome of a script.
 struct Drawn {
     std::string pictures; ///< its standard output
     std::string failure;  ///< why it made none, in a few words
@@ -84,14 +87,14 @@ std::string told(const std::string& complaint) {
     return last;
 }
 
-/// Runs gnuplot on a script for at most so many seconds: no shell, no start-up file of the user's, no file on
-/// the disk. It and what it started are ended when the time is over.
+/// Runs gnuplot on a script without a shell, a start-up file or a file on the disk. After `seconds` gnuplot
+/// and its children are killed.
 Drawn run_gnuplot(const std::string& script, double seconds) {
     const MemoryFile in, out, err;
     in.fill(script);
     pid_t child = 0;
     if (start_process(child, {"gnuplot", "-d"}, in.get(), out.get(), err.get()) != 0) // no start-up file
-        return {"", "it is not to be found"};
+        return {"", "it was not found; install the Debian package gnuplot-nox"};
     int status = 0;
     if (!process_ended_within(seconds, child, status)) {
         kill(-child, SIGKILL);
@@ -103,8 +106,8 @@ Drawn run_gnuplot(const std::string& script, double seconds) {
     return {out.content(), ""};
 }
 
-/// A text as gnuplot's string that is this text and nothing else: whatever could end it, be expanded or be
-/// run is written by its number.
+/// A text as a string of gnuplot's that is this text and nothing else. A character that could end it, be
+/// expanded or be run is written as its number.
 std::string gnuplot_text(const std::string& text) {
     std::string result = "\"";
     for (const char c : text)
@@ -119,29 +122,6 @@ std::string gnuplot_text(const std::string& text) {
     return result + "\"";
 }
 
-/// Text for HTML and SVG.
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text)
-        switch (c) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        default:
-            result += c;
-        }
-    return result;
-}
-
 } // namespace
 
 std::string figure_document(const FigureScript& figure) {
@@ -151,8 +131,7 @@ std::string figure_document(const FigureScript& figure) {
                     figure.seconds);
     if (drawn.pictures.find("<svg") == std::string::npos)
         throw rough::InputError("gnuplot did not draw it" +
-                                (drawn.failure.empty() ? "" : " (" + drawn.failure + ")") +
-                                "; install the Debian package gnuplot-nox");
+                                (drawn.failure.empty() ? "" : ": " + drawn.failure));
     return drawn.pictures;
 }
 
@@ -161,10 +140,10 @@ std::string figure_svg(const FigureScript& figure) {
     try {
         svg = figure_document(figure);
     } catch (const rough::InputError& error) {
-        return "<p>No picture: " + escaped(error.what()) + ".</p>";
+        return "<p>No picture: " + html_escape(std::string(error.what())) + ".</p>";
     }
     svg.erase(0, svg.find("<svg"));
-    svg.insert(4, " role=\"img\" aria-label=\"" + escaped(told_by(figure.script)) + "\"");
+    svg.insert(4, " role=\"img\" aria-label=\"" + html_escape(told_by(figure.script)) + "\"");
     for (const auto& [written, variable] : colours)
         replace_all(svg, written, variable);
     // The markers that gnuplot defines have the same ids in every picture.

@@ -18,7 +18,7 @@ struct FigureScript {
 /// there is none. Runs gnuplot without a shell, without a start-up file and without a file on the disk.
 std::string figure_svg(const FigureScript& figure);
 
-/// The same picture as an SVG document with colours of its own. Throws rough::InputError if there is none.
+/// The picture as an SVG document with fixed colours. Throws rough::InputError if gnuplot does not draw it.
 std::string figure_document(const FigureScript& figure);
 
 } // namespace app

@@ -113,7 +113,7 @@ json table_json(const std::filesystem::path& file) {
     return table;
 }
 
-/// The text of a template or script: the user's own if the folder has it, else the built-in one.
+/// The text of a template or script: the user's if --templates has it, else the built-in one.
 std::string file_text(const std::string& name, const Rendering& rendering) {
     if (!rendering.templates.empty() && std::filesystem::exists(rendering.templates / name))
         return rough::read_whole(rendering.templates / name);
@@ -151,7 +151,7 @@ std::string address(const std::string& path) {
     return text;
 }
 
-/// What the tags of a page are looked up in.
+/// The values that a page's tags name.
 class Context : public kainjow::mustache::context<std::string> {
   public:
     Context(const data& values, const PageSource& source, const Rendering& rendering)

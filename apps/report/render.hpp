@@ -37,7 +37,7 @@ struct Rendering {
 /// read.
 std::string render(const PageSource& source, const Rendering& rendering = {});
 
-/// One picture as an SVG file of its own; `figure` as behind `figures.` in a template. Throws
+/// A picture as an SVG document. `figure` is written as after `figures.` in a template. Throws
 /// rough::InputError if it cannot be drawn.
 std::string figure_file(const std::string& figure, const PageSource& source, const Rendering& rendering = {});
 

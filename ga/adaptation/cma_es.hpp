@@ -237,6 +237,7 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     const auto& p = j.at(4);
     s.plan = {p.at(0), p.at(1), p.at(2), p.at(3), p.at(4), p.at(5), p.at(6)};
     s.run = {j.at(5).at(0), j.at(5).at(1), j.at(5).at(2)};
+    expect_fit(s.moving.empty() || (s.run.lambda >= 2 && s.plan.usual >= 2));
     j.at(6).get_to(s.children);
     s.ended = j.at(7);
     j.at(8).get_to(s.mirrored);

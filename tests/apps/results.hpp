@@ -20,19 +20,24 @@ inline nlohmann::json result_of(const Ended& ended, const std::filesystem::path&
     return result_in(folder);
 }
 
-/// Without what a clock or the command line decides.
-inline nlohmann::json timeless(nlohmann::json result) {
-    using nlohmann::json;
-    if (result.is_object()) {
-        for (const char* name : {"threads", "command", "seconds"})
-            result.erase(name);
-        if (result.value("id", json()) == "minute") // the paper's claim on the time
-            result.erase("numbers");
+/// A value without the times in it, at any depth.
+inline nlohmann::json without_times(nlohmann::json value) {
+    if (value.is_object()) {
+        value.erase("seconds");
+        if (value.value("id", nlohmann::json()) == "minute") // the paper's claim on the time
+            value.erase("numbers");
     }
-    if (result.is_structured())
-        for (auto& part : result)
-            part = timeless(std::move(part));
-    return result;
+    if (value.is_structured())
+        for (auto& part : value)
+            part = without_times(std::move(part));
+    return value;
+}
+
+/// A result without its times, its threads and its command.
+inline nlohmann::json timeless(nlohmann::json result) {
+    result.erase("threads");
+    result.erase("command");
+    return without_times(std::move(result));
 }
 
 /// The rows of numbers in a CSV file behind its header, which is some words where they are given.

@@ -1,9 +1,10 @@
-// Prints what the engine costs and reaches, and verifies nothing:
-// - the overhead, ns an evaluation on 20 real genes, population 100, 1000 generations, trivial fitness, one
-//   thread; `as sga` and `as de` have the operators and numbers of libpagmo's algorithms, which stand beside
-//   them where libpagmo was found when this was built;
-// - the best value after 100,000 evaluations of Rastrigin-20, over 20 seeds;
-// - the speed-up of scoring a population with a 1 ms fitness on two threads.
+// Prints measurements of the engine without a verdict:
+// - the overhead for each evaluation (ns): 20 real genes, population 100, 1000 generations, trivial fitness,
+// one
+//   thread. `as sga` and `as de` have the operators and numbers of libpagmo's algorithms.
+// - libpagmo's overhead, if this was built with libpagmo.
+// - the best value after 100,000 evaluations of Rastrigin's function of 20 genes, over 20 seeds.
+// - the speed-up on two threads, for a population whose fitness takes 1 ms.
 
 #include "ga/adaptation/adaptation.hpp"
 #include "ga/ga.hpp"
@@ -32,7 +33,7 @@ double seconds_of(auto&& work) {
     return clock.seconds();
 }
 
-/// Of this thread alone.
+/// Processor time of this thread, s.
 double work_of(auto&& work) {
     const double before = rough::testing::processor_seconds();
     work();
@@ -126,7 +127,7 @@ void reach() {
 }
 
 #ifdef RUGOSA_PAGMO
-/// The same function as libpagmo takes it.
+/// The function in libpagmo's form.
 template <double (*f)(const std::vector<double>&)>
 struct Theirs {
     std::vector<double> fitness(const std::vector<double>& x) const { return {f(x)}; }
@@ -147,7 +148,7 @@ double theirs(const std::string& name, unsigned seed) {
     return method.evolve(population).champion_f()[0];
 }
 
-/// Of libpagmo's algorithm, whose operators and numbers are those of our pipeline `like`.
+/// Prints the overhead of libpagmo's algorithm and the ratio of our overhead, in ns, to it.
 void pagmo_beside(const std::string& name, double ours) {
     std::vector<double> nanoseconds, best;
     for (unsigned i = 0; i < 9; ++i)

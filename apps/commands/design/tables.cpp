@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t max_surfaces = 6; ///< answers whose heights are drawn
 
-/// The responses that are drawn: the answer's on the set-up's grid (`answer`) and, if it was verified there,
-/// on one four times finer (`finer`); that of the surface in production (`before`).
+/// The responses that are drawn. `answer` is on the set-up's grid. `finer` is on a grid four times finer, if
+/// the answer was verified there. `before` is that of the surface in production, if there is one.
 std::vector<std::pair<std::string, rough::DesignResponse>> drawn_responses(const DesignRun& run) {
     std::vector<std::pair<std::string, rough::DesignResponse>> all{{"answer", run.own}};
     if (const auto& finer = run.found.best.verification.on_finer; !finer.empty())

@@ -1,3 +1,5 @@
+#include "domain/text/atomic_file.hpp"
+#include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/sanitized.hpp"
 
@@ -86,5 +88,16 @@ TEST_CASE("a loop without end and a population beyond memory end with what they 
         CHECK((ended.code == 0 || ended.code == 3));
         CHECK(ended.megabytes < 400);
         CHECK(fs::exists(folder / "o/result.json"));
+    }
+}
+
+TEST_CASE("every place that the table of faults names is there") {
+    const std::string page = rough::read_whole(RUGOSA_SOURCE "/tests/README.md");
+    const auto places =
+        app::testing::found(page.substr(page.find("| fault |")), "`((?:apps|domain|ga)/[^`]*)`");
+    CHECK(places.size() >= 10);
+    for (const std::string& place : places) {
+        INFO(place);
+        CHECK(fs::exists(RUGOSA_SOURCE "/tests/" + place));
     }
 }
