@@ -2,8 +2,12 @@
 
 #include "domain/database/screen.hpp"
 #include "domain/errors.hpp"
+#include "domain/problem/response.hpp"
+#include "ga/base/parallel.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace rough {
 
@@ -12,6 +16,28 @@ namespace {
 /// The wanted length where the two differ by rounding alone.
 double settled(double drawn_out, double wanted) {
     return std::abs(drawn_out - wanted) <= 1e-12 * std::abs(wanted) ? wanted : drawn_out;
+}
+
+/// A match and its genome, drawn out and in the match's amplitude.
+struct Stored {
+    Match match;
+    Genome genome;
+};
+
+std::vector<Stored> nearest(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
+                            int threads) {
+    const DatabaseScale scale = scale_to(store, setup.model);
+    std::vector<Target> targets;
+    for (const Target& target : setup.targets)
+        targets.push_back(unscaled(target, scale));
+    const ScreenOptions options{setup.max_pressure.value_or(0) / scale.pressure, count, threads};
+    std::vector<Stored> all;
+    for (const Match& match :
+         screen(store.curves(need_fractions(targets)), store.setup().model, targets, options)) {
+        all.push_back({match, drawn_out(store.genome(match.index), scale.length)});
+        all.back().genome.scale *= match.scale;
+    }
+    return all;
 }
 
 } // namespace
@@ -50,19 +76,37 @@ Genome drawn_out(Genome genome, double factor) {
 
 std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
                                   int threads) {
-    const DatabaseScale scale = scale_to(store, setup.model);
-    std::vector<Target> targets;
-    for (const Target& target : setup.targets)
-        targets.push_back(unscaled(target, scale));
-    const ScreenOptions options{setup.max_pressure.value_or(0) / scale.pressure, count, threads};
     std::vector<Genome> genomes;
-    for (const Match& match :
-         screen(store.curves(need_fractions(targets)), store.setup().model, targets, options)) {
-        Genome genome = drawn_out(store.genome(match.index), scale.length);
-        genome.scale *= match.scale;
-        genomes.push_back(folded(std::move(genome)));
-    }
+    for (Stored& stored : nearest(store, setup, count, threads))
+        genomes.push_back(folded(std::move(stored.genome)));
     return genomes;
+}
+
+std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& given,
+                                         std::size_t count, int threads) {
+    constexpr std::size_t least_verified = 16;
+    const DesignSetup setup = completed(given);
+    validate(setup);
+    const std::vector<Stored> stored = nearest(store, setup, std::max(count, least_verified), threads);
+    std::vector<std::optional<StoredAnswer>> verified(stored.size());
+    const DesignSetup reported = as_reported(setup);
+    ga::parallel_for(stored.size(), ga::thread_count(threads), [&](std::size_t i) {
+        const auto& [match, genome] = stored[i];
+        try {
+            verified[i] = {match.index, match.scale, verified_answer(reported, genome)};
+        } catch (const NotConverged&) { // it is no answer
+        } catch (const InputError&) {   // it has no response on a finer grid
+        }
+    });
+    std::vector<StoredAnswer> answers;
+    for (auto& one : verified)
+        if (one)
+            answers.push_back(std::move(*one));
+    std::stable_sort(answers.begin(), answers.end(), [](const StoredAnswer& a, const StoredAnswer& b) {
+        return a.answer.lowest() > b.answer.lowest();
+    });
+    answers.resize(std::min(answers.size(), count));
+    return answers;
 }
 
 } // namespace rough

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/database/store.hpp"
-#include "domain/problem/problem.hpp"
+#include "domain/design/search.hpp"
 
 namespace rough {
 
@@ -25,5 +25,19 @@ Genome drawn_out(Genome genome, double factor);
 /// InputError as scale_to does.
 std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
                                   int threads = 0);
+
+/// A stored genome as an answer to a design.
+struct StoredAnswer {
+    std::uint64_t index = 0; ///< of the genome in its database, from 0
+    double scale = 1;        ///< of the stored genome's amplitude, from its stored curve
+    Answer answer;           ///< drawn out and in that amplitude, verified as a design is (verified_answer)
+};
+
+/// The stored genomes whose stored curves are nearest to a design's targets, as `stored_starts`, but verified
+/// before they are ranked: stored load steps may be too few for a target. At least 16 are verified, `count`
+/// are returned, the highest `similarity_worst` first. Genomes without a response on a finer grid are left
+/// out. Throws InputError as scale_to and `validate` of the set-up do.
+std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& setup,
+                                         std::size_t count, int threads = 0);
 
 } // namespace rough

@@ -8,35 +8,24 @@ namespace {
 
 using rough::GenomeStore;
 
-/// A stored genome in the amplitude that meets a target best.
-struct Stored {
-    std::uint64_t index;
-    double similarity;
-    rough::Genome genome;
-};
+using rough::StoredAnswer;
 
-std::vector<Stored> queried(const GenomeStore& store,
-                            const std::variant<rough::Target, std::vector<rough::Target>>& asked,
-                            std::size_t best, double max_pressure, int threads, const py::kwargs& model) {
-    rough::DatabaseScale scale;
+std::vector<StoredAnswer> queried(const GenomeStore& store,
+                                  const std::variant<rough::Target, std::vector<rough::Target>>& asked,
+                                  std::size_t best, std::optional<double> max_pressure, int threads,
+                                  const py::kwargs& model) {
+    rough::DesignSetup setup;
+    setup.model = store.setup().model;
     if (!model.empty()) {
         Keywords keywords(model, "query");
-        scale = rough::scale_to(store, model_from(keywords));
+        setup.model = model_from(keywords);
         keywords.expect_none_left();
     }
     const auto* one = std::get_if<rough::Target>(&asked);
-    std::vector<rough::Target> targets = one ? std::vector{*one} : std::get<1>(asked);
+    setup.targets = one ? std::vector{*one} : std::get<1>(asked);
+    setup.max_pressure = max_pressure;
     const py::gil_scoped_release unlocked;
-    for (rough::Target& target : targets)
-        target = unscaled(std::move(target), scale);
-    std::vector<Stored> found;
-    const auto curves = store.curves(rough::need_fractions(targets));
-    for (const rough::Match& match :
-         screen(curves, store.setup().model, targets, {max_pressure / scale.pressure, best, threads})) {
-        found.push_back({match.index, match.similarity, drawn_out(store.genome(match.index), scale.length)});
-        found.back().genome.scale *= match.scale;
-    }
-    return found;
+    return stored_answers(store, setup, best, threads);
 }
 
 void built(GenomeStore& store, std::uint64_t genomes, int threads) {
@@ -58,10 +47,17 @@ void built(GenomeStore& store, std::uint64_t genomes, int threads) {
 } // namespace
 
 void add_database(py::module_& module) {
-    py::class_<Stored>(module, "Stored", "A stored genome that answers a query.")
-        .def_readonly("index", &Stored::index, "Its number in the database.")
-        .def_readonly("similarity", &Stored::similarity, "On the stored load steps.")
-        .def_readonly("genome", &Stored::genome, "In the amplitude that meets the target best.");
+    py::class_<StoredAnswer>(module, "Stored", "A stored genome that answers a query.")
+        .def_readonly("index", &StoredAnswer::index, "Its number in the database.")
+        .def_property_readonly(
+            "similarity", [](const StoredAnswer& stored) { return stored.answer.similarity; },
+            "On the database's grid and load steps.")
+        .def_property_readonly(
+            "similarity_worst", [](const StoredAnswer& stored) { return stored.answer.lowest(); },
+            "The lowest of that, of a grid four times finer, of four times the load steps, and of both.")
+        .def_property_readonly(
+            "genome", [](const StoredAnswer& stored) { return stored.answer.genome; },
+            "In the amplitude that meets the target best.");
     py::class_<GenomeStore>(module, "Database", "A file of genomes and their responses.")
         .def(py::init([](const std::filesystem::path& file) { return GenomeStore::open(file); }),
              py::arg("file"), "Opens an existing database.")
@@ -85,11 +81,12 @@ void add_database(py::module_& module) {
             "contact() of a Genome, besides seed, series and shortest (mm).")
         .def("build", &built, py::arg("genomes"), py::kw_only(), py::arg("threads") = 0,
              "Adds genomes until there are that many.")
-        .def("query", &queried, py::arg("targets"), py::arg("best") = 10, py::kw_only(),
-             py::arg("max_pressure") = 0.0, py::arg("threads") = 0,
-             "The stored genomes nearest to a Target or a list of them, best first. Model keywords are "
-             "compared\n"
-             "with the database's, but for length and modulus, which it is scaled to exactly.")
+        .def(
+            "query", &queried, py::arg("targets"), py::arg("best") = 10, py::kw_only(),
+            py::arg("max_pressure") = py::none(), py::arg("threads") = 0,
+            "The stored genomes nearest to a Target or a list of them, verified as a design is, the highest\n"
+            "similarity_worst first. Model keywords are compared with the database's, but for length and\n"
+            "modulus, which it is scaled to exactly.")
         .def("genome", &GenomeStore::genome, py::arg("index"), "As it is stored.")
         .def("__len__", &GenomeStore::stored);
 }

@@ -110,6 +110,7 @@ class Design:
 class Stored:
     index: int
     similarity: float
+    similarity_worst: float
     genome: Genome
 
 class Database:
