@@ -74,9 +74,12 @@ DesignResponse scored(const DesignSetup& setup, std::vector<Response> pressed) {
     const Loadings loadings = loadings_of(setup, setup.model.loading);
     DesignResponse result;
     result.scale = eq_11(setup, pressed.front());
-    for (std::size_t t = 0; t < setup.targets.size(); ++t)
+    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
+        const Target& target = setup.targets[t];
         result.curves.push_back(
-            stretched(curve_of(setup.targets[t].quantity, pressed[loadings.of_target[t]]), result.scale));
+            stretched(curve_of(target.quantity, pressed[loadings.of_target[t]]), result.scale));
+        continue_beyond_full_contact(setup, target, result.curves.back());
+    }
     for (Response& response : pressed)
         result.responses.push_back(setup.max_pressure ? scaled(std::move(response), result.scale)
                                                       : std::move(response));
@@ -101,6 +104,26 @@ Loading up_to_full_contact(Loading loading, const Profile& profile, const Model&
         loading.reach = nearly_full;
     }
     return loading;
+}
+
+void continue_beyond_full_contact(const DesignSetup& setup, const Target& target, Curve& curve,
+                                  CurveJacobian* jacobian) {
+    const Body& body = setup.model.body;
+    if (setup.max_pressure || body.kernel != Kernel::periodic || body.yields() || curve.to >= target.last())
+        return;
+    const Index points = curve.x.size();
+    const double rise = is_contact_fraction(target.quantity) ? 1 : 101;
+    const auto append = [&](auto& rows, double factor) {
+        rows.conservativeResize(points + 1, rows.cols());
+        rows.row(points) = factor * rows.row(points - 1);
+    };
+    append(curve.x, 2);
+    append(curve.y, rise);
+    curve.to = target.last();
+    if (jacobian) {
+        append(jacobian->x, 2);
+        append(jacobian->y, rise);
+    }
 }
 
 std::vector<Response> pressed(const DesignSetup& setup, const Genome& genome, const Model& model) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "domain/problem/setup.hpp"
+#include "domain/response/sensitivity.hpp"
 
 namespace rough {
 
@@ -14,9 +15,14 @@ struct Loadings {
 Loadings loadings_of(const DesignSetup& setup, const Loading& loading);
 /// Whether a profile may be in full contact before the load steps end: on an elastic periodic body.
 bool may_pass_full_contact(const Loading& loading, const Body& body);
-/// The load steps as they are, or, where they pass full contact, up to 0.999 of its displacement: beyond it
-/// there is no displacement. The profile's curves are then continued by their last segments.
+/// The load steps as they are, or, if they pass full contact, up to 0.999 of its displacement: beyond it
+/// there is no displacement.
 Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model);
+/// Continues a curve, and its derivatives if they are given, that ends in full contact before its target. The
+/// contact fraction stays. Stiffness and load, which have no value there, rise by 100 times the last one over
+/// once more the range of the curve, so that no target is met there.
+void continue_beyond_full_contact(const DesignSetup& setup, const Target& target, Curve& curve,
+                                  CurveJacobian* jacobian = nullptr);
 /// The set-up's model for each way the targets are loaded.
 std::vector<Model> loaded_models(const DesignSetup& setup);
 

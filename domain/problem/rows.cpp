@@ -75,6 +75,7 @@ Rows rows_of(const DesignSetup& setup, const Pressed& pressed) {
             jacobian.x = result.factor * jacobian.x + curve.x * result.d_factor;
             curve = stretched(std::move(curve), result.factor);
         }
+        continue_beyond_full_contact(setup, target, curve, &jacobian);
         const Eigen::VectorXd misfits = misfit(target, curve);
         const ga::Sensitivity rows{misfits, misfit_jacobian(target, curve, jacobian, misfits)};
         result.misfits = t == 0 ? rows : stacked(result.misfits, rows);

@@ -104,7 +104,8 @@ class Design:
     pipeline: str
     notes: List[str]
     stopped: str
-    def trust(self, *, noise: float = ..., hardness: float = ..., seed: int = ..., threads: int = ...) -> dict: ...
+    tolerance: dict
+    def trust(self, *, noise: float = ..., tilt: float = ..., hardness: float = ..., seed: int = ..., threads: int = ...) -> dict: ...
     def plot(self, axes: Any = ...) -> Any: ...
 
 class Stored:

@@ -68,7 +68,8 @@ TEST_CASE("they do so for loads against displacement, bands, weights and two tar
 
 TEST_CASE("they do so for a periodic profile in full contact before the target ends") {
     std::mt19937_64 random(37);
-    for (const Quantity quantity : {Quantity::load_at_displacement, Quantity::stiffness}) {
+    for (const Quantity quantity : {Quantity::load_at_displacement, Quantity::stiffness,
+                                    Quantity::area_at_displacement, Quantity::area_at_pressure}) {
         DesignSetup setup = drawn_setup();
         setup.model.body.kernel = Kernel::periodic;
         setup.model.grid.wraps = true;
@@ -76,13 +77,20 @@ TEST_CASE("they do so for a periodic profile in full contact before the target e
             testing::random_genome(random, 2, 1, setup.model.grid.length, setup.limits.shortest_wave);
         const double full = displacement_range(sample(genome, setup.model.grid), Kernel::periodic);
         const Response own = respond(genome, setup.model);
-        const double last = quantity == Quantity::stiffness ? 2 * own.pressure.maxCoeff() : 1.5 * full;
         Target& target = setup.targets[0];
         target.quantity = quantity;
+        const double last = target.against_pressure() ? 2 * own.pressure.maxCoeff() : 1.5 * full;
         target.x = Eigen::VectorXd::LinSpaced(10, 0.1 * last, last);
-        target.y = Eigen::VectorXd::LinSpaced(10, 1, 10) *
-                   (quantity == Quantity::stiffness ? own.tangent_stiffness[2] : own.pressure[2]);
+        target.y = Eigen::VectorXd::LinSpaced(10, 0.1, 1);
+        if (!is_contact_fraction(quantity))
+            target.y *= 10 * (quantity == Quantity::stiffness ? own.tangent_stiffness[2] : own.pressure[2]);
         check_jacobian(setup, genome, "similarity");
+        // The same curve, as long as it is one, is not met by a profile that full contact ends early.
+        const Curve met = respond(setup, genome, setup.model).curves.front();
+        target.y =
+            target.x.unaryExpr([&](double x) { return met.held_at(std::min(x, met.x[met.x.size() - 2])); });
+        if (!is_contact_fraction(quantity))
+            CHECK(similarity(setup, respond(setup, genome, setup.model)) < 0);
     }
 }
 
