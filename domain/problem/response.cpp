@@ -109,7 +109,9 @@ Loading up_to_full_contact(Loading loading, const Profile& profile, const Model&
 void continue_beyond_full_contact(const DesignSetup& setup, const Target& target, Curve& curve,
                                   CurveJacobian* jacobian) {
     const Body& body = setup.model.body;
-    if (setup.max_pressure || body.kernel != Kernel::periodic || body.yields() || curve.to >= target.last())
+    constexpr double rounding = 1e-6; // of a load that is found by iteration
+    if (setup.max_pressure || body.kernel != Kernel::periodic || body.yields() ||
+        curve.to >= (1 - rounding) * target.last())
         return;
     const Index points = curve.x.size();
     const double rise = is_contact_fraction(target.quantity) ? 1 : 101;

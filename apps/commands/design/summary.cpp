@@ -100,7 +100,7 @@ std::string verdict_of(const DesignRun& run, double verified) {
                    : "not verified: similarity " + readable(verified, 5) + " at worst, " + conditions(run) +
                          ", but there was no time for the given noise, tilt or hardness";
     else
-        line = "not found within the budget: the nearest curve has similarity " +
+        line = "not found within the budget: the nearest curve found has similarity " +
                (std::isinf(verified) ? "none" : below(verified, run.setup.required_similarity)) +
                " at worst, " + conditions(run) + ", wanted is " + brief(run.setup.required_similarity, 15);
     if (!run.found.best.within_limits)
@@ -108,12 +108,37 @@ std::string verdict_of(const DesignRun& run, double verified) {
     return line;
 }
 
-std::string matched(const DesignRun& run, const rough::DesignResponse& response) {
+/// A target's largest misfit in all that an answer was verified by, relative to the target.
+struct LargestMisfit {
+    double misfit = 0;
+    rough::Index point = 0; ///< of the target
+};
+
+LargestMisfit largest_misfit(const DesignRun& run, std::size_t t) {
+    std::vector<std::vector<Eigen::VectorXd>> all{misfits_of(run.setup, run.own)};
+    const auto& verified = run.found.best.verification.misfits;
+    if (!run.morphed && run.found.best.is_verified())
+        all.insert(all.end(), verified.begin(), verified.end());
+    LargestMisfit largest;
+    for (const auto& misfits : all)
+        for (rough::Index k = 0; k < misfits[t].size(); ++k)
+            if (std::abs(misfits[t][k]) > std::abs(largest.misfit) * run.setup.targets[t].weight)
+                largest = {misfits[t][k] / run.setup.targets[t].weight, k};
+    return largest;
+}
+
+std::string matched(const DesignRun& run) {
     std::string all;
-    const std::vector<double> each = similarities(run.setup, response);
-    for (std::size_t t = 0; t < each.size(); ++t)
-        join(all, in_words(run.setup.targets[t].quantity) + ": similarity " + readable(each[t], 4) +
-                      ", off by up to " + percent((1 - each[t]) / run.setup.targets[t].weight));
+    for (std::size_t t = 0; t < run.setup.targets.size(); ++t) {
+        const rough::Target& target = run.setup.targets[t];
+        const double off = std::abs(largest_misfit(run, t).misfit);
+        std::string words =
+            in_words(target.quantity) + ": similarity " + readable(1 - target.weight * off, 4);
+        words += target.has_band()
+                     ? (off == 0 ? ", within the band" : ", outside the band by up to " + percent(off))
+                     : ", off by up to " + percent(off);
+        join(all, words + (run.morphed || !run.found.best.is_verified() ? " as designed" : " at worst"));
+    }
     return all;
 }
 
@@ -270,31 +295,53 @@ std::string left_off(const DesignRun& run) {
            readable(unit.factor * worst->x) + " " + unit.name;
 }
 
-/// What stands in the way of an answer that was not found.
+/// Limits that the answer comes within 5 % of: "the shortest wave 0.0146 mm (limit 0.0133 mm)".
+std::string binding_limits(const DesignRun& run) {
+    std::string all;
+    for (const rough::Margin& margin : run.margins)
+        if (margin.limit > 0 && margin.margin() < 0.05)
+            join(all, in_words(margin) + " is at its limit");
+    return all;
+}
+
+/// What stands in the way of an answer that was not found: the largest misfit, then what may cause it.
 std::string in_the_way(const DesignRun& run) {
     std::string all;
+    std::size_t worst = 0;
+    const auto weighted = [&](std::size_t t) {
+        return run.setup.targets[t].weight * std::abs(largest_misfit(run, t).misfit);
+    };
+    for (std::size_t t = 1; t < run.setup.targets.size(); ++t)
+        if (weighted(t) > weighted(worst))
+            worst = t;
+    const rough::Target& target = run.setup.targets[worst];
+    const LargestMisfit largest = largest_misfit(run, worst);
+    const Unit unit = target.against_pressure() ? pressure_unit(target.last()) : length_unit(target.last());
+    if (run.morphed)
+        return left_off(run);
+    if (weighted(worst) > 1 - run.setup.required_similarity)
+        join(all, "the largest misfit is " + percent(largest.misfit) + " of the " +
+                      in_words(target.quantity) + " at " + readable(unit.factor * target.x[largest.point]) +
+                      " " + unit.name);
     if (run.bound < run.setup.required_similarity)
-        join(all, "no profile has a similarity above " + readable(run.bound, 4));
-    const double nodes = static_cast<double>(run.setup.model.grid.shape().nodes());
-    for (const rough::Target& target : run.setup.targets)
-        if (is_contact_fraction(target.quantity) &&
-            0.5 / (target.y[0] * nodes) > 1 - run.setup.required_similarity)
-            join(all, "at its first point the area asked for is " + readable(target.y[0] * nodes) + " of " +
-                          brief(nodes, 9) + " nodes, of which half a one is " +
-                          percent(0.5 / (target.y[0] * nodes)) + ": more --nodes resolve it");
-    if (run.setup.limits.shortest_wave > 0)
-        join(all, "waves under " + readable(run.setup.limits.shortest_wave) +
-                      " mm are not made (--shortest-wave)");
-    if (run.setup.limits.any_shape())
-        join(all, "the limits on shape");
-    if (run.morphed) {
-        join(all, left_off(run));
-        return all;
-    }
+        join(all, "no profile " +
+                      std::string(run.out_of_reach.empty() || run.out_of_reach.front().on_this_grid
+                                      ? "on this grid "
+                                      : "") +
+                      "has a similarity above " + readable(run.bound, 4));
+    const double nodes = static_cast<double>(run.setup.model.grid.shape().nodes()),
+                 wanted = target.y[largest.point] * nodes;
+    if (is_contact_fraction(target.quantity) && 0.5 / wanted > 1 - run.setup.required_similarity)
+        join(all, "the area asked for there is " + readable(wanted) + " of " + brief(nodes, 9) +
+                      " nodes, of which half a one is " + percent(0.5 / wanted) +
+                      ": more --nodes resolve it");
+    join(all, binding_limits(run));
     if (!run.found.best.is_verified() && !run.interrupted)
         join(all, "there was no time to verify the answer: expected more --seconds, or fewer --nodes");
-    join(all, run.found.stopped.empty() ? "the search ended by itself: another --seed, or --seconds for more"
-                                        : "the search was ended early: " + run.found.stopped);
+    if (!run.found.stopped.empty())
+        join(all, "the search was ended early: " + run.found.stopped);
+    else if (run.out_of_reach.empty())
+        join(all, "the search ended by itself: another --seed, or --seconds for more");
     return all;
 }
 
@@ -336,7 +383,7 @@ Summary summary_of(const DesignRun& run) {
     };
     if (run.morphed)
         add("moved", "Moved", moved(*run.morphed));
-    add("matched", "Matched", matched(run, run.own));
+    add("matched", "Matched", matched(run));
     std::string off = run.not_asked ? "" : "not verified: there was no time";
     for (const auto& [name, share] : run.not_asked.value_or(std::vector<std::pair<std::string, double>>()))
         join(off, name + " was not asked for and is off by up to " + percent(share));

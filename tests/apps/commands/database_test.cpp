@@ -94,9 +94,10 @@ TEST_CASE("a query does not believe stored load steps that are too few for its t
     REQUIRE(answer.code == 0);
     double worst = 0;
     REQUIRE(std::sscanf(answer.out.c_str() + answer.out.find("\n   1 "), " 1 %*d %*f %lf", &worst) == 1);
-    REQUIRE(rugosa("contact --genome near.json --out near.csv --pressures " + pressures + body, folder.path())
-                .code == 0);
-    const auto rows = rows_of(folder / "near.csv");
+    REQUIRE(
+        rugosa("contact --genome near.json --out curve.csv --pressures " + pressures + body, folder.path())
+            .code == 0);
+    const auto rows = rows_of(folder / "curve.csv");
     REQUIRE(rows.size() == wanted.size());
     double misfit = 0; // of tangents
     for (std::size_t i = 0; i < rows.size(); ++i)
