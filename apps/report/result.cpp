@@ -5,7 +5,9 @@
 #include "domain/contact/datum.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/sampling.hpp"
 #include "domain/numerics/build.hpp"
+#include "domain/problem/response.hpp"
 
 namespace app {
 
@@ -89,8 +91,10 @@ json variant_json(const VariantRun& variant, const std::vector<rough::Model>& lo
                    {"gradients", variant.gradients}};
     if (!variant.pipeline.empty())
         result["pipeline"] = variant.pipeline;
-    for (const rough::Model& model : loaded)
+    for (rough::Model model : loaded) {
+        model.loading = up_to_full_contact(model.loading, sample(variant.answer.genome, model.grid), model);
         result["modelled"].push_back(modelled_json(variant.answer.genome, model));
+    }
     if (const rough::Model& model = loaded.front();
         model.body.kernel == rough::Kernel::free && !model.grid.is_2d())
         for (const double stiffness : variant.answer.response.tangent_stiffness)

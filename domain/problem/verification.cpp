@@ -89,7 +89,8 @@ std::vector<Response> Verifier::on_fine_area(const Genome& genome,
     const Profile map = sample(at_scale_one(genome, finer()), model.grid);
     std::vector<Response> responses;
     for (const Loading& loading : loadings_of(finer(), finer().model.loading).each) {
-        const std::vector<double> displacements = step_displacements(map, model.body, loading, model.contact);
+        const std::vector<double> displacements =
+            step_displacements(map, model.body, up_to_full_contact(loading, map, model), model.contact);
         std::vector<LoadStep> steps(displacements.size());
         std::vector<std::size_t> solved;
         for (std::size_t j = 0; j < steps.size(); ++j) {

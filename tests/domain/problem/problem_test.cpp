@@ -79,7 +79,7 @@ TEST_CASE("they do so for a periodic profile in full contact before the target e
         const Response own = respond(genome, setup.model);
         Target& target = setup.targets[0];
         target.quantity = quantity;
-        const double last = target.against_pressure() ? 2 * own.pressure.maxCoeff() : 1.5 * full;
+        const double last = target.against_pressure() ? 4 * own.pressure.maxCoeff() : 1.5 * full;
         target.x = Eigen::VectorXd::LinSpaced(10, 0.1 * last, last);
         target.y = Eigen::VectorXd::LinSpaced(10, 0.1, 1);
         if (!is_contact_fraction(quantity))
