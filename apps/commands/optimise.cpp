@@ -138,7 +138,8 @@ std::vector<Setting> optimise_settings() {
          "between; "
          "bits:COUNT; or permutation:COUNT (of 0, 1, ...)"},
         {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
-        {"variant", "", "ga, nsga2, for numbers bipop-cma-es or lshade [ga; of several objectives nsga2]"},
+        {"variant", "",
+         "ga, nsga2, for numbers bipop-cma-es, ipop-cma-es or lshade [ga; of several objectives nsga2]"},
         {"pipeline", "", "search by this text, its objectives called f1, f2, ... (rugosa operators)"},
         {"minimise", "", "less is better: in all objectives, or X = 1,3 in those"},
         {"evaluations", usual_evaluations, "most that may be asked for"},

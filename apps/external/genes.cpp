@@ -170,6 +170,7 @@ ga::Variants outside_variants(const Genes& genes, std::size_t objectives) {
         const std::size_t many = std::clamp<std::size_t>(18 * genes.count, 20, 2000); // Tanabe and Fukunaga
         const std::string ever = " | score | repeat 1000000000 { ";
         variants["bipop-cma-es"] = "sample 1" + ever + "cma-es | score }";
+        variants["ipop-cma-es"] = "sample 1" + ever + "cma-es restarts=ipop sigma=0.5 | score }";
         variants["lshade"] = "sample " + std::to_string(many) + ever + "l-shade | score | duel }";
     }
     return variants;

@@ -44,8 +44,8 @@ std::vector<std::string> objective_names(std::size_t count);
 /// rough::InputError on others.
 std::vector<bool> minimised(const std::string& text, std::size_t objectives);
 
-/// The pipelines that have a name: ga (one objective) and nsga2 (several), for real genes bipop-cma-es and
-/// lshade. They end with the run's budget.
+/// The pipelines that have a name: ga (one objective) and nsga2 (several), for real genes bipop-cma-es,
+/// ipop-cma-es and lshade. They end with the run's budget.
 ga::Variants outside_variants(const Genes& genes, std::size_t objectives);
 
 } // namespace app

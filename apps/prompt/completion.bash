@@ -26,7 +26,7 @@ _rugosa() {
     --unit) COMPREPLY=($(compgen -W "m mm um nm A in" -- "$current")) ;;
     --quantity) COMPREPLY=($(compgen -W "stiffness interface_stiffness area area-displacement load" -- "$current")) ;;
     --pictures) COMPREPLY=($(compgen -W "on off" -- "$current")) ;;
-    --variant) [[ " ${command[*]} " == *" optimise "* ]] && COMPREPLY=($(compgen -W "ga nsga2 bipop-cma-es lshade" -- "$current")) || COMPREPLY=($(compgen -W "$(_rugosa_variants "${COMP_WORDS[0]}")" -- "$current")) ;;
+    --variant) [[ " ${command[*]} " == *" optimise "* ]] && COMPREPLY=($(compgen -W "ga nsga2 bipop-cma-es ipop-cma-es lshade" -- "$current")) || COMPREPLY=($(compgen -W "$(_rugosa_variants "${COMP_WORDS[0]}")" -- "$current")) ;;
     esac
     [ ${#COMPREPLY[@]} -gt 0 ] && return
     if [[ $current == -* ]]; then

@@ -23,6 +23,8 @@ const std::map<std::string, Contestants>& usual_contestants() {
                    "tournament 2 | cross blend | mutate 1/n gaussian 0.02 | score | plus } | best 1"},
               {"bobyqa", "sample 1 | score | refine nlopt LN_BOBYQA 2000"},
               {"bipop-cma-es", "sample 10 | score | best 1 | " + on + "cma-es | score } | best 1"},
+              {"ipop-cma-es",
+               "sample 10 | score | best 1 | " + on + "cma-es restarts=ipop sigma=0.5 | score } | best 1"},
               {"rand-1-bin", "sample 20 | score | " + converged + "{ de F=0.8 | score | duel } | best 1"},
               {"rand-1-exp",
                "sample 20 | score | " + converged + "{ de F=0.8 crossing=exp | score | duel } | best 1"},
@@ -50,6 +52,8 @@ const std::map<std::string, Contestants>& usual_contestants() {
                "shape 24 | score | best 8 | " + on +
                    "tournament 2 | cross uniform | mutate 0.1 | score | refine lm 4 | elite 2 } | best 1"},
               {"cma-es", "shape 1 | score | " + on + "cma-es | score } | best 1"},
+              {"ipop-cma-es",
+               "sample 10 | score | best 1 | " + on + "cma-es restarts=ipop sigma=0.5 | score } | best 1"},
               {"lshade", "sample 200 | score | " + on + "l-shade | score | duel } | best 1"}}},
         };
         for (const std::string& name : pagmo_variants())

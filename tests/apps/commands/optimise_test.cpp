@@ -40,9 +40,9 @@ TEST_CASE("a program in another language is minimised over real vectors") {
     CHECK(result["best"]["objectives"][0].get<double>() == Approx(sum));
 }
 
-TEST_CASE("real vectors have variants that learn: bipop-cma-es and lshade") {
+TEST_CASE("real vectors have variants that learn: bipop-cma-es, ipop-cma-es and lshade") {
     const Desk desk;
-    for (const std::string variant : {"bipop-cma-es", "lshade"}) {
+    for (const std::string variant : {"bipop-cma-es", "ipop-cma-es", "lshade"}) {
         const Ended ended =
             desk.optimise("--genes real:5:-5:5 --evaluate './child sphere' --minimise --variant " + variant +
                           " --evaluations 2500 --out " + variant);
