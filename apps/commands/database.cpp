@@ -15,8 +15,6 @@
 #include "ga/base/stopwatch.hpp"
 #include "ga/text/nearest.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -182,7 +180,7 @@ std::vector<Setting> query_settings() {
     return joined({settings, model_settings()});
 }
 
-/// The model of the flags, which scales the file's; without flags of a set-up the file's own.
+/// The model of the flags, to which the file is scaled. Without flags of a set-up: the model of the file.
 rough::Model model_asked(const rough::GenomeStore& store, const Settings& settings) {
     bool given = false;
     for (const Setting& setting : model_settings())

@@ -89,4 +89,9 @@ double full_contact_stiffness(const Profile& surface, const Body& given) {
                 datum_sensitivity(1, length, body.effective_modulus) * std::log(body.datum / length));
 }
 
+double full_contact_load(const Profile& profile, const Body& body) {
+    const ContactProblem problem = make_problem(profile, body, {});
+    return -full_contact_pressure(problem).minCoeff() * problem.pressure_unit;
+}
+
 } // namespace rough

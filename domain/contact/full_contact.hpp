@@ -15,4 +15,8 @@ double full_contact_stiffness(Index nodes, double spacing, const Body& body);
 /// The same of a surface's grid, a line's or an area's; a free area has no datum.
 double full_contact_stiffness(const Profile& surface, const Body& body);
 
+/// The mean pressure (MPa) from which on a periodic profile is in full contact, in which no node is under
+/// tension: -min H^-1 Z. Throws InputError on a body without a solution.
+double full_contact_load(const Profile& profile, const Body& body);
+
 } // namespace rough

@@ -1,5 +1,6 @@
 #include "domain/contact/solve.hpp"
 
+#include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/contact/solvers/cascade.hpp"
@@ -183,18 +184,9 @@ void check_bearable(double pressure, const Profile& profile, const Body& body) {
                most, " MPa, is expected");
 }
 
-/// Pressures of full contact on a periodic body, less their mean: p = P + H^-1 Z.
-Eigen::VectorXd full_contact_pressure(const ContactProblem& problem) {
-    const Eigen::ArrayXd spectrum = spectrum_on(problem, problem.shape);
-    FourierOperator inverse =
-        FourierOperator::circulant(problem.shape, (spectrum > 0).select(1 / spectrum, 0).matrix());
-    Eigen::VectorXd::Map(inverse.input(), problem.nodes()) = -problem.gap;
-    return Eigen::VectorXd::Map(inverse.apply(), problem.nodes());
-}
-
-/// Refuses what needs more than full contact, in which no node is under tension.
-void check_full_contact(double pressure, const ContactProblem& problem) {
-    const double most = -full_contact_pressure(problem).minCoeff() * problem.pressure_unit;
+/// Refuses what needs more than full contact.
+void check_full_contact(double pressure, const Profile& profile, const Body& body) {
+    const double most = full_contact_load(profile, body);
     if (pressure > most)
         refuse("mean pressure ", pressure, " MPa was given, at most that of full contact, ", most,
                " MPa, is expected");
@@ -309,7 +301,7 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
         return {};
     const ContactProblem problem = make_problem_at(profile, body, pressures);
     if (body.kernel == Kernel::periodic && !body.yields())
-        check_full_contact(pressures.back(), problem);
+        check_full_contact(pressures.back(), profile, body);
     SolverChoice choice = chosen(problem, options);
     if (takes_loads(choice.solver, problem)) {
         try {

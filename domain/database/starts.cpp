@@ -94,8 +94,8 @@ std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignS
         const auto& [match, genome] = stored[i];
         try {
             verified[i] = {match.index, match.scale, verified_answer(reported, genome)};
-        } catch (const NotConverged&) { // it is no answer
-        } catch (const InputError&) {   // it has no response on a finer grid
+        } catch (const NotConverged&) { // left out
+        } catch (const InputError&) {   // left out: the response on a finer grid ends before the target
         }
     });
     std::vector<StoredAnswer> answers;

@@ -1,6 +1,6 @@
 #include "domain/problem/response.hpp"
 
-#include "domain/contact/solve.hpp"
+#include "domain/contact/full_contact.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/target/similarity.hpp"
@@ -17,7 +17,7 @@ Model pressed_by(Model model, const Loading& loading) {
     return model;
 }
 
-/// Of the displacement of full contact, where the curve of a profile ends that cannot be pressed further.
+/// A curve ends at this share of the displacement of full contact if the profile cannot be pressed further.
 constexpr double nearly_full = 0.999;
 
 /// An area's load is found to its solver's tolerance, and solved once more there: none ends below the target.
@@ -94,12 +94,9 @@ bool may_pass_full_contact(const Loading& loading, const Body& body) {
 Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model) {
     if (!may_pass_full_contact(loading, model.body))
         return loading;
-    const double last = nearly_full * displacement_range(profile, model.body.kernel);
-    const bool beyond = loading.to_displacement > last ||
-                        (loading.to_pressure > 0 &&
-                         solve_contact(profile, model.body, {last}, model.contact).steps.front().pressure <
-                             loading.to_pressure);
-    if (beyond) {
+    if (loading.to_displacement > nearly_full * displacement_range(profile, model.body.kernel) ||
+        (loading.to_pressure > 0 &&
+         loading.to_pressure > nearly_full * full_contact_load(profile, model.body))) {
         loading.to_displacement = loading.to_pressure = 0;
         loading.reach = nearly_full;
     }

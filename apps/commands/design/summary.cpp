@@ -295,7 +295,7 @@ std::string left_off(const DesignRun& run) {
            readable(unit.factor * worst->x) + " " + unit.name;
 }
 
-/// Limits that the answer comes within 5 % of: "the shortest wave 0.0146 mm (limit 0.0133 mm)".
+/// Limits that the answer comes within 5 % of: "slope 0.0495 (limit 0.0500) is at its limit".
 std::string binding_limits(const DesignRun& run) {
     std::string all;
     for (const rough::Margin& margin : run.margins)
@@ -304,7 +304,7 @@ std::string binding_limits(const DesignRun& run) {
     return all;
 }
 
-/// What stands in the way of an answer that was not found: the largest misfit, then what may cause it.
+/// Reasons why no answer was found: the largest misfit, then its possible causes.
 std::string in_the_way(const DesignRun& run) {
     std::string all;
     std::size_t worst = 0;

@@ -167,4 +167,12 @@ void fail(const char* solver, const ContactProblem& problem, double approach, do
     throw NotConverged(line.str());
 }
 
+Eigen::VectorXd full_contact_pressure(const ContactProblem& problem) {
+    const Eigen::ArrayXd spectrum = spectrum_on(problem, problem.shape);
+    FourierOperator inverse =
+        FourierOperator::circulant(problem.shape, (spectrum > 0).select(1 / spectrum, 0).matrix());
+    Eigen::VectorXd::Map(inverse.input(), problem.nodes()) = -problem.gap;
+    return Eigen::VectorXd::Map(inverse.apply(), problem.nodes());
+}
+
 } // namespace rough

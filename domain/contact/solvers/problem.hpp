@@ -53,6 +53,8 @@ double largest_displacement(const Profile& profile, const Body& body);
 Eigen::VectorXd influence_on(const ContactProblem& problem, Extent shape);
 /// The periodic body's eigenvalues on a grid of another shape.
 Eigen::VectorXd spectrum_on(const ContactProblem& problem, Extent shape);
+/// Pressures of full contact on a periodic body, less their mean: p = P + H^-1 Z.
+Eigen::VectorXd full_contact_pressure(const ContactProblem& problem);
 
 /// H applied by FFT.
 FourierOperator fourier_operator(const ContactProblem& problem);

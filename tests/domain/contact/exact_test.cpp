@@ -1,4 +1,5 @@
 #include "domain/contact/exact.hpp"
+#include "domain/contact/full_contact.hpp"
 #include "domain/contact/solve.hpp"
 
 #include <catch2/catch.hpp>
@@ -195,6 +196,13 @@ TEST_CASE("a wave closes under the pressure of its full contact, and bears that 
     constexpr double h = 0.02, wavelength = 0.7, E = 1.3;
     const double full = exact::wave_full_contact(h, wavelength, E);
     CHECK(full == Approx(pi * E * h / wavelength).epsilon(1e-14));
+    Body body;
+    body.kernel = Kernel::periodic;
+    body.effective_modulus = E;
+    Profile two{Eigen::VectorXd(64), wavelength / 32}; // two waves
+    for (Index i = 0; i < two.nodes(); ++i)
+        two.heights[i] = h * std::cos(2 * pi * static_cast<double>(i) / 32);
+    CHECK(full_contact_load(two, body) == Approx(full).epsilon(1e-12));
     for (const double a : {0.05, 0.2, 0.35}) { // Westergaard: p = p_full sin^2(pi a/wavelength)
         const double s = std::sin(pi * a / wavelength);
         CHECK(exact::wave(h, wavelength, a, E).load / wavelength == Approx(full * s * s).epsilon(1e-12));
