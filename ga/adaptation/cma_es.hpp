@@ -160,7 +160,10 @@ struct CmaEs : Operator {
             if (const Variable& v = state.moving[i]; std::isfinite(v.upper - v.lower))
                 mean[static_cast<Eigen::Index>(i)] = random.uniform(v.lower, v.upper) / width(v);
         state.cloud = Cloud(std::move(mean), sigma * state.run.shrink);
-        state.record = {};
+        CmaRecord fresh{.to_beat = state.record.to_beat};
+        for (const double best : state.record.best)
+            fresh.to_beat = std::max(fresh.to_beat, best);
+        state.record = std::move(fresh);
     }
 
     template <Problem P, class G = typename P::Genome>
@@ -204,7 +207,7 @@ inline void to_json(nlohmann::json& j, const CmaEs::State& s) {
          numbers(s.first),
          {numbers(c.mean), c.sigma, numbers(c.covariance), numbers(c.path_sigma), numbers(c.path_c),
           numbers(c.axes), numbers(c.scales), c.learnt, c.drawn},
-         {s.record.best, s.record.median, s.record.equal, s.record.spent},
+         {s.record.best, s.record.median, s.record.equal, s.record.spent, s.record.to_beat},
          {s.plan.usual, s.plan.doublings, s.plan.large, s.plan.small, s.plan.last_large, s.plan.now_large,
           s.plan.begun},
          {s.run.lambda, s.run.shrink, s.run.most},
@@ -233,7 +236,7 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     s.cloud.scales = numbers(c.at(6), n);
     s.cloud.learnt = c.at(7), s.cloud.drawn = c.at(8);
     const auto& r = j.at(3);
-    s.record = {r.at(0), r.at(1), r.at(2), r.at(3)};
+    s.record = {r.at(0), r.at(1), r.at(2), r.at(3), r.at(4)};
     const auto& p = j.at(4);
     s.plan = {p.at(0), p.at(1), p.at(2), p.at(3), p.at(4), p.at(5), p.at(6)};
     s.run = {j.at(5).at(0), j.at(5).at(1), j.at(5).at(2)};

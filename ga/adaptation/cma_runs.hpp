@@ -3,6 +3,7 @@
 #include "ga/adaptation/covariance.hpp"
 #include "ga/base/random.hpp"
 
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct CmaRecord {
     std::vector<double> median; ///< likewise
     std::vector<double> equal;  ///< 1 where the best and the k-th best were the same
     long spent = 0;             ///< children that were scored
+    double to_beat = std::numeric_limits<double>::lowest(); ///< best value of the runs before
 
     /// Notes a generation's values, best first.
     void note(const std::vector<double>& values, std::size_t lambda) {
@@ -32,8 +34,9 @@ struct CmaRecord {
 };
 
 /// Why a run of CMA-ES is over, or null: the rules of Hansen (2009, Benchmarking a BI-population CMA-ES on
-/// the BBOB-2009 function testbed, sec. 2.1), with Stagnation over a window of 120 + 30 n/lambda generations.
-/// `scale` is the run's first sigma.
+/// the BBOB-2009 function testbed, sec. 2.1), with Stagnation over a window of 120 + 30 n/lambda generations,
+/// and one rule more: Inferior, if the run is worse than an earlier one by more than ten times what its best
+/// values of late differ by. `scale` is the run's first sigma.
 inline const char* over(const Cloud& cloud, const CmaConstants& c, CmaRecord& record, double scale) {
     const auto n = static_cast<double>(cloud.mean.size()), lambda = static_cast<double>(c.lambda);
     const auto last = [](const std::vector<double>& all, double count) {
@@ -53,6 +56,8 @@ inline const char* over(const Cloud& cloud, const CmaConstants& c, CmaRecord& re
         const auto [low, high] = std::minmax_element(recent.begin(), recent.end());
         if (*high - *low < 1e-12)
             return "TolHistFun";
+        if (record.to_beat - *high > 10 * (*high - *low))
+            return "Inferior";
     }
     const auto equal = last(record.equal, n);
     if (generations >= n && std::accumulate(equal.begin(), equal.end(), 0.0) > n / 3)

@@ -214,7 +214,7 @@ TEST_CASE("restarts of CMA-ES find Rastrigin's minimum, unlike a single run") {
     CHECK(single < 3);
 }
 
-TEST_CASE("a run of CMA-ES ends by each of Hansen's rules") {
+TEST_CASE("a run of CMA-ES ends by each of Hansen's rules, and if it cannot reach an earlier run") {
     const CmaConstants c(10, 10);
     const auto ended = [&](auto change, double scale = 0.3) {
         Cloud cloud(Eigen::VectorXd::Ones(10), 0.3);
@@ -235,6 +235,11 @@ TEST_CASE("a run of CMA-ES ends by each of Hansen's rules") {
     CHECK(ended([](Cloud&, CmaRecord& record) {
               std::fill(record.best.end() - 40, record.best.end(), 7.0);
           }) == "TolHistFun");
+    const auto late = [](double to_beat) { // the last 40 best values lie between 160 and 199
+        return [=](Cloud&, CmaRecord& record) { record.to_beat = to_beat; };
+    };
+    CHECK(ended(late(199 + 10 * 40.1)) == "Inferior");
+    CHECK(ended(late(199 + 10 * 38.9)) == "");
     CHECK(ended([](Cloud&, CmaRecord& record) { std::fill_n(record.equal.end() - 10, 3, 1.0); }) == "");
     CHECK(ended([](Cloud&, CmaRecord& record) { std::fill_n(record.equal.end() - 10, 4, 1.0); }) ==
           "EqualFunVals");
