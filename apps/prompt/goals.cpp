@@ -40,12 +40,11 @@ void expect_same_model(const rough::Target& goal, const rough::Model& model) {
 } // namespace
 
 rough::Target goal_from(const Settings& settings, const std::string& file, const rough::Model& model) {
-    // C = 2 K_i/(E* (rho1 + rho2))
-    const double conductance_to_stiffness =
-        settings.has("resistivity") ? 0.5 * model.body.effective_modulus * settings.positive("resistivity")
-                                    : 0;
-    rough::Target goal =
-        placing(settings, "", [&] { return rough::read_target(file, conductance_to_stiffness); });
+    rough::TargetScales scales{.nominal_area = model.grid.is_2d() ? model.grid.nominal_area() : 0};
+    if (settings.has("resistivity")) // C = 2 K_i/(E* (rho1 + rho2))
+        scales.conductance_to_stiffness =
+            0.5 * model.body.effective_modulus * settings.positive("resistivity");
+    rough::Target goal = placing(settings, "", [&] { return rough::read_target(file, scales); });
     expect_same_model(goal, model);
     return goal;
 }

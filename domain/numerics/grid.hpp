@@ -31,6 +31,10 @@ struct Grid {
     double spacing() const { return length / static_cast<double>(wraps ? nodes : nodes - 1); } ///< delta, mm
     /// delta_y, mm, 0 for a line; a single row is as wide as the area
     double row_spacing() const { return width / static_cast<double>(wraps || rows == 1 ? rows : rows - 1); }
+    /// mm^2, of the patches about all nodes; 0 of a line
+    double nominal_area() const {
+        return spacing() * row_spacing() * static_cast<double>(nodes) * static_cast<double>(rows);
+    }
     /// mm, of neighbours along the axis where they are farther apart: no shorter wave is seen along both
     double widest_spacing() const { return spacing() > row_spacing() ? spacing() : row_spacing(); }
 };

@@ -18,7 +18,8 @@ constexpr Quantity quantities[] = {Quantity::stiffness, Quantity::area_at_pressu
                                    Quantity::interface_stiffness};
 constexpr const char* expected_columns =
     "expected pressure_MPa with stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, contact_fraction or "
-    "conductance, or displacement_mm with contact_fraction or pressure_MPa; optionally lower and upper";
+    "conductance, or displacement_mm with contact_fraction or pressure_MPa, in these or other units (load_N, "
+    "area_mm2, displacement_um); optionally lower and upper";
 
 } // namespace
 
@@ -78,13 +79,12 @@ void validate(const Target& target) {
     }
 }
 
-Target read_target(const std::filesystem::path& file, double conductance_to_stiffness) {
-    const TargetTable cells = read_target_table(file);
+Target read_target(const std::filesystem::path& file, const TargetScales& scales) {
+    const TargetTable given = read_target_table(file), cells = in_usual_units(given, scales, file.string());
     Target target;
     target.name = file.string();
     target.recorded = cells.recorded;
     int x = -1, y = -1;
-    double factor = 1;
     for (const Quantity quantity : quantities) {
         const Columns columns = columns_of(quantity);
         if (cells.place_of(columns.x) >= 0 && cells.place_of(columns.y) >= 0) {
@@ -93,27 +93,18 @@ Target read_target(const std::filesystem::path& file, double conductance_to_stif
             target.quantity = quantity, x = cells.place_of(columns.x), y = cells.place_of(columns.y);
         }
     }
-    if (y < 0 && cells.place_of("pressure_MPa") >= 0 && cells.place_of("conductance") >= 0) {
-        if (!(conductance_to_stiffness > 0))
-            throw InputError(
-                file.string() +
-                    ": a conductance given, expected a resistivity with it: C = 2 K_i/(E* resistivity)",
-                "resistivity");
-        x = cells.place_of("pressure_MPa"), y = cells.place_of("conductance");
-        factor = conductance_to_stiffness;
-        target.quantity = Quantity::interface_stiffness;
-    }
     const int lower = cells.place_of("lower"), upper = cells.place_of("upper");
     const std::size_t known = (x >= 0) + (y >= 0) + (lower >= 0) + (upper >= 0);
     if (x < 0 || y < 0 || known != cells.header.size() || (lower >= 0) != (upper >= 0)) {
-        throw InputError(file.string() + ": columns \"" + cells.header_text() + "\" given, " +
+        throw InputError(file.string() + ": columns \"" + given.header_text() + "\" given, " +
                          expected_columns);
     }
-    target.x = cells.column(x);
-    target.y = cells.column(y, factor);
+    const auto factor = [&](int place) { return cells.factors[static_cast<std::size_t>(place)]; };
+    target.x = cells.column(x, factor(x));
+    target.y = cells.column(y, factor(y));
     if (lower >= 0) {
-        target.lower = cells.column(lower, factor);
-        target.upper = cells.column(upper, factor);
+        target.lower = cells.column(lower, factor(y));
+        target.upper = cells.column(upper, factor(y));
     }
     validate(target);
     return target;

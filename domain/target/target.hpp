@@ -1,6 +1,7 @@
 #pragma once
 
 #include "domain/response/curve.hpp"
+#include "domain/target/target_table.hpp"
 
 #include <filesystem>
 #include <map>
@@ -65,11 +66,10 @@ Columns columns_of(Quantity quantity);
 /// above 0 (contact fractions: nor above 1); a band that does not hold y.
 void validate(const Target& target);
 
-/// Reads a target: CSV, header first, any columns order; `#` lines before the header record the model as
-/// "# key: value". The column `conductance` stands for the interface stiffness by C = 2 K_i/(E*
-/// resistivities) (Barber 2003), where `conductance_to_stiffness` is E* resistivities/2; 0 refuses it. Throws
-/// InputError with file and line.
-Target read_target(const std::filesystem::path& file, double conductance_to_stiffness = 0);
+/// Reads a target: CSV, header first, any columns order, in the units that the columns' names say
+/// (in_usual_units); `#` lines before the header record the model as "# key: value". Throws InputError with
+/// file and line.
+Target read_target(const std::filesystem::path& file, const TargetScales& scales = {});
 
 /// The target as a file: the recorded lines, the header, a row a point with 17 digits.
 std::string to_csv(const Target& target);

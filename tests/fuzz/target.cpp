@@ -2,4 +2,4 @@
 
 #include "tests/fuzz/reader.hpp"
 
-FUZZ(target) { rough::read_target(fuzz::as_file(bytes), 1); }
+FUZZ(target) { rough::read_target(fuzz::as_file(bytes), {.nominal_area = 1, .conductance_to_stiffness = 1}); }

@@ -8,9 +8,9 @@ using namespace rough;
 
 namespace {
 
-Target read_text(const std::string& text, double conductance_to_stiffness = 0) {
+Target read_text(const std::string& text, const TargetScales& scales = {}) {
     const tests::Folder folder;
-    return read_target(folder.write("target.csv", text), conductance_to_stiffness);
+    return read_target(folder.write("target.csv", text), scales);
 }
 
 } // namespace
@@ -29,13 +29,34 @@ TEST_CASE("a target file says by its columns what it is of") {
 
 TEST_CASE("a conductance is read as the interface stiffness that has it") {
     // C = 2 K_i/(E* rho): K_i = C E* rho/2
-    const Target target = read_text("pressure_MPa,conductance,lower,upper\n1,10,8,12\n", 0.25);
+    const Target target =
+        read_text("pressure_MPa,conductance,lower,upper\n1,10,8,12\n", {.conductance_to_stiffness = 0.25});
     CHECK(target.quantity == Quantity::interface_stiffness);
     CHECK(target.y[0] == 2.5);
     CHECK(target.lower[0] == 2);
     CHECK(target.upper[0] == 3);
     CHECK_THROWS_WITH(read_text("pressure_MPa,conductance\n1,10\n"),
                       Catch::Contains("expected a resistivity"));
+}
+
+TEST_CASE("a target in other units is the one in the usual units") {
+    const TargetScales on_map{.nominal_area = 4}; // mm^2
+    const auto same = [&](const std::string& text, const std::string& usual) {
+        CAPTURE(text);
+        const Target a = read_text(text, on_map), b = read_text(usual);
+        CHECK(a.quantity == b.quantity);
+        CHECK(a.x.isApprox(b.x, 1e-15));
+        CHECK(a.y.isApprox(b.y, 1e-15));
+        CHECK(a.lower.size() == b.lower.size());
+        CHECK(
+            (a.lower.size() == 0 || (a.lower.isApprox(b.lower, 1e-15) && a.upper.isApprox(b.upper, 1e-15))));
+    };
+    same("displacement_um,load_N\n1,8\n2,20\n", "displacement_mm,pressure_MPa\n1e-3,2\n2e-3,5\n");
+    same("load_mN,area_um2,lower,upper\n8,4e5,3e5,5e5\n",
+         "pressure_MPa,contact_fraction,lower,upper\n2e-3,0.1,0.075,0.125\n");
+    same("pressure_kPa,stiffness_GPa_per_m\n3,5\n", "pressure_MPa,stiffness_MPa_per_mm\n3e-3,5\n");
+    same("pressure_Pa,interface_stiffness_N_per_nm\n3,8\n",
+         "pressure_MPa,interface_stiffness_MPa_per_mm\n3e-6,2e6\n");
 }
 
 TEST_CASE("a target written is read back to the bits, with what it records of its model") {
@@ -67,6 +88,10 @@ TEST_CASE("bad targets are refused by file, line and column") {
     CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm,lower,upper\n1,2,2.5,3\n"),
                       Contains("lower"));
     CHECK_THROWS_WITH(read_text("pressure_MPa,stiffness_MPa_per_mm\n"), Contains("no points"));
+    CHECK_THROWS_WITH(read_text("pressure_psi,contact_fraction\n1,0.2\n"),
+                      Contains("\"pressure_psi\"") && Contains("Pa, kPa, MPa or GPa"));
+    CHECK_THROWS_WITH(read_text("displacement_um,load_N\n1,8\n"),
+                      Contains("\"load_N\"") && Contains("a profile has no area"));
 }
 
 TEST_CASE("a misfit within the band counts for nothing, beyond it for its distance") {
