@@ -31,6 +31,13 @@ Target target_like(const Profile& profile, const Model& model, const std::string
     const bool reaches = last > 0 && last <= curve.to * (1 + 1e-9);
     Target target =
         even_target(quantity, name, points, reaches ? last : curve.to, [&](double x) { return curve.at(x); });
+    // The line through the first two of a few secants may fall below 0 before the first: no point is asked
+    // there.
+    Index asked = 0;
+    while (asked + 1 < points && target.y[asked] <= 0 && target.x[asked] < curve.x[0])
+        ++asked;
+    target.x = target.x.tail(points - asked).eval();
+    target.y = target.y.tail(points - asked).eval();
     target.recorded = recorded_model(model);
     if (quantity == Quantity::interface_stiffness &&
         target.y.maxCoeff() > nearly_rigid * response.tangent_stiffness.maxCoeff())

@@ -40,6 +40,25 @@ TEST_CASE("a target like a profile is that profile's own curve at even points") 
     CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 2 * own.to).last() == own.to);
 }
 
+TEST_CASE("every profile's own response in few load steps is a target that it meets") {
+    for (int seed = 0; seed < 40; ++seed) {
+        Profile profile = waves(); // long waves: stiff at once where the second hill comes into contact
+        for (Index i = 0; i < profile.nodes(); ++i) {
+            const double x = static_cast<double>(i) / 20;
+            profile.heights[i] = std::cos(x + seed) + 0.7 * std::cos(1.4 * x + 2.7 * seed) +
+                                 0.5 * std::cos(2 * x + 0.9 * seed);
+        }
+        Model model = model_of(profile);
+        model.loading.steps = 2 + seed % 3;
+        for (const Quantity quantity : {Quantity::stiffness, Quantity::interface_stiffness}) {
+            CAPTURE(seed, name_of(quantity));
+            const Target target = target_like(profile, model, "waves", quantity, 20);
+            CHECK_NOTHROW(validate(target));
+            CHECK(similarity(target, curve_of(quantity, respond(profile, model))) == 1);
+        }
+    }
+}
+
 TEST_CASE("a design like a profile has the nodes that its areas need, and the usual ones without areas") {
     const auto nodes_of = [&](Index nodes, std::vector<Quantity> quantities, Index points, Index given = 0) {
         const Profile profile = waves(nodes);
