@@ -4,6 +4,7 @@
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/render.hpp"
+#include "apps/report/result.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -40,6 +41,16 @@ std::string in_one(const Settings& settings) {
 
 } // namespace
 
+void write(Findings& found, const Origin& origin, const std::filesystem::path& folder) {
+    for (const auto& [name, text] : found.files) {
+        if (const auto parent = std::filesystem::path(name).parent_path(); !parent.empty())
+            subfolder(folder, parent.string());
+        rough::write_atomically(folder / name, text);
+    }
+    found.result.update(origin_json(origin));
+    write_json(folder / "result.json", found.result);
+}
+
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request) {
     const ga::Stopwatch clock;
     if (request.resume && !experiment.resumes)
@@ -67,19 +78,18 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
         found = experiment.run(
             settings, {origin, progress, interrupt.flag(), folder, request.resume, in_one(settings)});
         output.restored();
-        if (found.write)
-            found.write();
+        if (!found.result.is_null())
+            write(found, origin, folder);
         const bool goes_on = interrupt.asked() && experiment.resumes;
-        if (found.write && request.pictures && !goes_on) {
+        if (!found.result.is_null() && request.pictures && !goes_on) {
             progress.show("report");
-            rough::write_atomically(folder / request.page,
-                                    found.page ? found.page() : render(page_source(folder)));
+            rough::write_atomically(folder / request.page, render(page_source(folder)));
         }
         if (experiment.resumes && !goes_on)
             std::filesystem::remove_all(folder / "checkpoints");
     }
     say(folder.string() + ": " +
-        (!found.write ? "interrupted before anything was found, nothing written"
+        (found.result.is_null() ? "interrupted before anything was found, nothing written"
          : interrupt.asked() && experiment.resumes
              ? "interrupted; what was found is in result.json; --resume goes on"
              : (found.summary.empty() ? "" : found.summary + "; ") + readable(clock.seconds()) + " s"));

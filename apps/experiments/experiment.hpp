@@ -7,8 +7,7 @@
 
 #include <atomic>
 #include <filesystem>
-#include <functional>
-#include <memory>
+#include <map>
 
 namespace app {
 
@@ -23,12 +22,12 @@ struct Conditions {
     ga::Stopwatch clock = {};      ///< since it began
 };
 
-/// What an experiment found, to be written once it has ended.
+/// What an experiment found.
 struct Findings {
-    std::function<void()> write;            ///< result.json and tables to the folder; none: nothing was found
-    std::function<std::string()> page = {}; ///< the report; none: the template of the kind renders the folder
-    std::string summary = "";               ///< in one line, for the end
-    int code = 0;                           ///< exit code of the program
+    nlohmann::json result = {}; ///< of result.json, which the run's origin joins; null: nothing was found
+    std::map<std::string, std::string> files = {}; ///< tables and other files by name, a folder before it
+    std::string summary = {};                      ///< in one line, for the end
+    int code = 0;                                  ///< exit code of the program
 };
 
 /// A kind of experiment.
@@ -67,6 +66,9 @@ struct Request {
     std::string page;                          ///< its file's name
     bool pictures = true, force = false, resume = false;
 };
+
+/// Writes result.json and the other files of an experiment to its folder.
+void write(Findings& found, const Origin& origin, const std::filesystem::path& folder);
 
 /// Runs an experiment and writes what it finds; returns the program's exit code.
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request);

@@ -5,6 +5,8 @@
 #include "apps/report/builtin.hpp"
 #include "apps/report/result.hpp"
 #include "domain/errors.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "domain/text/json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -33,7 +35,8 @@ std::string last_line(std::FILE* file) {
     return line.empty() ? last : line;
 }
 
-/// Runs an experiment's script with the settings as JSON; it writes result.json and tables to the folder.
+/// Runs an experiment's script with the settings as JSON. The script writes result.json and tables to the
+/// folder.
 Findings findings_of_script(const Experiment& experiment, const Settings& settings,
                             const Conditions& conditions) {
     const std::string& kind = experiment.kind;
@@ -42,11 +45,13 @@ Findings findings_of_script(const Experiment& experiment, const Settings& settin
                          {"program", program.string()},
                          {"seed", conditions.origin.seed},
                          {"threads", conditions.origin.threads},
+                         {"resume", conditions.resume},
                          {"origin", origin_json(conditions.origin)}};
     for (const Setting& one : experiment.settings)
         given["settings"][one.name] = settings.text(one.name);
-    for (const auto& file : target_files(settings, "targets.files"))
-        given["targets"].push_back(std::filesystem::absolute(file).string());
+    if (settings.knows("targets.files"))
+        for (const auto& file : target_files(settings, "targets.files"))
+            given["targets"].push_back(std::filesystem::absolute(file).string());
     const char* const before = std::getenv("PYTHONPATH");
     const std::string path =
         (program.parent_path() / "python").string() + (before ? ":" + std::string(before) : "");
@@ -62,12 +67,18 @@ Findings findings_of_script(const Experiment& experiment, const Settings& settin
     while (!process_ended_within(0.2, child, status))
         if (conditions.stop)
             kill(-child, SIGTERM);
-    if (!conditions.stop && (!WIFEXITED(status) || WEXITSTATUS(status) != 0))
-        throw rough::InputError(kind + ": " + last_line(errors.get()) +
-                                "; the script needs python3, numpy and the Python module rugosa");
-    if (!std::filesystem::exists(conditions.folder / "result.json"))
+    if (!conditions.stop && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {
+        const std::string problem = last_line(errors.get());
+        throw rough::InputError(kind + ": " + problem +
+                                (problem.find("No module") == std::string::npos
+                                     ? ""
+                                     : "; the script needs python3, numpy and the Python module rugosa"));
+    }
+    const std::filesystem::path result = conditions.folder / "result.json";
+    if (!std::filesystem::exists(result))
         return {};
-    return {.write = [] {}};
+    nlohmann::json found = rough::parsed_json(rough::read_whole(result), result.string());
+    return {.result = found, .summary = found.value("summary", "")};
 }
 
 } // namespace
@@ -89,6 +100,29 @@ Experiment features_experiment() {
             .run = [](const Settings& settings, const Conditions& conditions) {
                 return findings_of_script(features_experiment(), settings, conditions);
             }};
+}
+
+Experiment readings_experiment() {
+    return {.kind = "readings",
+            .summary = "the paper's claims under every reading that its text allows",
+            .settings = joined(
+                {{{"readings.quick", "off", "on tries one choice at a time and two databases: minutes"},
+                  {"readings.databases", "20", "databases with other phases, tried under our reading"},
+                  {"readings.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"}},
+                 model_settings("model.")}),
+            .files = {"cells.csv", "claims.csv", "shares.csv", "readings.json", "targets"},
+            .run =
+                [](const Settings& settings, const Conditions& conditions) {
+                    expect_none(settings,
+                                {{"model.kernel", "", ""}, {"model.datum", "", ""}, {"model.reach", "", ""}},
+                                "given, expected none: the readings try several");
+                    model_from(settings, "model.");
+                    settings.one_of("readings.quick", {"off", "on"});
+                    settings.whole("readings.databases", 0, 1000);
+                    settings.pressure("readings.max-pressure");
+                    return findings_of_script(readings_experiment(), settings, conditions);
+                },
+            .resumes = true};
 }
 
 } // namespace app

@@ -65,6 +65,26 @@ void Csv::add(const nlohmann::json& row) {
     rows_.push_back(std::move(named));
 }
 
+std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
+    std::vector<std::vector<std::string>> rows;
+    bool quoted = false, begins = true;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (begins)
+            rows.push_back({""});
+        begins = !quoted && c == '\n';
+        if (c == '"' && quoted && i + 1 < text.size() && text[i + 1] == '"')
+            rows.back().back() += text[++i];
+        else if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            rows.back().emplace_back();
+        else if (!begins)
+            rows.back().back() += c;
+    }
+    return rows;
+}
+
 std::string csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns) {
     rough::PlainStream out;
     out.precision(17);

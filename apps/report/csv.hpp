@@ -64,6 +64,9 @@ class Csv {
     nlohmann::json rows_ = nlohmann::json::array();
 };
 
+/// The cells of a CSV text as `Csv` writes them, row by row.
+std::vector<std::vector<std::string>> csv_rows(const std::string& text);
+
 /// Columns of equal length as CSV, 17 significant digits; NaN is an empty cell.
 std::string csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns);
 

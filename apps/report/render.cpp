@@ -1,6 +1,7 @@
 #include "apps/report/render.hpp"
 
 #include "apps/report/builtin.hpp"
+#include "apps/report/csv.hpp"
 #include "apps/report/figure.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
@@ -73,27 +74,6 @@ std::optional<double> number_in(const std::string& text) {
     const auto parsed = std::from_chars(begin, end, value);
     return parsed.ec == std::errc() && parsed.ptr == end && begin != end ? std::optional(value)
                                                                          : std::nullopt;
-}
-
-/// The cells of a CSV text as `Csv` writes them, row by row.
-std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
-    std::vector<std::vector<std::string>> rows;
-    bool quoted = false, begins = true;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (begins)
-            rows.push_back({""});
-        begins = !quoted && c == '\n';
-        if (c == '"' && quoted && i + 1 < text.size() && text[i + 1] == '"')
-            rows.back().back() += text[++i];
-        else if (c == '"')
-            quoted = !quoted;
-        else if (c == ',' && !quoted)
-            rows.back().emplace_back();
-        else if (!begins)
-            rows.back().back() += c;
-    }
-    return rows;
 }
 
 /// A table as a list of rows; whole numbers stay as written.

@@ -1,9 +1,6 @@
 #include "apps/experiments/compare/contest.hpp"
 
 #include "apps/report/csv.hpp"
-#include "apps/report/output.hpp"
-#include "apps/report/result.hpp"
-#include "domain/text/atomic_file.hpp"
 #include "ga/base/random.hpp"
 #include "ga/observers/coco.hpp"
 
@@ -274,15 +271,12 @@ void write_coco_runs(const Contest& contest, const std::filesystem::path& folder
     }
 }
 
-void write_contest(const Contest& contest, const std::vector<GroupResult>& groups,
-                   const std::filesystem::path& folder) {
+Findings findings_of(const Contest& contest, const std::vector<GroupResult>& groups) {
     Csv runs("problem,variant,seed,evaluations,precision,targets_reached,area");
     Csv ert("problem,variant,precision,expected_runtime,successes,runs", 6);
     Csv ecdf("group,variant,evaluations_per_gene,share,lower,upper", 6);
     Csv tests("group,problem,first,second,area_difference,p,p_corrected", 6);
-    json result = origin_json(contest.origin);
-    result["seeds"] = contest.seeds;
-    result["budget"] = contest.budget;
+    json result{{"seeds", contest.seeds}, {"budget", contest.budget}};
     for (const GroupResult& group : groups) {
         result["groups"][group.name] = group_json(group);
         const Contestants& variants = group.bouts.front()->variants;
@@ -309,10 +303,11 @@ void write_contest(const Contest& contest, const std::vector<GroupResult>& group
             tests.row(group.name, duel.problem, variants[duel.first].first, variants[duel.second].first,
                       duel.difference, duel.p, duel.corrected);
     }
-    write_json(folder / "result.json", result);
-    for (const auto& [name, table] :
-         {std::pair("runs.csv", &runs), {"ert.csv", &ert}, {"ecdf.csv", &ecdf}, {"tests.csv", &tests}})
-        rough::write_atomically(folder / name, table->text());
+    return {.result = result,
+            .files = {{"runs.csv", runs.text()},
+                      {"ert.csv", ert.text()},
+                      {"ecdf.csv", ecdf.text()},
+                      {"tests.csv", tests.text()}}};
 }
 
 } // namespace app

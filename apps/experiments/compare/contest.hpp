@@ -2,7 +2,7 @@
 
 #include "apps/cluster/cluster.hpp"
 #include "apps/experiments/compare/race.hpp"
-#include "apps/report/record.hpp"
+#include "apps/experiments/experiment.hpp"
 #include "domain/numerics/rank_tests.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/problem/setup.hpp"
@@ -99,8 +99,7 @@ double mean_area(const GroupResult& group, std::size_t variant);
 void write_coco_runs(const Contest& contest, const std::filesystem::path& folder);
 
 /// result.json, runs.csv, ert.csv, ecdf.csv and tests.csv.
-void write_contest(const Contest& contest, const std::vector<GroupResult>& groups,
-                   const std::filesystem::path& folder);
+Findings findings_of(const Contest& contest, const std::vector<GroupResult>& groups);
 
 /// What each rank does for a comparison: from a race to what it reached.
 cluster::Work races_under(const nlohmann::json& setting);

@@ -243,26 +243,24 @@ void hold(Contest& contest, const Settings& settings, const Conditions& conditio
 }
 
 Findings run_compare(const Settings& settings, const Conditions& conditions) {
-    const auto contest = std::make_shared<Contest>(contest_from(settings, conditions.origin));
-    hold(*contest, settings, conditions);
-    if (contest->bouts.empty())
+    Contest contest = contest_from(settings, conditions.origin);
+    hold(contest, settings, conditions);
+    if (contest.bouts.empty())
         return {};
-    const auto groups = std::make_shared<const std::vector<GroupResult>>(analysed(*contest));
+    const std::vector<GroupResult> groups = analysed(contest);
     std::string best;
-    for (const GroupResult& group : *groups) {
+    for (const GroupResult& group : groups) {
         const auto& ranks = group.ranks.mean_ranks;
         const auto first =
             static_cast<std::size_t>(std::min_element(ranks.begin(), ranks.end()) - ranks.begin());
         best +=
             (best.empty() ? "best on " : ", on ") + group.name + " " + group.bouts[0]->variants[first].first;
     }
-    return {.write =
-                [=, folder = conditions.folder, coco = settings.is_on("compare.coco")] {
-                    write_contest(*contest, *groups, folder);
-                    if (coco)
-                        write_coco_runs(*contest, folder / "coco");
-                },
-            .summary = best};
+    if (settings.is_on("compare.coco"))
+        write_coco_runs(contest, conditions.folder / "coco");
+    Findings found = findings_of(contest, groups);
+    found.summary = best;
+    return found;
 }
 
 } // namespace

@@ -1,39 +1,18 @@
 #include "apps/experiments/paper/claims.hpp"
 
-#include "domain/mwm/sampling.hpp"
-#include "domain/mwm/waves.hpp"
+#include "apps/report/builtin.hpp"
+#include "apps/report/csv.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/profile/spectrum.hpp"
-#include "domain/target/similarity.hpp"
-#include "ga/base/random.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <sstream>
 
 namespace app {
 
 namespace {
 
-using rough::column;
-using Numbers = std::vector<double>;
-
-/// The least or greatest of several numbers; NaN if there is none or one is unknown.
-double extreme(const Numbers& numbers, bool greatest) {
-    double result = unknown;
-    for (const double number : numbers) {
-        if (std::isnan(number))
-            return unknown;
-        if (!(greatest ? number <= result : number >= result))
-            result = number;
-    }
-    return result;
-}
-double least(const Numbers& numbers) { return extreme(numbers, false); }
-double greatest(const Numbers& numbers) { return extreme(numbers, true); }
-double spread(const Numbers& numbers) { return greatest(numbers) - least(numbers); }
-double median(const Numbers& numbers) { return numbers.empty() ? unknown : rough::median(numbers); }
+using nlohmann::json;
 
 /// Whether a number meets a condition, comparison after comparison.
 bool meets(const std::string& condition, double number) {
@@ -51,477 +30,17 @@ bool meets(const std::string& condition, double number) {
     return true;
 }
 
-/// A number for each of the paper's algorithms, and the one that `reduced` makes of them.
-template <class Of>
-Finding over_algorithms(const TargetRun& target, double (*reduced)(const Numbers&), Of of,
-                        const std::vector<std::string>& names = {"sog", "gco", "cco"}) {
-    Finding finding;
-    Numbers numbers;
-    for (const std::string& name : names) {
-        const VariantRun* const variant = find_variant(target, name);
-        if (!variant)
-            return {};
-        finding.parts.emplace_back(name, numbers.emplace_back(of(*variant)));
-    }
-    finding.number = reduced(numbers);
-    return finding;
-}
-
-/// A number for every two of the paper's algorithms: SOG and GCO, SOG and CCO, GCO and CCO.
-template <class Compare>
-Finding over_pairs(const TargetRun& target, double (*reduced)(const Numbers&), Compare compare) {
-    Finding finding;
-    Numbers numbers;
-    for (const auto& [first, second] : {std::pair("sog", "gco"), {"sog", "cco"}, {"gco", "cco"}}) {
-        const VariantRun *const a = find_variant(target, first), *const b = find_variant(target, second);
-        if (!a || !b)
-            return {};
-        finding.parts.emplace_back(std::string(first) + "–" + second,
-                                   numbers.emplace_back(compare(a->answer, b->answer)));
-    }
-    finding.number = reduced(numbers);
-    return finding;
-}
-
-template <class Value>
-Numbers over_thresholds(const TargetRun& target, const std::string& variant, Value value) {
-    Numbers numbers;
-    for (const ThresholdRow& row : target.thresholds)
-        if (row.variant == variant)
-            numbers.push_back(std::invoke(value, row));
-    return numbers;
-}
-
-double children(const ThresholdRow& row) { return static_cast<double>(row.u1 * row.u2); }
-
-Finding spread_of_best(const TargetRun& target, const std::string& variant) {
-    const Numbers answers = over_thresholds(target, variant, &ThresholdRow::similarity);
-    return {spread(over_thresholds(target, variant, &ThresholdRow::best_child)),
-            {{"of the answers after GCMMA", spread(answers)}}};
-}
-
-/// A change of the median over the database without one half of the waves, over that without the other.
-template <class Change>
-Finding governed(const Studies& studies, Change change, bool coarse) {
-    const double without_coarse = median(column(studies.without_coarse, change)),
-                 without_fine = median(column(studies.without_fine, change));
-    return {coarse ? without_coarse / without_fine : without_fine / without_coarse,
-            {{"change without the longer half", without_coarse}, {"without the shorter half", without_fine}}};
-}
-
-Finding over_alloys(const Studies& studies, double (*compare)(const FractalStudy&)) {
-    const Numbers numbers = column(studies.fractals, compare);
-    return {median(numbers), {{"least", least(numbers)}, {"greatest", greatest(numbers)}}};
-}
-
-Finding in_part(const TargetRun& target, bool low) {
-    const auto best = best_in_part(target, low);
-    if (!best)
-        return {};
-    const Scores& scores = target.database[*best];
-    return {low ? scores.low : scores.high, {{"over all pressures", scores.all}}};
-}
-
-/// Warnock's formula for the L2 star discrepancy of points of the unit square: 0 would be perfectly even.
-double discrepancy(const std::vector<std::pair<double, double>>& points) {
-    const double n = static_cast<double>(points.size());
-    double single = 0, pairs = 0;
-    for (const auto& [x, y] : points) {
-        single += (1 - x * x) * (1 - y * y);
-        for (const auto& [u, v] : points)
-            pairs += (1 - std::max(x, u)) * (1 - std::max(y, v));
-    }
-    return std::sqrt(1.0 / 9 - single / (2 * n) + pairs / (n * n));
-}
-
-Finding evenness(const PaperRun& run, const Studies&) {
-    const rough::DatabaseLayout& layout = run.layout;
-    auto pairs = rough::sobol_pairs(layout);
-    for (auto& [H, gamma] : pairs) {
-        H = (H - layout.H_from) / (layout.H_to - layout.H_from);
-        gamma = (gamma - layout.gamma_from) / (layout.gamma_to - layout.gamma_from);
-    }
-    const double sobol = discrepancy(pairs);
-    ga::Stream random(ga::fold(run.origin.seed, "pairs"));
-    constexpr int draws = 1000;
-    int above = 0;
-    for (int draw = 0; draw < draws; ++draw) {
-        for (auto& [H, gamma] : pairs)
-            H = random.uniform(), gamma = random.uniform();
-        above += discrepancy(pairs) > sobol;
-    }
-    return {std::isnan(sobol) ? unknown : static_cast<double>(above) / draws, {{"discrepancy", sobol}}};
-}
-
-Finding among_curves(const PaperRun& run, const TargetRun& target) {
-    const rough::Index points = run.database.empty() ? 0 : target.target.points();
-    int inside = 0;
-    for (rough::Index k = 0; k < points; ++k) {
-        const Numbers there = column(run.database, [&](const Answered& member) {
-            return secant_stiffness(member.response).at(target.target.x[k]);
-        });
-        inside += target.target.y[k] >= least(there) && target.target.y[k] <= greatest(there);
-    }
-    return {points ? inside / static_cast<double>(points) : unknown, {}};
-}
-
-/// How much the best candidate of an algorithm gains from both refinements.
-double gain(const VariantRun& variant) {
-    Numbers before, after;
-    for (const Refinement& candidate : refinements(variant))
-        before.push_back(candidate.similarity[0]), after.push_back(candidate.similarity[2]);
-    return greatest(after) - greatest(before);
-}
-
-Eigen::VectorXd heights(const PaperRun& run, const Answered& answer) {
-    return sample(answer.genome, run.model.grid).heights;
-}
-
-/// log10 of a power octave by octave from the first wavenumber on: octave o holds the bins 2^o to 2^(o+1)
-/// - 1. In octaves, as the lines of two series of different gamma never coincide.
-struct Octaves {
-    Eigen::VectorXd continuous, discrete; ///< of the sampled heights; of the genome's waves, -inf if none
-    rough::Index half() const { return continuous.size() / 2; }
-};
-
-Octaves octaves_of(const PaperRun& run, const VariantRun& variant) {
-    const rough::Spectrum spectrum = continuous_spectrum(sample(variant.answer.genome, run.model.grid));
-    const double first = spectrum.wave_number[0];
-    const auto lines = discrete_spectrum(variant.answer.genome);
-    Numbers continuous, discrete;
-    for (Eigen::Index bin = 1; 2 * bin - 1 <= spectrum.density.size(); bin *= 2) {
-        continuous.push_back(std::log10(spectrum.density.segment(bin - 1, bin).sum() * first));
-        double power = 0;
-        const auto edge = static_cast<double>(bin);
-        for (const rough::SpectralLine& line : lines)
-            if (line.wave_number >= (edge - 0.5) * first && line.wave_number < (2 * edge - 0.5) * first)
-                power += line.power;
-        discrete.push_back(std::log10(power));
-    }
-    const auto count = static_cast<Eigen::Index>(continuous.size());
-    return {Eigen::Map<Eigen::VectorXd>(continuous.data(), count),
-            Eigen::Map<Eigen::VectorXd>(discrete.data(), count)};
-}
-
-/// The factor by which a continuous spectrum differs from its own discrete one, in the geometric mean over
-/// those octaves of the upper or lower half that hold a wave.
-double off_its_waves(const PaperRun& run, const VariantRun& variant, bool high) {
-    const Octaves octaves = octaves_of(run, variant);
-    const Eigen::Index from = high ? octaves.continuous.size() - octaves.half() : 0,
-                       to = high ? octaves.continuous.size() : octaves.continuous.size() - octaves.half();
-    Numbers apart;
-    for (Eigen::Index o = from; o < to; ++o)
-        if (std::isfinite(octaves.discrete[o]))
-            apart.push_back(std::abs(octaves.continuous[o] - octaves.discrete[o]));
-    return apart.empty() ? unknown : std::pow(10, rough::mean(apart));
-}
-
-/// Exponent of the power law of wavenumber that fits the upper half of the octaves' densities best.
-double high_exponent(const PaperRun& run, const VariantRun& variant) {
-    const Octaves octaves = octaves_of(run, variant);
-    const Eigen::Index half = octaves.half();
-    if (half < 2)
-        return unknown;
-    const Eigen::VectorXd x =
-        Eigen::VectorXd::LinSpaced(half, 0, static_cast<double>(half - 1)) * std::log10(2);
-    return rough::slope(x, octaves.continuous.tail(half)) -
-           1; // an octave's power is its density times its width
-}
-
-/// The factor by which CCO's power over SOG's scatters in the lower half of the octaves: its standard
-/// deviation on a logarithmic scale. 1: proportional.
-Finding proportion(const PaperRun& run, const TargetRun& target) {
-    const VariantRun *const sog = find_variant(target, "sog"), *const cco = find_variant(target, "cco");
-    if (!sog || !cco)
-        return {};
-    const Octaves a = octaves_of(run, *sog), b = octaves_of(run, *cco);
-    const Eigen::Index low = a.continuous.size() - a.half();
-    if (low < 2)
-        return {};
-    const Eigen::ArrayXd ratio = (b.continuous - a.continuous).head(low).array();
-    return {std::pow(10, std::sqrt((ratio - ratio.mean()).square().mean())),
-            {{"mean factor", std::pow(10, ratio.mean())}}};
-}
-
-/// Peaks of a continuous spectrum, at least twice as high as two wavenumbers to either side, with no wave of
-/// the genome within two wavenumbers (the width of the window).
-double peaks_without_waves(const PaperRun& run, const VariantRun& variant) {
-    const rough::Spectrum spectrum = continuous_spectrum(sample(variant.answer.genome, run.model.grid));
-    const Eigen::VectorXd& density = spectrum.density;
-    const double floor = 1e-12 * density.maxCoeff(); // below it is rounding
-    const auto lines = discrete_spectrum(variant.answer.genome);
-    double peaks = 0;
-    for (Eigen::Index k = 2; k + 2 < density.size(); ++k) {
-        const bool peak = density[k] > density[k - 1] && density[k] > density[k + 1] &&
-                          density[k] > std::max(2 * std::max(density[k - 2], density[k + 2]), floor);
-        peaks +=
-            peak && std::none_of(lines.begin(), lines.end(), [&](const rough::SpectralLine& line) {
-                return std::abs(line.wave_number - spectrum.wave_number[k]) <= 2 * spectrum.wave_number[0];
-            });
-    }
-    return peaks;
-}
-
-double sum_of(const Numbers& numbers) {
-    double sum = 0;
-    for (const double number : numbers)
-        sum += number;
-    return sum;
-}
-
-double ratio_of_two(const Numbers& numbers) { return numbers[1] / numbers[0]; }
-
 } // namespace
 
 const std::vector<Claim>& paper_claims() {
-    using Run = const PaperRun&;
-    using Target = const TargetRun&;
-    using All = const Studies&;
-    static const std::vector<Claim> claims{
-        {"nesting", "Section 2", "While asperities come into contact, other asperities may lose contact.",
-         "nodes that leave contact from one load step to the next, over the whole database",
-         [](Run, All all) {
-             return Finding{all.contacts.nodes ? static_cast<double>(all.contacts.lost) : unknown,
-                            {{"nodes in contact", static_cast<double>(all.contacts.nodes)}}};
-         },
-         "> 0", "otherwise", "The contact sets of a frictionless half-plane are nested (Barber 1974).",
-         false},
-        {"one-wave", "Figure 1", "The sum of a chromosome's ridges is one wave of the same length.",
-         "distance of eight ridges from the best cosine of that length, over its range",
-         [](Run, All all) {
-             return Finding{greatest(column(all.chromosomes, &ChromosomeExample::misfit)), {}};
-         },
-         "< 1e-12", "otherwise", "", false},
-        {"wavelength", "Figure 1", "λ₂ = 66.6 µm.", "wavelength of the second chromosome, µm",
-         [](Run, All all) {
-             return Finding{all.chromosomes.empty() ? unknown : 1e3 * all.chromosomes.back().wave_length, {}};
-         },
-         ">= 66.5 and <= 66.7", "otherwise", "", false},
-        {"condition", "Figure 2",
-         "Condition (10) holds for 88.5 to 98 % of random phases, about 95 % on average.",
-         "share of the numbers of ridges M (2 to 1024) whose share of phase sets is within 88.5 to 98 %",
-         [](Run, All all) {
-             const Numbers printed = column(all.ridges, &RidgeCount::as_printed),
-                           slipped = column(all.ridges, &RidgeCount::last_missing);
-             const Numbers within =
-                 column(printed, [](double s) { return s >= 0.885 && s <= 0.98 ? 1. : 0.; });
-             return Finding{rough::mean(within),
-                            {{"share as printed, mean", rough::mean(printed)},
-                             {"last pair missing, mean", rough::mean(slipped)},
-                             {"least", least(slipped)},
-                             {"greatest", greatest(slipped)}}};
-         },
-         "= 1", "otherwise", "As printed, condition (10) is an identity.", false},
-        {"arccos", "Eq. 8", "The phase of the sum is arccos(g₁/R).",
-         "share of random phase sets for which it is",
-         [](Run, All all) {
-             return Finding{rough::mean(column(all.ridges, &RidgeCount::right_phase)), {}};
-         },
-         "> 0.99", "otherwise", "The arccos loses the sign of g₂.", false},
-        {"part-suffices", "Sections 1, 2.3", "K(p) needs only part of the chromosomes.",
-         "median similarity of K(p) of the dominant chromosomes with that of the whole genome",
-         [](Run, All all) {
-             const double kept = rough::mean(column(all.same_pressure, &Reduction::kept));
-             return Finding{kept < 1 ? median(column(all.same_pressure, &Reduction::similarity)) : unknown,
-                            {{"share of chromosomes kept", kept}}};
-         },
-         ">= 0.9", "< 0.5"},
-        {"coarse-stiffness", "Sections 1, 2.3", "Coarse waves govern K.",
-         "change of K without the longer half of the waves over that without the shorter half (medians)",
-         [](Run, All all) { return governed(all, &Removal::stiffness, true); }, "> 1"},
-        {"fine-area", "Sections 1, 2.3", "Fine waves govern A.",
-         "change of A without the shorter half of the waves over that without the longer half (medians)",
-         [](Run, All all) { return governed(all, &Removal::area, false); }, "> 1"},
-        {"alloy-stiffness", "Figure 3",
-         "K(p) of the alloy's profile and of its dominant chromosomes overlap significantly.",
-         "median similarity on 20 self-affine profiles",
-         [](Run, All all) {
-             return over_alloys(all, [](const FractalStudy& study) {
-                 return similarity(secant_stiffness(study.whole_response),
-                                   secant_stiffness(study.reduced_response));
-             });
-         },
-         ">= 0.9", "never", "The alloy's profile is not public, so other profiles cannot contradict it."},
-        {"alloy-area", "Figure 3", "So do their A(p).",
-         "median relative difference of A on the same profiles",
-         [](Run, All all) {
-             return over_alloys(all, [](const FractalStudy& study) {
-                 return relative_gap(area_against_pressure(study.whole_response),
-                                     area_against_pressure(study.reduced_response));
-             });
-         },
-         "<= 0.1", "never"},
-        {"low-part", "Figure 4", "A curve with s = 0.89 over all p reaches 0.97 below p̄.",
-         "best similarity below p̄ of a genome with s ≤ 0.95 over all p",
-         [](Run, Target target) { return in_part(target, true); }, "> 0.95"},
-        {"high-part", "Figure 4", "A curve with s = 0.88 over all p reaches 0.99 above p̄.",
-         "best similarity above p̄ of a genome with s ≤ 0.95 over all p",
-         [](Run, Target target) { return in_part(target, false); }, "> 0.95"},
-        {"even-pairs", "Figure 5", "The Sobol pairs (H, γ) cover the rectangle evenly.",
-         "share of 1,000 random sets of pairs with a larger L₂ star discrepancy", evenness, ">= 0.95"},
-        {"trend", "Figure 6", "The target's trend is like that of the 100 genomes' K(p).",
-         "share of the target's points among the database's curves", among_curves, "never", "never",
-         "The paper's target is not published; ours is drawn after the database.", false},
-        {"max-pressure", "Section 4.1", "p_max is larger than every genome's own highest pressure.",
-         "p_max over the highest pressure of the genomes with A = 1 in mm",
-         [](Run run, All) {
-             const Numbers own = column(run.database, [&](const Answered& member) {
-                 return run.max_pressure / std::abs(member.genome.scale);
-             });
-             return Finding{run.max_pressure / greatest(own),
-                            {{"genomes' least, MPa", least(own)}, {"greatest, MPa", greatest(own)}}};
-         },
-         "> 1", "otherwise", "Similarities do not depend on p_max."},
-        {"threshold-units", "Section 4", "p̄ = 0.08 1/mm, and 0.5 to 1.1 × 10⁻⁴ N/m.", "none",
-         [](Run, All) { return Finding{}; }, "never", "never",
-         "The units agree neither with each other nor with p_max. Here p̄ is a share of p_max.", false},
-        {"large", "Figure 7", "The three algorithms reach large similarities.",
-         "smallest similarity of the three",
-         [](Run, Target target) {
-             return over_algorithms(target, least, std::mem_fn(&VariantRun::similarity));
-         },
-         ">= 0.9"},
-        {"beneficial", "Figure 7", "GCMMA is beneficial for all the algorithms.",
-         "smallest gain of an algorithm: its best candidate at (2) less its best at (0)",
-         [](Run, Target target) { return over_algorithms(target, least, gain); }, "> 0"},
-        {"minute", "Section 4", "Each algorithm takes about a minute.", "longest time of the three, s",
-         [](Run, Target target) {
-             return over_algorithms(target, greatest, std::mem_fn(&VariantRun::seconds));
-         },
-         ">= 30 and <= 120", "> 120", "A shorter time is faster than the paper's, but on another machine.",
-         false},
-        {"gco-varies", "Figure 8A", "GCO's best similarity varies significantly with p̄.",
-         "range over p̄ of the best similarity in U₃",
-         [](Run, Target target) { return spread_of_best(target, "gco"); }, "> 0.01"},
-        {"cco-steady", "Figure 8A", "CCO's does not.", "range over p̄ of the best similarity in U₃",
-         [](Run, Target target) { return spread_of_best(target, "cco"); }, "<= 0.01"},
-        {"cco-parents", "Figure 8A", "CCO's best keeps the same parents.",
-         "different pairs of parents over p̄",
-         [](Run, Target target) {
-             std::set<std::vector<std::uint64_t>> pairs;
-             for (const ThresholdRow& row : target.thresholds) {
-                 auto parents = row.parents;
-                 std::sort(parents.begin(), parents.end());
-                 if (row.variant == "cco")
-                     pairs.insert(parents);
-             }
-             return Finding{pairs.empty() ? unknown : static_cast<double>(pairs.size()), {}};
-         },
-         "= 1"},
-        {"size-varies", "Figure 8B", "|U₃| varies with p̄.", "largest |U₃| over the smallest",
-         [](Run, Target target) {
-             const Numbers sizes = over_thresholds(target, "gco", children);
-             return Finding{greatest(sizes) / least(sizes),
-                            {{"smallest", least(sizes)}, {"largest", greatest(sizes)}}};
-         },
-         "> 1"},
-        {"size-equal", "Figure 8B", "|U₃| is equal for GCO and CCO.",
-         "share of the thresholds p̄ at which it is",
-         [](Run, Target target) {
-             const Numbers gco = over_thresholds(target, "gco", children),
-                           cco = over_thresholds(target, "cco", children);
-             double equal = 0;
-             for (std::size_t i = 0; i < std::min(gco.size(), cco.size()); ++i)
-                 equal += gco[i] == cco[i];
-             return Finding{gco.size() == cco.size() ? equal / static_cast<double>(gco.size()) : unknown, {}};
-         },
-         "= 1"},
-        {"efficient", "Figure 8B", "GCO is more efficient in terms of the obtained similarity.",
-         "mean similarity over p̄ of GCO's answers less that of CCO's",
-         [](Run, Target target) {
-             const auto mean = [&](const char* variant, double ThresholdRow::*value) {
-                 return rough::mean(over_thresholds(target, variant, value));
-             };
-             const double gco = mean("gco", &ThresholdRow::similarity),
-                          cco = mean("cco", &ThresholdRow::similarity);
-             return Finding{gco - cco,
-                            {{"gco", gco},
-                             {"cco", cco},
-                             {"share of U₃ above 0.95, gco", mean("gco", &ThresholdRow::share_above)},
-                             {"cco", mean("cco", &ThresholdRow::share_above)}}};
-         },
-         "> 0", "< 0"},
-        {"overlap", "Figure 9", "The answers' K(p) overlap the target.",
-         "largest relative error of the three",
-         [](Run, Target target) {
-             return over_algorithms(target, greatest,
-                                    [](const VariantRun& one) { return 1 - one.similarity; });
-         },
-         "<= 0.05"},
-        {"area-alike", "Figure 9", "A(p) is alike for SOG and GCO only.",
-         "largest difference of A of SOG and GCO, less half of the smaller one to CCO",
-         [](Run, Target target) {
-             return over_pairs(
-                 target,
-                 [](const Numbers& n) {
-                     return n[0] - least({n[1], n[2]}) / 2;
-                 },
-                 [](const Answered& a, const Answered& b) {
-                     return gap(area_against_pressure(a.response), area_against_pressure(b.response));
-                 });
-         },
-         "< 0"},
-        {"fewer-chromosomes", "Section 4.5", "CCO (printed: GCO) makes do with a smaller set of chromosomes.",
-         "CCO's number of chromosomes over GCO's",
-         [](Run, Target target) {
-             return over_algorithms(
-                 target, ratio_of_two,
-                 [](const VariantRun& one) { return static_cast<double>(waves(one.answer.genome).size()); },
-                 {"gco", "cco"});
-         },
-         "< 1"},
-        {"peaks-alike", "Figure 10", "Peaks and valleys are in similar places.",
-         "smallest correlation of the heights of two answers",
-         [](Run run, Target target) {
-             return over_pairs(target, least, [&](const Answered& a, const Answered& b) {
-                 return rough::pearson(heights(run, a), heights(run, b));
-             });
-         },
-         "> 0.5"},
-        {"cco-approximates", "Figure 10", "CCO's profile approximates GCO's.", "correlation of their heights",
-         [](Run run, Target target) {
-             return over_pairs(
-                 target, [](const Numbers& n) { return n[2]; },
-                 [&](const Answered& a, const Answered& b) {
-                     return rough::pearson(heights(run, a), heights(run, b));
-                 });
-         },
-         "> 0.9"},
-        {"match-high", "Figure 11",
-         "For SOG and GCO the continuous spectrum matches the discrete one at high frequencies.",
-         "factor between the two in the upper half of the octaves, the larger of SOG's and GCO's",
-         [](Run run, Target target) {
-             return over_algorithms(target, greatest,
-                                    [&](const VariantRun& one) { return off_its_waves(run, one, true); },
-                                    {"sog", "gco"});
-         },
-         "< 2"},
-        {"differ-low", "Figure 11", "They do not match at low frequencies.",
-         "factor between the two in the lower half of the octaves, the smaller of SOG's and GCO's",
-         [](Run run, Target target) {
-             return over_algorithms(target, least,
-                                    [&](const VariantRun& one) { return off_its_waves(run, one, false); },
-                                    {"sog", "gco"});
-         },
-         ">= 2"},
-        {"extra-peaks", "Figure 11", "The continuous spectra have peaks where the genome has no component.",
-         "number of such peaks of the three answers",
-         [](Run run, Target target) {
-             return over_algorithms(target, sum_of,
-                                    [&](const VariantRun& one) { return peaks_without_waves(run, one); });
-         },
-         "> 0"},
-        {"cco-flat", "Figure 11", "CCO's spectrum is flat at high frequencies.",
-         "exponent of the power law that fits the upper half of its octaves",
-         [](Run run, Target target) {
-             return over_algorithms(target, greatest,
-                                    [&](const VariantRun& one) { return high_exponent(run, one); }, {"cco"});
-         },
-         "> -1 and < 1"},
-        {"cco-proportional", "Figure 11", "CCO's spectrum is proportional to SOG's at low frequencies.",
-         "factor by which CCO's power over SOG's scatters in the lower half of the octaves", proportion,
-         "< 2"},
-    };
+    static const std::vector<Claim> claims = [] {
+        std::vector<Claim> all;
+        auto rows = csv_rows(builtin_files().at("claims.csv"));
+        for (auto row = rows.begin() + 1; row != rows.end(); ++row)
+            all.push_back(
+                {row->at(0), row->at(1), row->at(2), row->at(3), row->at(4), row->at(5), row->at(6)});
+        return all;
+    }();
     return claims;
 }
 
@@ -554,60 +73,54 @@ Verdict verdict_of(const Claim& claim, const std::vector<double>& numbers) {
 
 EvaluatedClaim evaluated(const Claim& claim, const PaperRun& run, const Studies& studies) {
     EvaluatedClaim result{&claim, {}};
-    if (const auto* const once = std::get_if<0>(&claim.find))
+    const Measure& measure = measures().at(claim.id);
+    if (const auto* const once = std::get_if<0>(&measure))
         result.findings.emplace_back("", (*once)(run, studies));
     else
         for (const TargetRun& target : run.targets)
-            result.findings.emplace_back(target.title, std::get<1>(claim.find)(run, target));
-    result.verdict =
-        verdict_of(claim, column(result.findings, [](const auto& found) { return found.second.number; }));
+            result.findings.emplace_back(target.title, std::get<1>(measure)(run, target));
+    result.verdict = verdict_of(
+        claim, rough::column(result.findings, [](const auto& found) { return found.second.number; }));
     return result;
 }
 
-const VariantRun* find_variant(const TargetRun& target, const std::string& name) {
-    for (const VariantRun& variant : target.variants)
-        if (variant.name == name)
-            return &variant;
-    return nullptr;
-}
-
-std::vector<Refinement> refinements(const VariantRun& variant) {
-    const auto& stages = variant.stages;
-    const auto is_refinement = [](const StageRecord& stage) {
-        return stage.path.compare(stage.path.rfind('/') + 1, 6, "refine") == 0;
-    };
-    const auto similarity_of = [](const StageRecord& stage, std::uint64_t id) {
-        for (const Candidate& candidate : stage.candidates)
-            if (candidate.id == id)
-                return candidate.similarity;
-        return unknown;
-    };
-    const auto first = std::find_if(stages.begin(), stages.end(), is_refinement);
-    if (first == stages.end() || first == stages.begin())
-        return {};
-    const auto second = std::find_if(first + 1, stages.end(), is_refinement);
-    std::vector<Refinement> result;
-    for (const Candidate& start : (first - 1)->candidates) {
-        const double once = similarity_of(*first, start.id);
-        result.push_back(
-            {start.id,
-             {start.similarity, once, second == stages.end() ? once : similarity_of(*second, start.id)}});
+json claims_json(const PaperRun& run, const Studies& studies, Csv& table) {
+    json claims = json::array(), counts = {{"reproduced", 0}, {"contradicted", 0}, {"undecidable", 0}};
+    for (const Claim& claim : paper_claims()) {
+        const EvaluatedClaim result = evaluated(claim, run, studies);
+        const std::string verdict = name_of(result.verdict);
+        counts[verdict] = counts[verdict].get<int>() + 1;
+        json numbers = json::array();
+        for (const auto& [title, finding] : result.findings) {
+            numbers.push_back({{"on", title},
+                               {"number", finding.number},
+                               {"known", !std::isnan(finding.number)},
+                               {"verdict", name_of(verdict_of(claim, {finding.number}))},
+                               {"parts", json::array()}});
+            for (const auto& [name, value] : finding.parts)
+                numbers.back()["parts"].push_back({{"name", name}, {"value", value}});
+        }
+        const auto number = [&](std::size_t i) {
+            return i < result.findings.size() ? result.findings[i].second.number : unknown;
+        };
+        table.row(claim.id, claim.place, claim.sentence, claim.measure, claim.rule(), verdict, number(0),
+                  number(1));
+        const auto other = run.other_readings.find(claim.id);
+        const std::string figure = claim.place.starts_with("Figure ")
+                                       ? claim.place.substr(7, claim.place.find_last_of("0123456789") - 6)
+                                       : "";
+        claims.push_back({{"id", claim.id},
+                          {"place", claim.place},
+                          {"figure_number", figure},
+                          {"sentence", claim.sentence},
+                          {"measure", claim.measure},
+                          {"rule", claim.rule()},
+                          {"remark", claim.remark},
+                          {"verdict", verdict},
+                          {"numbers", std::move(numbers)},
+                          {"other_readings", other == run.other_readings.end() ? "" : other->second}});
     }
-    std::stable_sort(result.begin(), result.end(), [](const Refinement& a, const Refinement& b) {
-        return a.similarity[0] > b.similarity[0];
-    });
-    return result;
-}
-
-std::optional<std::size_t> best_in_part(const TargetRun& target, bool low) {
-    std::optional<std::size_t> best;
-    const auto part = [&](std::size_t genome) {
-        return low ? target.database[genome].low : target.database[genome].high;
-    };
-    for (std::size_t genome = 0; genome < target.database.size(); ++genome)
-        if (target.database[genome].all <= 0.95 && (!best || part(genome) > part(*best)))
-            best = genome;
-    return best;
+    return {{"claims", std::move(claims)}, {"verdicts", std::move(counts)}};
 }
 
 } // namespace app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/experiments/paper/studies.hpp"
+#include "apps/report/csv.hpp"
 
 #include <variant>
 
@@ -16,19 +17,21 @@ struct Finding {
     std::vector<std::pair<std::string, double>> parts = {};
 };
 
-/// One row of the table of claims. A condition is "> 0.95", ">= 30 and <= 120" or "never".
+/// What a claim is judged by: a number of the run, or one for each target.
+using Measure = std::variant<Finding (*)(const PaperRun&, const Studies&),
+                             Finding (*)(const PaperRun&, const TargetRun&)>;
+/// By the ids of the claims.
+const std::map<std::string, Measure>& measures();
+
+/// A row of apps/experiments/paper/claims.csv. A condition is "> 0.95", ">= 30 and <= 120" or "never".
 struct Claim {
     std::string id;
-    std::string place;    ///< in the paper, e.g. "Figure 8A"
-    std::string sentence; ///< what the paper says
-    std::string measure;  ///< what the number is
-    /// The number once, or for each target.
-    std::variant<Finding (*)(const PaperRun&, const Studies&), Finding (*)(const PaperRun&, const TargetRun&)>
-        find;
-    std::string reproduced;                 ///< condition, on every target
-    std::string contradicted = "otherwise"; ///< condition, on every target; "otherwise": not `reproduced`
-    std::string remark = {};
-    bool depends_on_reading = true; ///< of the paper's text
+    std::string place;        ///< in the paper, e.g. "Figure 8A"
+    std::string sentence;     ///< what the paper says
+    std::string measure;      ///< what the number is
+    std::string reproduced;   ///< condition, on every target
+    std::string contradicted; ///< condition, on every target; "otherwise": not `reproduced`
+    std::string remark;
 
     std::string rule() const; ///< both conditions in words
 };
@@ -47,6 +50,11 @@ struct EvaluatedClaim {
 /// there is none, or if the targets differ.
 Verdict verdict_of(const Claim& claim, const std::vector<double>& numbers);
 EvaluatedClaim evaluated(const Claim& claim, const PaperRun& run, const Studies& studies);
+
+/// The header of claims.csv.
+inline const std::string claims_header = "id,figure,sentence,measure,rule,verdict,number,number_heldout";
+/// The claims for result.json and how many have each verdict; a row of the table for each.
+nlohmann::json claims_json(const PaperRun& run, const Studies& studies, Csv& table);
 
 /// The variant of that name, or null.
 const VariantRun* find_variant(const TargetRun& target, const std::string& name);

@@ -23,22 +23,23 @@ namespace {
 using rough::DesignProblem;
 using rough::DominanceRule;
 
-using Variant = NamedPipeline;
+/// A pipeline with its name.
+struct Variant {
+    std::string name;
+    rough::Pipeline pipeline;
+};
 
-/// How far refinement moves a phase.
-rough::PhaseReach reach_from(const Settings& settings) {
-    return {settings.number("paper.phase-relative", 0, 10), 0};
-}
-
-rough::DominanceReading other(rough::DominanceReading reading) {
-    using enum rough::DominanceReading;
-    return reading == same_pressure ? same_step : same_pressure;
+std::vector<Variant> paper_three(const rough::Vocabulary& words, bool reduces_children) {
+    return {{"sog", sog(words)},
+            {"gco", gco(words)},
+            {"cco", reduces_children ? cco_of_sums(words) : cco(words)}};
 }
 
 /// The paper's three in both forms, from code, then what the experiment writes in [variants].
-std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabulary& words) {
+std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabulary& words,
+                                   bool reduces_children) {
     using rough::Form;
-    std::vector<Variant> variants = paper_three(words);
+    std::vector<Variant> variants = paper_three(words, reduces_children);
     variants.push_back({"sog-minimax", sog(words, Form::minimax)});
     variants.push_back({"gco-minimax", gco(words, Form::minimax)});
     variants.push_back({"cco-minimax", cco(words, Form::minimax)});
@@ -60,9 +61,9 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
 class Paper {
   public:
     Paper(const Settings& settings, PaperRun& run, const Conditions& conditions)
-        : settings_(settings), run_(run), conditions_(conditions), genomes_(sobol_database(run.layout)),
-          variants_(variants_from(settings, words_by(run.dominance))),
-          other_reading_(paper_three(words_by(other(run.dominance)))) {}
+        : settings_(settings), run_(run), conditions_(conditions), genomes_(database_of(run)),
+          variants_(variants_from(settings, words_by(run.dominance), run.reduces_children)),
+          other_reading_(paper_three(words_by(other(run.dominance)), run.reduces_children)) {}
 
     void answer_database() {
         run_.database = answered(genomes_, run_.model, run_.max_pressure, run_.origin.threads);
@@ -112,11 +113,12 @@ class Paper {
 
   private:
     rough::DesignSetup setup_for(const TargetRun& target, double p_bar) const {
-        return paper_setup(run_.searched, target.target, run_.max_pressure, p_bar, reach_from(settings_));
+        return paper_setup(run_.searched, target.target, run_.max_pressure, p_bar, run_.reach);
     }
 
     rough::Vocabulary words_by(rough::DominanceReading reading) const {
-        return {std::make_shared<DominanceRule>(run_.searched, reading), reach_from(settings_)};
+        const auto responses = std::make_shared<rough::LoneResponses>(run_.searched);
+        return {std::make_shared<DominanceRule>(responses, reading, run_.dominant_above), run_.reach};
     }
 
     using Run = ga::Result<rough::Genome>;
@@ -177,17 +179,17 @@ class Paper {
 
 Findings run_paper(const Settings& settings, const Conditions& conditions) {
     const ga::Stopwatch clock;
-    const auto run = std::make_shared<PaperRun>(paper_from(settings, conditions.origin));
-    Paper paper(settings, *run, conditions);
+    PaperRun run = paper_from(settings, conditions.origin);
+    Paper paper(settings, run, conditions);
     conditions.progress.show("database");
     paper.answer_database();
-    for (TargetRun& target : run->targets) {
+    for (TargetRun& target : run.targets) {
         paper.design(target);
         paper.sweep(target);
     }
-    run->seconds = clock.seconds();
+    run.seconds = clock.seconds();
     conditions.progress.show("claims");
-    return {[run, folder = conditions.folder] { write_paper(*run, studies_of(*run), folder); }};
+    return findings_of(run, studies_of(run));
 }
 
 } // namespace

@@ -3,13 +3,22 @@
 #include "apps/report/record.hpp"
 #include "domain/target/similarity.hpp"
 #include "ga/base/parallel.hpp"
+#include "ga/base/random.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace app {
 
-std::vector<NamedPipeline> paper_three(const rough::Vocabulary& words) {
-    return {{"sog", sog(words)}, {"gco", gco(words)}, {"cco", cco(words)}};
+std::vector<rough::Genome> database_of(const PaperRun& run) {
+    std::vector<rough::Genome> genomes = sobol_database(run.layout);
+    const auto columns = static_cast<std::size_t>(run.layout.phase_columns);
+    for (std::size_t g = 0; run.phases > 0 && g < genomes.size(); ++g) { // the same for all pairs (H, gamma)
+        ga::Stream random(ga::fold(ga::fold(ga::fold(run.origin.seed, "phases"), run.phases), g % columns));
+        for (rough::Chromosome& chromosome : genomes[g].series[0].chromosomes)
+            chromosome.phases[0] = random.uniform(0, 2 * std::numbers::pi);
+    }
+    return genomes;
 }
 
 std::optional<VariantRun> finished_run(const std::string& name, const rough::DesignProblem& problem,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/prompt/settings.hpp"
+#include "apps/experiments/experiment.hpp"
 #include "apps/report/record.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/paper/dominance.hpp"
@@ -8,7 +8,6 @@
 #include "domain/target/target.hpp"
 
 #include <array>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
@@ -60,9 +59,13 @@ struct PaperRun {
     rough::Model searched;   ///< the same with the accuracy that the searches were allowed
     double max_pressure = 0; ///< p_max
     rough::DominanceReading dominance = rough::DominanceReading::same_pressure; ///< reading of Algorithm 1
+    double dominant_above = rough::dominance_threshold;                         ///< its correlation
+    bool reduces_children = false; ///< CCO reduces the children instead of the parents
+    rough::PhaseReach reach;       ///< how far refinement moves a phase
     rough::DatabaseLayout layout;
-    std::vector<Answered> database;                    ///< pair by pair, each with every phase column
-    std::vector<TargetRun> targets;                    ///< drawn, then held-out
+    std::uint64_t phases = 0;       ///< 0: Sobol's; else the number of a set drawn from the seed
+    std::vector<Answered> database; ///< pair by pair, each with every phase column
+    std::vector<TargetRun> targets; ///< drawn, then held-out
     std::map<std::string, std::string> other_readings; ///< what other readings make of a claim, by its id
 };
 
@@ -74,17 +77,11 @@ std::vector<Setting> paper_settings();
 PaperRun paper_from(const Settings& settings, const Origin& origin);
 
 struct Studies;
-/// Writes result.json and tables, those of a second target to the folder heldout.
-void write_paper(const PaperRun& run, const Studies& studies, const std::filesystem::path& folder);
+/// result.json and tables, those of a second target in the folder heldout.
+Findings findings_of(const PaperRun& run, const Studies& studies);
 
-/// A way to search that has a name.
-struct NamedPipeline {
-    std::string name;
-    rough::Pipeline pipeline;
-};
-
-/// sog, gco and cco.
-std::vector<NamedPipeline> paper_three(const rough::Vocabulary& words);
+/// The genomes of the run's database before Eq. 11.
+std::vector<rough::Genome> database_of(const PaperRun& run);
 
 /// What a run of a pipeline came to, its answer solved throughout; nothing when it was stopped before a
 /// genome was scored.

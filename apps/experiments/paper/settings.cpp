@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <limits>
+#include <numbers>
 
 namespace app {
 
@@ -21,6 +22,7 @@ rough::DatabaseLayout layout_from(const Settings& settings, const rough::Model& 
     layout.gamma_from = settings.number("database.gamma-from", 1.01, 100);
     layout.gamma_to = settings.number("database.gamma-to", layout.gamma_from, 100);
     layout.A = settings.positive("database.A");
+    layout.with_first = settings.one_of("database.first-point", {"skipped", "kept"}) == 1;
     layout.lambda =
         settings.has("database.lambda") ? settings.positive("database.lambda") : model.grid.length;
     layout.shortest = settings.has("database.shortest-wave") ? settings.positive("database.shortest-wave")
@@ -98,8 +100,12 @@ std::vector<Setting> paper_settings() {
         {"paper.readings", "",
          "readings.json of an experiment of kind readings: what other readings make of each claim"},
         {"paper.dominance", "pressure",
-         "Algorithm 1 compares curves at the same pressure, or at the same load step"},
-        {"paper.phase-relative", "0.1", "how far refinement moves a phase, over its own value"},
+         "Algorithm 1 compares K at the same pressure, K at the same load step, or raw tangents by step: "
+         "pressure, step or raw"},
+        {"paper.dominant-above", "0.95", "correlation above which it finds a chromosome dominant"},
+        {"paper.cco-reduces", "parents", "CCO applies it to the parents, or to the children"},
+        {"paper.phase-relative", "0.1", "how far refinement moves a phase, over paper.phase-of"},
+        {"paper.phase-of", "value", "value: the phase's own value; turn: 2 pi"},
         {"database.pairs", "20", "Sobol pairs (H, gamma)"},
         {"database.phase-columns", "5", "Sobol phase columns"},
         {"database.hurst-from", "0.5", "lowest H"},
@@ -109,6 +115,8 @@ std::vector<Setting> paper_settings() {
         {"database.A", "1", "amplitude A"},
         {"database.lambda", "", "longest wave, mm [L]"},
         {"database.shortest-wave", "", "shortest wave, mm [the grid's spacing]"},
+        {"database.first-point", "skipped", "the first point of Sobol's sequences: skipped or kept"},
+        {"database.phases", "0", "0: Sobol's phases; 1, 2, ...: this set of phases drawn from the seed"},
     };
     return joined(
         {settings, scan_settings("target."), model_settings("model."), {accuracy_setting("model.")}});
@@ -128,8 +136,16 @@ PaperRun paper_from(const Settings& settings, const Origin& origin) {
     run.layout = layout_from(settings, run.model);
     if (settings.has("paper.readings"))
         run.other_readings = readings_from(settings.path("paper.readings"));
+    run.phases = static_cast<std::uint64_t>(settings.whole("database.phases", 0, 1000000));
     run.dominance =
-        static_cast<rough::DominanceReading>(settings.one_of("paper.dominance", {"pressure", "step"}));
+        static_cast<rough::DominanceReading>(settings.one_of("paper.dominance", {"pressure", "step", "raw"}));
+    run.dominant_above = settings.number("paper.dominant-above", 0, 1);
+    run.reduces_children = settings.one_of("paper.cco-reduces", {"parents", "children"}) == 1;
+    const double share = settings.number("paper.phase-relative", 0, 10);
+    if (settings.one_of("paper.phase-of", {"value", "turn"}) == 1)
+        run.reach = {0, share * 2 * std::numbers::pi};
+    else
+        run.reach = {share, 0};
     return run;
 }
 

@@ -171,34 +171,6 @@ std::vector<RidgeCount> ridge_study(const std::vector<int>& ridge_counts, int se
     return counts;
 }
 
-std::vector<FractalStudy> fractal_studies(const rough::Model& model, std::uint64_t seed, int threads,
-                                          rough::DominanceReading reading, double threshold) {
-    std::vector<FractalStudy> studies(20);
-    ga::parallel_for(studies.size(), threads, [&](std::size_t i) {
-        studies[i] = study_of(model, ga::fold(seed, i), reading, threshold);
-    });
-    return studies;
-}
-
-std::vector<Reduction> reductions(const PaperRun& run, const rough::DominanceRule& rule) {
-    std::vector<Reduction> rows(run.database.size());
-    ga::parallel_for(rows.size(), run.origin.threads, [&](std::size_t i) {
-        const Answered& member = run.database[i];
-        rows[i] = reduction_of(member.genome, secant_stiffness(member.response), run, rule);
-    });
-    return rows;
-}
-
-void add_removals(const PaperRun& run, Studies& studies) {
-    studies.without_coarse.resize(run.database.size());
-    studies.without_fine.resize(run.database.size());
-    ga::parallel_for(run.database.size(), run.origin.threads, [&](std::size_t i) {
-        const Answered& member = run.database[i];
-        studies.without_fine[i] = removal(member.response, half_of(member.genome, true), run.model);
-        studies.without_coarse[i] = removal(member.response, half_of(member.genome, false), run.model);
-    });
-}
-
 Studies studies_of(const PaperRun& run) {
     constexpr int phase_sets = 1000; // as many as the paper's Figure 2
     const std::vector<int> ridges = {2,  3,  4,   6,   8,   12,  16,  24,  32,  48,
@@ -206,25 +178,32 @@ Studies studies_of(const PaperRun& run) {
     const std::uint64_t seed = run.origin.seed;
     Studies studies{.chromosomes = {chromosome_example(1, seed), chromosome_example(2, seed)},
                     .ridges = ridge_study(ridges, phase_sets, seed),
-                    .fractals = fractal_studies(run.model, seed, run.origin.threads)};
+                    .fractals = std::vector<FractalStudy>(20)};
+    ga::parallel_for(studies.fractals.size(), run.origin.threads, [&](std::size_t i) {
+        studies.fractals[i] = study_of(run.model, ga::fold(seed, i), run.dominance, run.dominant_above);
+    });
     const auto responses = std::make_shared<rough::LoneResponses>(run.model);
-    const auto kept_by = [&](rough::DominanceReading reading) {
-        return reductions(run, rough::DominanceRule(responses, reading, rough::dominance_threshold));
-    };
-    studies.same_pressure = kept_by(rough::DominanceReading::same_pressure);
-    studies.same_step = kept_by(rough::DominanceReading::same_step);
-    add_removals(run, studies);
-
-    rough::Model other = run.model;
-    other.body.datum *= studies.datum_factor;
+    const rough::DominanceRule ours(responses, run.dominance, run.dominant_above),
+        others(responses, other(run.dominance), run.dominant_above);
+    rough::Model farther = run.model;
+    farther.body.datum *= studies.datum_factor;
     const std::size_t count = run.database.size();
+    studies.ours.resize(count);
+    studies.other.resize(count);
+    studies.without_coarse.resize(count);
+    studies.without_fine.resize(count);
     studies.datum_similarity.resize(count);
     std::vector<Curve> elsewhere(count);
     std::vector<Contacts> contacts(count);
     ga::parallel_for(count, run.origin.threads, [&](std::size_t i) {
         const Answered& member = run.database[i];
-        elsewhere[i] = at_pressure(respond(member.genome, other), run.max_pressure);
-        studies.datum_similarity[i] = similarity(secant_stiffness(member.response), elsewhere[i]);
+        const Curve whole = secant_stiffness(member.response);
+        studies.ours[i] = reduction_of(member.genome, whole, run, ours);
+        studies.other[i] = reduction_of(member.genome, whole, run, others);
+        studies.without_fine[i] = removal(member.response, half_of(member.genome, true), run.model);
+        studies.without_coarse[i] = removal(member.response, half_of(member.genome, false), run.model);
+        elsewhere[i] = at_pressure(respond(member.genome, farther), run.max_pressure);
+        studies.datum_similarity[i] = similarity(whole, elsewhere[i]);
         contacts[i] = contacts_of(member, run.model);
     });
     for (const Contacts& one : contacts)

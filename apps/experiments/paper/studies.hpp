@@ -38,11 +38,11 @@ struct FractalStudy {
     std::vector<bool> dominant; ///< correlation > 0.95, or the best one if none passes
     rough::Response whole_response, reduced_response;
 };
-/// Twenty such profiles, on the model's grid and body.
-std::vector<FractalStudy>
-fractal_studies(const rough::Model& model, std::uint64_t seed, int threads,
-                rough::DominanceReading reading = rough::DominanceReading::same_pressure,
-                double threshold = rough::dominance_threshold);
+/// The reading of Algorithm 1 whose results stand beside the run's.
+inline rough::DominanceReading other(rough::DominanceReading reading) {
+    using enum rough::DominanceReading;
+    return reading == same_pressure ? same_step : same_pressure;
+}
 
 /// What Algorithm 1 keeps of one genome under one reading of its correlation.
 struct Reduction {
@@ -50,9 +50,6 @@ struct Reduction {
     double similarity = 0;  ///< of the reduced profile's K(p) with the whole's, both at p_max (Eq. 12)
     bool only_best = false; ///< none passed 0.95
 };
-/// What a rule of Algorithm 1 keeps of each genome of the run's database.
-std::vector<Reduction> reductions(const PaperRun& run, const rough::DominanceRule& rule);
-
 /// Mean relative change of a genome's curves when half of its waves go, at equal pressures that both profiles
 /// reach; NaN if the remaining profile is flat.
 struct Removal {
@@ -68,8 +65,8 @@ struct Contacts {
 struct Studies {
     std::vector<ChromosomeExample> chromosomes = {}; ///< n = 1, 2
     std::vector<RidgeCount> ridges = {};
-    std::vector<FractalStudy> fractals = {};
-    std::vector<Reduction> same_pressure = {}, same_step = {};
+    std::vector<FractalStudy> fractals = {};      ///< twenty profiles, on the run's grid and body
+    std::vector<Reduction> ours = {}, other = {}; ///< under the run's reading of Algorithm 1, and another
     std::vector<Removal> without_coarse = {}, without_fine = {}; ///< without the longer, the shorter half
     double datum_factor = 4;                                     ///< the other datum, times the run's
     std::vector<double> datum_similarity = {}; ///< of a genome's K(p) at the other datum with its own
@@ -77,8 +74,6 @@ struct Studies {
     Contacts contacts = {};
 };
 Studies studies_of(const PaperRun& run);
-/// Adds how each genome's curves change without one half of its waves.
-void add_removals(const PaperRun& run, Studies& studies);
 
 /// Mean relative difference |b - a|/a at the points of `a` that both can be read at; NaN if there is none.
 double relative_gap(const rough::Curve& a, const rough::Curve& b);

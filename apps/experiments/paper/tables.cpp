@@ -1,11 +1,10 @@
 #include "apps/experiments/paper/claims.hpp"
 #include "apps/report/csv.hpp"
-#include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/profile/spectrum.hpp"
-#include "domain/text/atomic_file.hpp"
+#include "domain/text/json.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,19 +33,9 @@ std::string shown_name(const std::string& name) {
     return result + (name == algorithm ? "" : ", minimax");
 }
 
-/// Tables of one folder.
-class Tables {
-  public:
-    explicit Tables(std::filesystem::path folder) : folder_(std::move(folder)) {}
-    void write(const std::string& name, const Csv& table) const {
-        rough::write_atomically(folder_ / (name + ".csv"), table.text());
-    }
+using Files = std::map<std::string, std::string>; ///< texts by their names in the folder
 
-  private:
-    std::filesystem::path folder_;
-};
-
-void write_database_tables(const PaperRun& run, const Tables& tables) {
+void add_database_tables(const PaperRun& run, Files& files) {
     Csv genomes("id,H,gamma,phase_column,chromosomes,amplitude_after_rescaling");
     Csv curves("id,pressure_MPa,stiffness_MPa_per_mm", 8);
     for (std::size_t i = 0; i < run.database.size(); ++i) {
@@ -57,11 +46,11 @@ void write_database_tables(const PaperRun& run, const Tables& tables) {
         for (Eigen::Index j = 0; j < K.x.size(); ++j)
             curves.row(i, K.x[j], K.y[j]);
     }
-    tables.write("genomes", genomes);
-    tables.write("database", curves);
+    files["genomes.csv"] = genomes.text();
+    files["database.csv"] = curves.text();
 }
 
-void write_study_tables(const Studies& studies, const Tables& tables) {
+void add_study_tables(const Studies& studies, Files& files) {
     Csv chromosomes("n,ridge,x_mm,height_mm", 8);
     for (const ChromosomeExample& example : studies.chromosomes)
         for (std::size_t m = 0; m <= example.ridges.size(); ++m) { // 0: their sum
@@ -69,12 +58,12 @@ void write_study_tables(const Studies& studies, const Tables& tables) {
             for (Eigen::Index i = 0; i < heights.size(); ++i)
                 chromosomes.row(example.n, m, example.x[i], heights[i]);
         }
-    tables.write("chromosomes", chromosomes);
+    files["chromosomes.csv"] = chromosomes.text();
 
     Csv ridges("ridges,as_printed,last_missing,right_phase");
     for (const RidgeCount& row : studies.ridges)
         ridges.row(row.ridges, row.as_printed, row.last_missing, row.right_phase);
-    tables.write("ridges", ridges);
+    files["ridges.csv"] = ridges.text();
 
     const FractalStudy& study = studies.fractals.front();
     Csv heights("x_mm,whole_mm,reduced_mm", 8), bands("longest_mm,shortest_mm,dominant");
@@ -90,17 +79,17 @@ void write_study_tables(const Studies& studies, const Tables& tables) {
                                               {"area", area_against_pressure(*response)}})
             for (Eigen::Index j = 0; j < curve.x.size(); ++j)
                 curves.row(name, quantity, curve.x[j], curve.y[j]);
-    tables.write("fractal-heights", heights);
-    tables.write("fractal-bands", bands);
-    tables.write("fractal-curves", curves);
+    files["fractal-heights.csv"] = heights.text();
+    files["fractal-bands.csv"] = bands.text();
+    files["fractal-curves.csv"] = curves.text();
 }
 
 /// Stages, refinements and the best similarity known after each stage.
-void write_search_tables(const TargetRun& target, const Tables& tables) {
+void add_search_tables(const TargetRun& target, const std::string& place, Files& files) {
     Csv scores("id,similarity,similarity_low,similarity_high");
     for (std::size_t i = 0; i < target.database.size(); ++i)
         scores.row(i, target.database[i].all, target.database[i].low, target.database[i].high);
-    tables.write("scores", scores);
+    files[place + "scores.csv"] = scores.text();
 
     Csv stages("variant,path,id,parent1,parent2,similarity"), refined("variant,rank,id,stage,similarity"),
         convergence("variant,name,spent,best_similarity");
@@ -123,20 +112,20 @@ void write_search_tables(const TargetRun& target, const Tables& tables) {
                 refined.row(variant.name, rank + 1, candidates[rank].id, stage,
                             candidates[rank].similarity[stage]);
     }
-    tables.write("stages", stages);
-    tables.write("refinements", refined);
-    tables.write("convergence", convergence);
+    files[place + "stages.csv"] = stages.text();
+    files[place + "refinements.csv"] = refined.text();
+    files[place + "convergence.csv"] = convergence.text();
     if (target.thresholds.empty())
         return;
     Csv thresholds("p_bar_MPa,variant,U1,U2,at_least_used,children,share_above,best_child,similarity");
     for (const ThresholdRow& row : target.thresholds)
         thresholds.row(row.p_bar, row.variant, row.u1, row.u2, row.at_least_used, row.children,
                        row.share_above, row.best_child, row.similarity);
-    tables.write("thresholds", thresholds);
+    files[place + "thresholds.csv"] = thresholds.text();
 }
 
 /// Curves, heights and spectra of the answers.
-void write_answer_tables(const PaperRun& run, const TargetRun& target, const Tables& tables) {
+void add_answer_tables(const PaperRun& run, const TargetRun& target, const std::string& place, Files& files) {
     Csv curves(
         "variant,displacement_mm,pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm,kkt_residual");
     Csv stiffness("variant,pressure_MPa,stiffness_MPa_per_mm", 8), heights("variant,x_mm,height_mm", 8),
@@ -168,12 +157,12 @@ void write_answer_tables(const PaperRun& run, const TargetRun& target, const Tab
     Csv points("pressure_MPa,stiffness_MPa_per_mm");
     for (rough::Index k = 0; k < target.target.points(); ++k)
         points.row(target.target.x[k], target.target.y[k]);
-    tables.write("curves", curves);
-    tables.write("stiffness", stiffness);
-    tables.write("heights", heights);
-    tables.write("spectra", spectra);
-    tables.write("lines", lines);
-    tables.write("target", points);
+    files[place + "curves.csv"] = curves.text();
+    files[place + "stiffness.csv"] = stiffness.text();
+    files[place + "heights.csv"] = heights.text();
+    files[place + "spectra.csv"] = spectra.text();
+    files[place + "lines.csv"] = lines.text();
+    files[place + "target.csv"] = points.text();
 }
 
 /// The runs on one target as the page shows them.
@@ -232,9 +221,10 @@ json target_page(const TargetRun& target, const std::string& folder) {
 }
 
 /// One reading of Algorithm 1: what it keeps of the database, and the answers with it.
-json dominance_json(const PaperRun& run, const std::vector<Reduction>& rows, const std::string& name,
-                    bool ours) {
-    json result = {{"reading", name},
+json dominance_json(const PaperRun& run, const std::vector<Reduction>& rows, bool ours) {
+    constexpr std::array names{"pressure", "step", "raw"};
+    const auto reading = ours ? run.dominance : other(run.dominance);
+    json result = {{"reading", names[static_cast<std::size_t>(reading)]},
                    {"ours", ours},
                    {"similarity", rough::median(rough::column(rows, &Reduction::similarity))},
                    {"kept", rough::mean(rough::column(rows, &Reduction::kept))},
@@ -268,79 +258,38 @@ json datum_json(const PaperRun& run, const Studies& studies) {
     return result;
 }
 
-/// The claims and how many have each verdict; also as claims.csv.
-json claims_json(const PaperRun& run, const Studies& studies, const Tables& tables) {
-    json claims = json::array(), counts = {{"reproduced", 0}, {"contradicted", 0}, {"undecidable", 0}};
-    Csv table("id,figure,sentence,measure,rule,verdict,number,number_heldout");
-    for (const Claim& claim : paper_claims()) {
-        const EvaluatedClaim result = evaluated(claim, run, studies);
-        const std::string verdict = name_of(result.verdict);
-        counts[verdict] = counts[verdict].get<int>() + 1;
-        json numbers = json::array();
-        for (const auto& [title, finding] : result.findings) {
-            numbers.push_back({{"on", title},
-                               {"number", finding.number},
-                               {"known", !std::isnan(finding.number)},
-                               {"parts", json::array()}});
-            for (const auto& [name, value] : finding.parts)
-                numbers.back()["parts"].push_back({{"name", name}, {"value", value}});
-        }
-        const auto number = [&](std::size_t i) {
-            return i < result.findings.size() ? result.findings[i].second.number : unknown;
-        };
-        table.row(claim.id, claim.place, claim.sentence, claim.measure, claim.rule(), verdict, number(0),
-                  number(1));
-        const auto other = run.other_readings.find(claim.id);
-        const std::string figure = claim.place.starts_with("Figure ")
-                                       ? claim.place.substr(7, claim.place.find_last_of("0123456789") - 6)
-                                       : "";
-        claims.push_back({{"id", claim.id},
-                          {"place", claim.place},
-                          {"figure_number", figure},
-                          {"sentence", claim.sentence},
-                          {"measure", claim.measure},
-                          {"rule", claim.rule()},
-                          {"remark", claim.remark},
-                          {"verdict", verdict},
-                          {"numbers", std::move(numbers)},
-                          {"other_readings", other == run.other_readings.end() ? "" : other->second}});
-    }
-    tables.write("claims", table);
-    return {{"claims", std::move(claims)}, {"verdicts", std::move(counts)}};
-}
-
 } // namespace
 
-void write_paper(const PaperRun& run, const Studies& studies, const std::filesystem::path& folder) {
-    const Tables tables(folder);
-    json page = claims_json(run, studies, tables);
+Findings findings_of(const PaperRun& run, const Studies& studies) {
+    Findings found;
+    Csv claims(claims_header);
+    json page = claims_json(run, studies, claims);
+    found.files["claims.csv"] = claims.text();
     page["seconds"] = run.seconds;
     page["database_size"] = run.database.size();
-    const bool by_pressure = run.dominance == rough::DominanceReading::same_pressure;
-    page["dominance"] = {dominance_json(run, studies.same_pressure, "pressure", by_pressure),
-                         dominance_json(run, studies.same_step, "step", !by_pressure)};
+    page["dominance"] = {dominance_json(run, studies.ours, true), dominance_json(run, studies.other, false)};
     page["datum"] = datum_json(run, studies);
     std::string target_figure;
     for (const TargetRun& target : run.targets) {
-        const std::string place = &target == &run.targets.front() ? "./" : "heldout/";
-        page["targets"].push_back(target_page(target, place));
-        target_figure += place + " " + target.title + " ";
-    }
-    page["target_figure"] = target_figure;
-    for (const TargetRun& target : run.targets) {
         const bool first = &target == &run.targets.front();
-        const auto place = first ? folder : subfolder(folder, "heldout");
-        write_search_tables(target, Tables(place));
-        write_answer_tables(run, target, Tables(place));
+        const std::string place = first ? "" : "heldout/", shown = first ? "./" : place;
+        page["targets"].push_back(target_page(target, shown));
+        target_figure += shown + " " + target.title + " ";
+        add_search_tables(target, place, found.files);
+        add_answer_tables(run, target, place, found.files);
         json result = result_json(
             {run.origin, run.searched, {run.searched}, run.max_pressure, target.target, target.variants});
         result["threshold_MPa"] = target.p_bar;
         if (first)
-            result.update(page);
-        write_json(place / "result.json", result);
+            found.result = std::move(result);
+        else
+            found.files[place + "result.json"] = rough::json_text(result) + "\n";
     }
-    write_database_tables(run, tables);
-    write_study_tables(studies, tables);
+    page["target_figure"] = target_figure;
+    found.result.update(page);
+    add_database_tables(run, found.files);
+    add_study_tables(studies, found.files);
+    return found;
 }
 
 } // namespace app

@@ -1,12 +1,9 @@
 #include "apps/experiments/solvers/accuracy.hpp"
 
-#include "apps/experiments/experiment.hpp"
 #include "apps/experiments/solvers/trial.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/csv.hpp"
-#include "apps/report/output.hpp"
-#include "apps/report/record.hpp"
 #include "apps/report/result.hpp"
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/respond_within.hpp"
@@ -14,7 +11,6 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/text/atomic_file.hpp"
 #include "ga/base/stopwatch.hpp"
 
 #include <cmath>
@@ -129,23 +125,23 @@ void design(AccuracyRun& run, const Settings& settings, const Conditions& condit
 }
 
 Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
-    const auto run = std::make_shared<AccuracyRun>();
-    run->origin = conditions.origin;
-    run->setup.model = model_from(settings, "model.");
-    run->setup.model.accuracy = accuracy_from(settings, "model.");
-    run->setup.targets = {rough::read_target(target_files(settings, "targets.files").front())};
-    run->setup.max_pressure = settings.pressure("targets.max-pressure");
+    AccuracyRun run;
+    run.origin = conditions.origin;
+    run.setup.model = model_from(settings, "model.");
+    run.setup.model.accuracy = accuracy_from(settings, "model.");
+    run.setup.targets = {rough::read_target(target_files(settings, "targets.files").front())};
+    run.setup.max_pressure = settings.pressure("targets.max-pressure");
     const ga::Stopwatch clock;
-    try_accuracies(*run, settings, conditions);
+    try_accuracies(run, settings, conditions);
     if (!conditions.stop)
-        design(*run, settings, conditions);
-    run->seconds = clock.seconds();
-    return {[run, folder = conditions.folder] { write_accuracy_study(*run, folder); }};
+        design(run, settings, conditions);
+    run.seconds = clock.seconds();
+    return findings_of(run);
 }
 
 } // namespace
 
-void write_accuracy_study(const AccuracyRun& run, const std::filesystem::path& folder) {
+Findings findings_of(const AccuracyRun& run) {
     const rough::DesignSetup& setup = run.setup;
     Record record{run.origin,         setup.model,           loaded_models(setup),
                   setup.max_pressure, setup.targets.front(), {}};
@@ -162,14 +158,11 @@ void write_accuracy_study(const AccuracyRun& run, const std::filesystem::path& f
         budget.row(row.kind, row.source, row.size);
     nlohmann::json result = result_json(record);
     result.update({{"seconds", run.seconds}, {"savings", savings.rows()}, {"error_budget", budget.rows()}});
-    const auto write = [&](const char* file, const Csv& table) {
-        rough::write_atomically(folder / file, table.text());
-    };
-    write("savings.csv", savings);
-    write("medians.csv", medians_table(run));
-    write("coverage.csv", coverage_table(run));
-    write("budget.csv", budget);
-    write_json(folder / "result.json", result);
+    return {.result = result,
+            .files = {{"savings.csv", savings.text()},
+                      {"medians.csv", medians_table(run).text()},
+                      {"coverage.csv", coverage_table(run).text()},
+                      {"budget.csv", budget.text()}}};
 }
 
 Experiment accuracy_experiment() {

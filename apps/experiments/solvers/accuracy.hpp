@@ -1,9 +1,8 @@
 #pragma once
 
-#include "apps/report/record.hpp"
+#include "apps/experiments/experiment.hpp"
 #include "domain/design/error_budget.hpp"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -35,7 +34,7 @@ struct AccuracyRun {
     double seconds = 0;
 };
 
-/// Writes result.json, savings.csv, medians.csv, coverage.csv and budget.csv.
-void write_accuracy_study(const AccuracyRun& run, const std::filesystem::path& folder);
+/// result.json, savings.csv, medians.csv, coverage.csv and budget.csv.
+Findings findings_of(const AccuracyRun& run);
 
 } // namespace app

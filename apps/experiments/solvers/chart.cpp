@@ -1,9 +1,6 @@
 #include "apps/experiments/solvers/chart.hpp"
 
 #include "apps/experiments/experiment.hpp"
-#include "apps/prompt/terminal.hpp"
-#include "apps/report/output.hpp"
-#include "apps/report/result.hpp"
 #include "apps/report/units.hpp"
 #include "domain/contact/exact.hpp"
 #include "domain/errors.hpp"
@@ -199,9 +196,8 @@ void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, C
                                            1);
 }
 
-std::optional<ChartRun> run_chart(const ChartScene& scene, const ChartTruth& truth,
-                                  const ChartSetting& setting, double limit,
-                                  const std::function<bool()>& stop) {
+ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const ChartSetting& setting,
+                   double limit, const std::function<bool()>& stop) {
     const ContactScene contact{scene.name, scene.profile(setting.nodes), scene.body,
                                even_steps(scene.last, setting.steps)};
     rough::ContactOptions options;
@@ -220,8 +216,6 @@ std::optional<ChartRun> run_chart(const ChartScene& scene, const ChartTruth& tru
         start = processor_seconds();
         trial = try_contact(contact, options);
     });
-    if (stop && stop())
-        return std::nullopt;
     run.iterations = trial.curve.iterations;
     run.outcome = trial.outcome;
     if (trial.outcome == Outcome::solved) {
@@ -255,10 +249,6 @@ class Course {
 
   private:
     bool stopped() const { return bounds_.stop && bounds_.stop(); }
-    bool is_over(const ChartSetting& setting) const {
-        return setting.nodes > plan_.front().nodes && clock_.seconds() > bounds_.seconds;
-    }
-    void leave_out(const ChartSetting& setting, LeftOutFor why) { data_.left_out.push_back({setting, why}); }
 
     void find_truth(const ChartScene& scene) {
         tell("reference of " + scene.name);
@@ -278,55 +268,42 @@ class Course {
         return setting;
     }
 
-    /// The least that a curve can take, s.
-    double least(const ChartSetting& setting) const {
-        const auto coarser = coarser_.find(on_any_grid(setting));
-        return coarser == coarser_.end() ? 0
-                                         : coarser->second.seconds * static_cast<double>(setting.nodes) /
-                                               static_cast<double>(coarser->second.setting.nodes);
-    }
-
-    std::optional<LeftOutFor> barred(const ChartSetting& setting) const {
-        const auto coarser = coarser_.find(on_any_grid(setting));
-        if (coarser != coarser_.end() && coarser->second.outcome != Outcome::solved && !coarser->second.late)
+    /// Why a setting is not tried; a curve takes at least as many times its coarser grid's time as it has
+    /// more nodes.
+    std::optional<LeftOutFor> barred(const ChartSetting& setting, bool is_late) const {
+        const auto found = coarser_.find(on_any_grid(setting));
+        if (stopped())
+            return LeftOutFor::interrupt;
+        if (found == coarser_.end())
+            return is_late ? std::optional(LeftOutFor::time) : std::nullopt;
+        const ChartRun& coarser = found->second;
+        if (coarser.outcome != Outcome::solved && !coarser.late)
             return LeftOutFor::unsolved;
-        return least(setting) > extent_.limit ? std::optional(LeftOutFor::limit) : std::nullopt;
+        if (coarser.seconds * static_cast<double>(setting.nodes) >
+            extent_.limit * static_cast<double>(coarser.setting.nodes))
+            return LeftOutFor::limit;
+        return is_late ? std::optional(LeftOutFor::time) : std::nullopt;
     }
 
     void try_on_all(ChartSetting setting) {
-        std::vector<ChartSetting> row;
-        double expected = 0;
-        for (setting.scene = 0; setting.scene < scenes_.size(); ++setting.scene)
-            if (const auto why = stopped() ? LeftOutFor::interrupt : barred(setting)) {
-                leave_out(setting, *why);
-            } else {
-                row.push_back(setting);
-                expected += least(setting);
+        const bool is_late = setting.nodes > plan_.front().nodes && clock_.seconds() > bounds_.seconds;
+        for (setting.scene = 0; setting.scene < scenes_.size(); ++setting.scene) {
+            auto why = barred(setting, is_late);
+            if (!why) {
+                const ChartRun run = run_chart(scenes_[setting.scene], truths_[setting.scene], setting,
+                                               extent_.limit, bounds_.stop);
+                if (stopped()) {
+                    why = LeftOutFor::interrupt;
+                } else {
+                    coarser_[on_any_grid(setting)] = run;
+                    data_.runs.push_back(run);
+                    tell(scenes_[setting.scene].name + ", " + name_of(setting.method) +
+                         ", N = " + std::to_string(setting.nodes));
+                }
             }
-        const bool fits =
-            setting.nodes == plan_.front().nodes || clock_.seconds() + expected <= bounds_.seconds;
-        const std::size_t before = data_.runs.size();
-        for (const ChartSetting& each : row)
-            if (!fits || is_over(each))
-                leave_out(each, LeftOutFor::time);
-            else
-                measure(each);
-        if (data_.runs.size() < before + row.size() && !stopped()) { // not of some scenes alone
-            for (std::size_t k = before; k < data_.runs.size(); ++k)
-                leave_out(data_.runs[k].setting, LeftOutFor::time);
-            data_.runs.resize(before);
+            if (why)
+                data_.left_out.push_back({setting, *why});
         }
-    }
-
-    void measure(const ChartSetting& setting) {
-        const auto run = run_chart(scenes_[setting.scene], truths_[setting.scene], setting, extent_.limit,
-                                   [&] { return stopped() || is_over(setting); });
-        if (!run)
-            return leave_out(setting, stopped() ? LeftOutFor::interrupt : LeftOutFor::time);
-        coarser_[on_any_grid(setting)] = *run;
-        data_.runs.push_back(*run);
-        tell(scenes_[setting.scene].name + ", " + name_of(setting.method) +
-             ", N = " + std::to_string(setting.nodes));
     }
 
     void tell(const std::string& what) const {
@@ -349,38 +326,30 @@ class Course {
 
 Findings run_chart_experiment(const Settings& settings, const Conditions& conditions) {
     const bool quick = settings.is_on("chart.quick");
-    const auto write = [folder = conditions.folder](const char* name, const Csv& table) {
-        rough::write_atomically(folder / name, table.text());
-    };
     ga::Stopwatch since_written;
     const auto watch = [&](const ChartData& so_far, const std::string& where) {
         conditions.progress.show(where);
         if (so_far.runs.empty() || since_written.seconds() < 3)
             return;
-        write("chart.csv", chart_table(so_far));
+        rough::write_atomically(conditions.folder / "chart.csv", chart_table(so_far).text());
         since_written = {};
     };
-    const auto data =
-        std::make_shared<const ChartData>(charted(chart_scenes(), quick ? quick_extent() : whole_extent(),
-                                                  {60 * settings.positive("chart.minutes"), quick ? 128 : 256,
-                                                   [&] { return conditions.stop.load(); }, watch}));
-    if (data->runs.empty())
+    const ChartData data = charted(chart_scenes(), quick ? quick_extent() : whole_extent(),
+                                   {60 * settings.positive("chart.minutes"), quick ? 128 : 256,
+                                    [&] { return conditions.stop.load(); }, watch});
+    if (data.runs.empty())
         return {};
-    const std::string left_out = left_out_in_a_line(*data);
-    return {.write =
-                [=, origin = conditions.origin, folder = conditions.folder] {
-                    const Csv table = chart_table(*data);
-                    write("chart.csv", table);
-                    write("models.csv", models_table(data->models));
-                    write("points.csv", points_table(*data));
-                    write("model_errors.csv", model_errors_table(data->models));
-                    nlohmann::json result = origin_json(origin);
-                    result.update(chart_facts(*data));
-                    result["runs"] = table.rows();
-                    write_json(folder / "result.json", result);
-                },
-            .summary = std::to_string(data->runs.size()) + " settings charted" +
-                       (left_out.empty() ? "" : "; " + left_out)};
+    const std::string left_out = left_out_in_a_line(data);
+    const Csv table = chart_table(data);
+    Findings found{.result = chart_facts(data),
+                   .files = {{"chart.csv", table.text()},
+                             {"models.csv", models_table(data.models).text()},
+                             {"points.csv", points_table(data).text()},
+                             {"model_errors.csv", model_errors_table(data.models).text()}},
+                   .summary = std::to_string(data.runs.size()) + " settings charted" +
+                              (left_out.empty() ? "" : "; " + left_out)};
+    found.result["runs"] = table.rows();
+    return found;
 }
 
 } // namespace
@@ -400,7 +369,7 @@ Experiment chart_experiment() {
             "every scene. Writes chart.csv (as it goes), models.csv and a page that says which model and "
             "method to take when, and what was left out and why. Ctrl-C ends it; what was measured is kept.",
         .settings = {{"chart.minutes", "10",
-                      "begin nothing that would not end within so many; the coarsest grid is always done"},
+                      "no setting begins after so many; the coarsest grid is always done"},
                      {"chart.quick", "", "fewer and smaller grids: under a minute", true}},
         .files = {"chart.csv", "points.csv", "models.csv", "model_errors.csv"},
         .run = run_chart_experiment,

@@ -90,11 +90,10 @@ struct ChartRun {
 /// mean squares.
 void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, ChartRun& run);
 
-/// Solves a few times; gives up after `limit` seconds of processor time. Errors are known on grids that the
-/// truth resolves. None where `stop` ended it.
-std::optional<ChartRun> run_chart(const ChartScene& scene, const ChartTruth& truth,
-                                  const ChartSetting& setting, double limit,
-                                  const std::function<bool()>& stop = {});
+/// Solves a few times; gives up after `limit` seconds of processor time, or when `stop` says so. Errors are
+/// known on grids that the truth resolves.
+ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const ChartSetting& setting,
+                   double limit, const std::function<bool()>& stop = {});
 
 /// A random surface that repeats, and its exact curve: what models are measured against.
 struct ModelScene {
@@ -184,9 +183,8 @@ struct ChartBounds {
 };
 
 /// Works through the plan, one setting on all scenes before the next. The references and the coarsest grid
-/// are always done; past its time a chart ends with the last setting that all scenes have. A curve takes at
-/// least as many times its coarser grid's time as it has more nodes: what would take more than the limit by
-/// that, or more than the time left, or was not solved on the coarser grid, is left out.
+/// are always done; past its time no setting begins. What would take more than the limit, to go by the
+/// coarser grid, or was not solved there, is left out.
 ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& extent,
                   const ChartBounds& bounds);
 

@@ -26,9 +26,9 @@ struct ErrorKind {
 
     /// Whether a run has it, in a way to be compared with other runs: errors at the load steps only are
     /// compared for the usual number of steps. Auto stands for the solver that it chooses.
-    bool compares(const ChartRun& run, std::size_t scene) const {
-        return run.setting.scene == scene && run.setting.method != Solver::automatic &&
-               run.*value != ChartRun::unknown && (between_steps || run.setting.steps == usual_steps);
+    bool compares(const ChartRun& run) const {
+        return run.setting.method != Solver::automatic && run.*value != ChartRun::unknown &&
+               (between_steps || run.setting.steps == usual_steps);
     }
 };
 constexpr std::array<ErrorKind, 3> error_kinds{{{"pressure", &ChartRun::error_pressure, false},
@@ -64,7 +64,36 @@ void fastest_first(std::vector<const ChartRun*>& runs) {
         std::rotate(runs.begin(), nested, nested + 1);
 }
 
-/// The fastest method for a curve of 20 steps by scene and grid, and how much longer the next one takes.
+/// Rows of scenes, with a cell for each column: the fastest run that `counts` there, and the next.
+template <class Columns, class Counts>
+json fastest(const ChartData& data, const Columns& columns, Counts counts) {
+    json rows = json::array();
+    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene) {
+        json cells = json::array();
+        for (const auto column : columns) {
+            std::vector<const ChartRun*> runs;
+            for (const ChartRun& run : data.runs)
+                if (run.setting.scene == scene && run.setting.method != Solver::automatic &&
+                    counts(run, column))
+                    runs.push_back(&run);
+            fastest_first(runs);
+            json cell{{"method", ""}, {"next", ""}};
+            if (!runs.empty())
+                cell.update({{"method", method_of(*runs[0])},
+                             {"seconds", runs[0]->seconds},
+                             {"nodes", runs[0]->setting.nodes},
+                             {"steps", runs[0]->setting.steps}});
+            if (runs.size() > 1)
+                cell.update({{"next", method_of(*runs[1])}, {"longer", runs[1]->seconds / runs[0]->seconds}});
+            cells.push_back(cell);
+        }
+        rows.push_back(
+            {{"scene", data.scenes[scene].name}, {"contact", data.contact(scene)}, {"cells", cells}});
+    }
+    return rows;
+}
+
+/// The fastest method for a curve of 20 steps by scene and grid.
 json fastest_by_grid(const ChartData& data) {
     std::vector<Index> grids;
     const std::set<Index> all = grids_of(data);
@@ -73,52 +102,19 @@ json fastest_by_grid(const ChartData& data) {
             grids.push_back(nodes);
         else if (grids.size() > 1 && nodes == *all.rbegin())
             grids.back() = nodes;
-    json rows = json::array();
-    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene) {
-        json row{
-            {"scene", data.scenes[scene].name}, {"contact", data.contact(scene)}, {"cells", json::array()}};
-        for (const Index nodes : grids) {
-            std::vector<const ChartRun*> runs;
-            for (const Solver method :
-                 {Solver::nested, Solver::nnls, Solver::polonsky_keer, Solver::active_set})
-                if (const ChartRun* run = solved(data, usual_setting(scene, method, nodes)))
-                    runs.push_back(run);
-            fastest_first(runs);
-            json cell{{"method", ""}, {"next", ""}};
-            if (!runs.empty())
-                cell = {{"method", method_of(*runs[0])}, {"seconds", runs[0]->seconds}};
-            if (runs.size() > 1)
-                cell.update({{"next", method_of(*runs[1])}, {"longer", runs[1]->seconds / runs[0]->seconds}});
-            row["cells"].push_back(cell);
-        }
-        rows.push_back(row);
-    }
-    return {{"grids", grids}, {"rows", rows}};
+    return {{"grids", grids}, {"rows", fastest(data, grids, [](const ChartRun& run, Index nodes) {
+                                   return run.outcome == Outcome::solved &&
+                                          run.setting ==
+                                              usual_setting(run.setting.scene, run.setting.method, nodes);
+                               })}};
 }
 
 /// The fastest setting of each scene that keeps an error below each of four levels.
 json fastest_by_error(const ChartData& data, const ErrorKind& kind) {
     constexpr std::array levels{0.03, 0.01, 1e-3, 1e-4};
-    json rows = json::array();
-    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene) {
-        json row{{"scene", data.scenes[scene].name}, {"cells", json::array()}};
-        for (const double level : levels) {
-            std::vector<const ChartRun*> runs;
-            for (const ChartRun& run : data.runs)
-                if (kind.compares(run, scene) && run.*kind.value <= level)
-                    runs.push_back(&run);
-            fastest_first(runs);
-            json cell{{"method", ""}};
-            if (!runs.empty())
-                cell = {{"method", method_of(*runs[0])},
-                        {"seconds", runs[0]->seconds},
-                        {"nodes", runs[0]->setting.nodes},
-                        {"steps", runs[0]->setting.steps}};
-            row["cells"].push_back(cell);
-        }
-        rows.push_back(row);
-    }
-    return {{"levels", levels}, {"rows", rows}};
+    return {{"levels", levels}, {"rows", fastest(data, levels, [&](const ChartRun& run, double level) {
+                                     return kind.compares(run) && run.*kind.value <= level;
+                                 })}};
 }
 
 /// Settings that were not tried: a row for each reason and method, with the coarsest grid of these.
@@ -271,7 +267,7 @@ Csv points_table(const ChartData& data) {
         for (const ErrorKind& kind : error_kinds) {
             std::vector<const ChartRun*> runs;
             for (const ChartRun& run : data.runs)
-                if (kind.compares(run, scene) && run.*kind.value > 0)
+                if (run.setting.scene == scene && kind.compares(run) && run.*kind.value > 0)
                     runs.push_back(&run);
             std::stable_sort(runs.begin(), runs.end(), [&](const ChartRun* a, const ChartRun* b) {
                 return std::pair(a->seconds, a->*kind.value) < std::pair(b->seconds, b->*kind.value);

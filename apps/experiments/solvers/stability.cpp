@@ -2,12 +2,9 @@
 
 #include "apps/experiments/experiment.hpp"
 #include "apps/report/csv.hpp"
-#include "apps/report/output.hpp"
-#include "apps/report/result.hpp"
 #include "domain/contact/solvers/oracle.hpp"
 #include "domain/contact/solvers/problem.hpp"
 #include "domain/plain_stream.hpp"
-#include "domain/text/atomic_file.hpp"
 
 #include <cmath>
 
@@ -130,27 +127,28 @@ std::string summary_of(const Cells& cells) {
     return text;
 }
 
-/// Writes result.json and stability.csv.
-void write_stability(const Cells& cells, const Origin& origin, const std::filesystem::path& folder) {
+Findings findings_of(const Cells& cells) {
     Csv table("scene,kernel,method,outcome,kkt_residual,iterations,seconds,message", 6);
     for (const StabilityCell& cell : cells) {
         const ContactTrial& trial = cell.trial;
-        std::optional<double> residual;
-        if (!trial.curve.steps.empty())
-            residual = trial.kkt_residual();
-        table.row(cell.scene, cell.kernel, cell.method, name_of(trial.outcome), residual,
+        table.row(cell.scene, cell.kernel, cell.method, name_of(trial.outcome),
+                  trial.curve.steps.empty() ? std::nullopt : std::optional(trial.kkt_residual()),
                   trial.curve.iterations, trial.seconds, trial.message);
     }
-    rough::write_atomically(folder / "stability.csv", table.text());
-    json result = origin_json(origin);
-    result.update({{"summary", summary_of(cells)},
-                   {"methods", by_method(cells)},
-                   {"scenes", by_scene(cells)},
-                   {"messages", messages(cells)},
-                   {"runs", table.rows()}});
+    json names = json::array();
     for (const Outcome outcome : outcomes)
-        result["outcomes"].push_back(name_of(outcome));
-    write_json(folder / "result.json", result);
+        names.push_back(name_of(outcome));
+    const bool wrong =
+        count(cells, [](const StabilityCell& cell) { return cell.trial.outcome == Outcome::wrong; }) > 0;
+    return {.result = {{"summary", summary_of(cells)},
+                       {"outcomes", names},
+                       {"methods", by_method(cells)},
+                       {"scenes", by_scene(cells)},
+                       {"messages", messages(cells)},
+                       {"runs", table.rows()}},
+            .files = {{"stability.csv", table.text()}},
+            .summary = summary_of(cells),
+            .code = wrong ? 3 : 0};
 }
 
 /// The scenes of a name on all kernels, or all of them.
@@ -168,7 +166,7 @@ std::vector<StabilityScene> scenes_from(const Settings& settings) {
 }
 
 Findings run_stability(const Settings& settings, const Conditions& conditions) {
-    const auto cells = std::make_shared<Cells>();
+    Cells cells;
     for (const StabilityScene& scene : scenes_from(settings)) {
         if (conditions.stop)
             break;
@@ -180,17 +178,10 @@ Findings run_stability(const Settings& settings, const Conditions& conditions) {
             options.solver = rough::solver_named(method);
             ContactTrial trial = try_contact(scene, options, seconds_per_cell);
             reference.verifier(trial, promised_tolerance(trial.curve, options));
-            cells->push_back({scene.name, kernel, method, scene.has_solution, std::move(trial)});
+            cells.push_back({scene.name, kernel, method, scene.has_solution, std::move(trial)});
         }
     }
-    if (cells->empty())
-        return {};
-    const bool wrong =
-        count(*cells, [](const StabilityCell& cell) { return cell.trial.outcome == Outcome::wrong; }) > 0;
-    return {.write = [cells, origin = conditions.origin,
-                      folder = conditions.folder] { write_stability(*cells, origin, folder); },
-            .summary = summary_of(*cells),
-            .code = wrong ? 3 : 0};
+    return cells.empty() ? Findings() : findings_of(cells);
 }
 
 } // namespace

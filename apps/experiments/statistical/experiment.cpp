@@ -1,14 +1,11 @@
 #include "apps/experiments/experiment.hpp"
 
 #include "apps/report/csv.hpp"
-#include "apps/report/output.hpp"
-#include "apps/report/result.hpp"
 #include "apps/report/units.hpp"
 #include "domain/design/statistical.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/target/target.hpp"
-#include "domain/text/atomic_file.hpp"
 
 namespace app {
 
@@ -83,16 +80,11 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
         add(name, run.surfaces.back().exact);
         files[name + ".x3p"] = x3p(run.surfaces.back().surface);
     }
-    nlohmann::json result = origin_json(conditions.origin);
-    result.update(result_of(run));
+    nlohmann::json result = result_of(run);
     result["curves"] = curves.rows();
     files["curves.csv"] = curves.text();
-    return {.write =
-                [files, result, folder = conditions.folder] {
-                    for (const auto& [name, text] : files)
-                        rough::write_atomically(folder / name, text);
-                    write_json(folder / "result.json", result);
-                },
+    return {.result = result,
+            .files = files,
             .summary = "similarity " + readable(run.answer.similarity, 4) + " by " +
                        name_of(run.task.theory) + "'s theory"};
 }

@@ -1,16 +1,14 @@
 #include "apps/experiments/experiment.hpp"
 
 #include "apps/cluster/evaluator.hpp"
-#include "apps/experiments/variants/run.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
-#include "apps/report/record.hpp"
 #include "apps/report/result.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/problem/setup.hpp"
-#include "domain/text/atomic_file.hpp"
+#include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/stopwatch.hpp"
@@ -24,6 +22,65 @@ namespace app {
 namespace {
 
 using nlohmann::json;
+
+/// The best similarity so far when so much was spent.
+struct Spent {
+    double evaluations; ///< curves and gradients
+    double seconds;     ///< since the search began
+    double similarity;
+};
+
+struct RaceRun {
+    std::uint64_t seed;
+    std::vector<Spent> history; ///< after each stage
+    VariantRun run;
+    double last_displacement = 0; ///< of the answer, at the end of the load, mm
+    long crossed = 0, better = 0; ///< children of two scored parents, and those above the better parent
+};
+
+struct RaceVariant {
+    std::string name;
+    std::vector<RaceRun> runs; ///< one per seed
+
+    double median_lowest() const {
+        return rough::median(rough::column(runs, [](const RaceRun& one) { return one.run.lowest(); }));
+    }
+    /// The run whose verified similarity is the median, or the next below.
+    const RaceRun& median_run() const {
+        const auto order = ga::in_order(runs.size(), [&](std::size_t a, std::size_t b) {
+            return runs[a].run.lowest() < runs[b].run.lowest();
+        });
+        return runs[order[(runs.size() - 1) / 2]];
+    }
+    /// Median over the runs of the best similarity when so much was spent; -1 if a run had none yet.
+    double median_at(double Spent::*axis, double spent) const {
+        return rough::median(rough::column(runs, [&](const RaceRun& run) {
+            double best = -1;
+            for (const Spent& one : run.history)
+                if (one.*axis <= spent)
+                    best = one.similarity;
+            return best;
+        }));
+    }
+};
+
+struct RaceTarget {
+    rough::DesignSetup setup;
+    std::vector<RaceVariant> variants; ///< those that ran
+
+    const std::string& name() const { return setup.targets[0].name; }
+    bool is_2d() const { return setup.model.grid.is_2d(); }
+    /// The highest similarity first.
+    std::vector<const RaceVariant*> ranked() const {
+        std::vector<const RaceVariant*> order;
+        for (const RaceVariant& variant : variants)
+            order.push_back(&variant);
+        std::stable_sort(order.begin(), order.end(), [](const RaceVariant* a, const RaceVariant* b) {
+            return a->median_lowest() > b->median_lowest();
+        });
+        return order;
+    }
+};
 
 /// Every target on every grid of model.nodes; those of the first grid are called by the target alone.
 std::vector<RaceTarget> targets_from(const Settings& settings) {
@@ -49,7 +106,7 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
         }
     std::vector<std::string> names;
     for (const RaceTarget& target : targets)
-        names.push_back(target.setup.targets[0].name);
+        names.push_back(target.name());
     expect_distinct(
         names, {"result.json", "variants.csv", "shortfall.csv", "ended.csv", "surfaces.csv", "report.html"},
         settings.place("targets.files"));
@@ -100,7 +157,7 @@ RaceRun run_once(const RaceTarget& target, const std::string& name, const rough:
         for (const auto& individual : event.population)
             best = std::max(best, similarity_of(individual).value_or(-HUGE_VAL));
         if (std::isfinite(best))
-            run.history.push_back({event.counters.asked, event.seconds, best});
+            run.history.push_back({static_cast<double>(event.counters.asked), event.seconds, best});
         parents(event);
     };
     const ga::Stopwatch clock;
@@ -108,35 +165,20 @@ RaceRun run_once(const RaceTarget& target, const std::string& name, const rough:
     run.run = variant_run(name, found, std::move(stages), clock.seconds());
     run.last_displacement =
         scored(found.setup, found.best.verification.on_own).responses.front().displacement.tail(1)[0];
-    run.history.push_back({found.counters.asked, run.run.seconds, std::max(best, run.run.similarity)});
+    run.history.push_back(
+        {static_cast<double>(found.counters.asked), run.run.seconds, std::max(best, run.run.similarity)});
     return run;
 }
 
-template <class Reached>
-double median_when(const RaceVariant& variant, Reached reached) {
-    std::vector<double> values;
-    for (const RaceRun& run : variant.runs) {
-        double best = NAN;
-        for (const Spent& spent : run.history)
-            if (reached(spent))
-                best = spent.similarity;
-        values.push_back(std::isnan(best) ? -1 : best);
-    }
-    return rough::median(values);
-}
-
-json race_json(const Race& race, const RaceTarget& target) {
+/// result.json of one target.
+json result_of(const RaceTarget& target, const Origin& origin, long budget) {
     const rough::DesignSetup& setup = target.setup;
-    Record record{race.origin,        setup.model,           loaded_models(setup),
-                  setup.max_pressure, setup.targets.front(), {}};
+    Record record{origin, setup.model, loaded_models(setup), setup.max_pressure, setup.targets.front(), {}};
     for (const RaceVariant& variant : target.variants)
-        if (!variant.runs.empty())
-            record.variants.push_back(variant.median_run().run);
+        record.variants.push_back(variant.median_run().run);
     json result = result_json(record);
-    result["budget"] = race.budget;
+    result["budget"] = budget;
     for (const RaceVariant& variant : target.variants) {
-        if (variant.runs.empty())
-            continue;
         json& one = result["variants"][variant.name];
         one["median_lowest"] = variant.median_lowest();
         for (const RaceRun& race_run : variant.runs) {
@@ -155,31 +197,6 @@ json race_json(const Race& race, const RaceTarget& target) {
     return result;
 }
 
-} // namespace
-
-double RaceVariant::median_lowest() const {
-    return rough::median(rough::column(runs, [](const RaceRun& one) { return one.run.lowest(); }));
-}
-
-const RaceRun& RaceVariant::median_run() const {
-    std::vector<const RaceRun*> order;
-    for (const RaceRun& one : runs)
-        order.push_back(&one);
-    std::stable_sort(order.begin(), order.end(),
-                     [](const RaceRun* a, const RaceRun* b) { return a->run.lowest() < b->run.lowest(); });
-    return *order[(order.size() - 1) / 2];
-}
-
-double RaceVariant::median_at(long asked) const {
-    return median_when(*this, [&](const Spent& spent) { return spent.asked <= asked; });
-}
-
-double RaceVariant::median_at_seconds(double seconds) const {
-    return median_when(*this, [&](const Spent& spent) { return spent.seconds <= seconds; });
-}
-
-namespace {
-
 std::vector<Setting> variants_settings() {
     const std::vector<Setting> settings{
         {"experiment.seeds", "3", "runs of each way"},
@@ -193,96 +210,81 @@ std::vector<Setting> variants_settings() {
     return joined({settings, model_settings("model."), {accuracy_setting("model.")}});
 }
 
-Race raced(const Settings& settings, const Conditions& conditions) {
-    Race race;
-    race.targets = targets_from(settings);
-    race.origin = conditions.origin;
-    race.budget = settings.whole("experiment.budget", 1, 1000000000);
+/// Runs each pipeline from each seed on each target.
+std::vector<RaceTarget> raced(const Settings& settings, const Conditions& conditions, long budget) {
+    std::vector<RaceTarget> targets = targets_from(settings);
     const long seeds = settings.whole("experiment.seeds", 1, 1000);
-    const auto evaluator = design_evaluator(race.origin.threads);
-    const auto ways = settings.texts_under("variants.");
-    for (const RaceTarget& target : race.targets) // before any is run
-        for (const auto& [name, way] : ways)
-            read_at(settings, "variants." + name,
-                    [&, &way = way] { rough::expect_searchable(target.setup, way); });
-    for (RaceTarget& target : race.targets) {
-        const bool area = target.setup.model.grid.is_2d();
-        const auto memory = area ? std::make_shared<rough::ResponseMemory>() : nullptr;
-        for (const auto& [name, way] : ways) {
-            RaceVariant variant{name, way, {}};
+    const auto evaluator = design_evaluator(conditions.origin.threads);
+    const auto pipelines = settings.texts_under("variants.");
+    const auto placed = [&](const std::string& name, auto work) {
+        return read_at(settings, "variants." + name, work);
+    };
+    for (const RaceTarget& target : targets) // before any is run
+        for (const auto& [name, pipeline] : pipelines)
+            placed(name, [&, &pipeline = pipeline] { rough::expect_searchable(target.setup, pipeline); });
+    for (RaceTarget& target : targets) {
+        rough::SearchOptions options;
+        options.threads = conditions.origin.threads;
+        options.evaluator = evaluator.get();
+        options.evaluations = budget;
+        options.stop = &conditions.stop;
+        if (target.is_2d()) {
+            options.memory = std::make_shared<rough::ResponseMemory>(); // one database for all pipelines
+            options.alternatives = 1;
+        }
+        for (const auto& [name, pipeline] : pipelines) {
+            RaceVariant variant{name, {}};
+            options.pipeline = pipeline;
             for (long i = 0; i < seeds && !conditions.stop; ++i) {
-                conditions.progress.show(target.setup.targets[0].name + ": " + name + ", run " +
-                                         std::to_string(i + 1) + " of " + std::to_string(seeds));
-                rough::SearchOptions options;
-                options.pipeline = way;
-                options.seed = race.origin.seed + static_cast<std::uint64_t>(i);
-                options.threads = race.origin.threads;
-                options.evaluator = evaluator.get();
-                options.evaluations = race.budget;
-                options.stop = &conditions.stop;
-                options.memory = memory; // an area's database is pressed once for all ways
-                if (area)
-                    options.alternatives = 1;
-                RaceRun run = read_at(settings, "variants." + name,
-                                      [&, &name = name] { return run_once(target, name, options); });
-                if (!std::isnan(run.run.lowest())) // an area's may be stopped before it is verified
+                conditions.progress.show(target.name() + ": " + name + ", run " + std::to_string(i + 1) +
+                                         " of " + std::to_string(seeds));
+                options.seed = conditions.origin.seed + static_cast<std::uint64_t>(i);
+                RaceRun run = placed(name, [&, &name = name] { return run_once(target, name, options); });
+                if (!std::isnan(run.run.lowest())) // a map's may be stopped before it is verified
                     variant.runs.push_back(std::move(run));
             }
-            target.variants.push_back(std::move(variant));
+            if (!variant.runs.empty())
+                target.variants.push_back(std::move(variant));
         }
     }
-    return race;
+    return targets;
 }
 
 /// 1 less the best similarity so far, in the median over the seeds, against what was spent.
-Csv shortfall_table(const Race& race) {
+Csv shortfall_table(const std::vector<RaceTarget>& targets, long budget) {
     constexpr int points = 60;
     Csv table("target,variant,axis,spent,shortfall", 6);
-    for (const RaceTarget& target : race.targets) {
+    for (const RaceTarget& target : targets) {
         double longest = 0.1;
-        for (const auto& variant : target.variants)
-            for (const auto& run : variant.runs)
+        for (const RaceVariant& variant : target.variants)
+            for (const RaceRun& run : variant.runs)
                 longest = std::max(longest, run.run.seconds);
-        for (const auto& variant : target.variants)
-            for (const auto& [axis, from, to] :
-                 {std::tuple("evaluations", 10.0, static_cast<double>(race.budget)),
-                  std::tuple("seconds", 0.02, longest)})
-                for (int k = 0; k < points && !variant.runs.empty(); ++k) {
+        for (const RaceVariant& variant : target.variants)
+            for (const auto& [name, axis, from, to] :
+                 {std::tuple("evaluations", &Spent::evaluations, 10.0, static_cast<double>(budget)),
+                  {"seconds", &Spent::seconds, 0.02, longest}})
+                for (int k = 0; k < points; ++k) {
                     const double spent = from * std::pow(to / from, k / (points - 1.0));
-                    const double similarity = axis[0] == 'e' ? variant.median_at(static_cast<long>(spent))
-                                                             : variant.median_at_seconds(spent);
+                    const double similarity =
+                        variant.median_at(axis, axis == &Spent::evaluations ? std::trunc(spent) : spent);
                     if (similarity > -1)
-                        table.row(target.setup.targets[0].name, variant.name, axis, spent,
-                                  std::max(1e-5, 1 - similarity));
+                        table.row(target.name(), variant.name, name, spent, std::max(1e-5, 1 - similarity));
                 }
     }
     return table;
 }
 
-/// Variants that ran, the highest similarity first.
-std::vector<const RaceVariant*> ranked(const RaceTarget& target) {
-    std::vector<const RaceVariant*> order;
-    for (const auto& variant : target.variants)
-        if (!variant.runs.empty())
-            order.push_back(&variant);
-    std::stable_sort(order.begin(), order.end(), [](const RaceVariant* a, const RaceVariant* b) {
-        return a->median_lowest() > b->median_lowest();
-    });
-    return order;
-}
-
 /// Medians at the end of each variant's runs.
-Csv ended_table(const Race& race) {
+Csv ended_table(const std::vector<RaceTarget>& targets) {
     Csv table("target,surface,variant,similarity,seconds,curves,gradients,children_of_two,better_than_both");
-    for (const RaceTarget& target : race.targets)
-        for (const RaceVariant* variant : ranked(target)) {
+    for (const RaceTarget& target : targets)
+        for (const RaceVariant* variant : target.ranked()) {
             const VariantRun& run = variant->median_run().run;
             long crossed = 0, better = 0;
-            for (const auto& each : variant->runs)
+            for (const RaceRun& each : variant->runs)
                 crossed += each.crossed, better += each.better;
-            table.row(target.setup.targets[0].name, target.setup.model.grid.is_2d() ? "map" : "profile",
-                      variant->name, variant->median_lowest(), run.seconds, run.curves, run.gradients,
-                      crossed,
+            table.row(target.name(), target.is_2d() ? "map" : "profile", variant->name,
+                      variant->median_lowest(), run.seconds, run.curves, run.gradients, crossed,
                       crossed > 0 ? std::optional(static_cast<double>(better) / static_cast<double>(crossed))
                                   : std::nullopt);
         }
@@ -291,15 +293,14 @@ Csv ended_table(const Race& race) {
 
 /// Heights and last contact pressure of the best variant's median run on each map, on at most 128 x 128
 /// nodes.
-Csv surfaces_table(const Race& race) {
+Csv surfaces_table(const std::vector<RaceTarget>& targets) {
     Csv table("target,x_mm,y_mm,height_mm,pressure_MPa", 6);
-    for (const RaceTarget& target : race.targets) {
+    for (const RaceTarget& target : targets) {
         const rough::Model& model = target.setup.model;
         const rough::Grid& grid = model.grid;
-        const auto order = ranked(target);
-        if (!grid.is_2d() || order.empty())
+        if (!grid.is_2d() || target.variants.empty())
             continue;
-        const RaceRun& best = order.front()->median_run();
+        const RaceRun& best = target.ranked().front()->median_run();
         const rough::Profile surface = sample(best.run.answer.genome, grid);
         rough::ContactOptions options = model.contact;
         options.states = true;
@@ -310,49 +311,36 @@ Csv surfaces_table(const Race& race) {
         const rough::Index every = 1 + (std::max(grid.nodes, grid.rows) - 1) / 128;
         for (rough::Index j = 0; j < grid.rows; j += every)
             for (rough::Index i = 0; i < grid.nodes; i += every)
-                table.row(target.setup.targets[0].name, static_cast<double>(i) * grid.spacing(),
+                table.row(target.name(), static_cast<double>(i) * grid.spacing(),
                           static_cast<double>(j) * grid.row_spacing(), surface.heights[j * grid.nodes + i],
                           pressure[j * grid.nodes + i]);
     }
     return table;
 }
 
-/// What the page says of a target's grid.
-json told(const RaceTarget& target) {
-    json result = model_json(target.setup.model);
-    result["name"] = target.setup.targets[0].name;
-    result["is_2d"] = target.setup.model.grid.is_2d();
-    result["ridges"] = target.setup.ridges;
-    return result;
-}
-
-/// result.json (a further target's in a folder of its name) and the tables.
-void write_race(const Race& race, const std::filesystem::path& folder) {
+Findings run_variants(const Settings& settings, const Conditions& conditions) {
+    const long budget = settings.whole("experiment.budget", 1, 1000000000);
+    const std::vector<RaceTarget> targets = raced(settings, conditions, budget);
     Csv table("target,variant,seed,curves_and_gradients,seconds,similarity");
-    for (const RaceTarget& target : race.targets) {
-        const bool first = &target == &race.targets.front();
-        const auto place = first ? folder : subfolder(folder, target.setup.targets[0].name);
-        json result = race_json(race, target);
-        for (const RaceTarget& one : race.targets)
-            if (first)
-                result["targets"].push_back(told(one));
-        write_json(place / "result.json", result);
+    Findings found{.result = result_of(targets.front(), conditions.origin, budget)};
+    for (const RaceTarget& target : targets) {
+        if (&target != &targets.front())
+            found.files[target.name() + "/result.json"] =
+                rough::json_text(result_of(target, conditions.origin, budget)) + "\n";
+        json told = model_json(target.setup.model); // what the page says of its grid
+        told.update({{"name", target.name()}, {"is_2d", target.is_2d()}, {"ridges", target.setup.ridges}});
+        found.result["targets"].push_back(std::move(told));
         for (const RaceVariant& variant : target.variants)
             for (const RaceRun& run : variant.runs)
                 for (const Spent& spent : run.history)
-                    table.row(target.setup.targets[0].name, variant.name, run.seed, spent.asked,
-                              spent.seconds, spent.similarity);
+                    table.row(target.name(), variant.name, run.seed, spent.evaluations, spent.seconds,
+                              spent.similarity);
     }
-    for (const auto& [name, text] : {std::pair("variants.csv", table.text()),
-                                     {"shortfall.csv", shortfall_table(race).text()},
-                                     {"ended.csv", ended_table(race).text()},
-                                     {"surfaces.csv", surfaces_table(race).text()}})
-        rough::write_atomically(folder / name, text);
-}
-
-Findings run_variants(const Settings& settings, const Conditions& conditions) {
-    const auto race = std::make_shared<Race>(raced(settings, conditions));
-    return {[race, folder = conditions.folder] { write_race(*race, folder); }};
+    found.files["variants.csv"] = table.text();
+    found.files["shortfall.csv"] = shortfall_table(targets, budget).text();
+    found.files["ended.csv"] = ended_table(targets).text();
+    found.files["surfaces.csv"] = surfaces_table(targets).text();
+    return found;
 }
 
 } // namespace

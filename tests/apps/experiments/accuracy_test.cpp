@@ -62,7 +62,8 @@ TEST_CASE("an error is covered by an estimate that is no smaller, and the page d
     run.design.answer.genome.series = {{1, 0.8, 1.5, 0.85, {{1, {0.3}}}}};
     run.budget = {{"model", "a datum", 0.01}, {"numerical", "the grid", 0.001}};
     const Folder folder;
-    write_accuracy_study(run, folder.path());
+    app::Findings findings = findings_of(run);
+    app::write(findings, run.origin, folder.path());
     const std::string page = render(app::page_source(folder.path()));
     CHECK_THAT(page, Catch::Contains("60.0 %") && Catch::Contains("80.0 %")); // three of five, four of five
     CHECK(rough::read_whole(folder / "medians.csv").ends_with("\nfree,smooth,full,0.01,2000,3\n"));

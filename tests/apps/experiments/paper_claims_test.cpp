@@ -74,18 +74,18 @@ constexpr auto yes = Verdict::reproduced, no = Verdict::contradicted, open = Ver
 } // namespace
 
 TEST_CASE("a condition decides on its bound as it is written") {
-    const Claim within{"", "", "", "", claim_of("large").find, ">= 30 and <= 120", "> 120"};
+    const Claim within{"", "", "", "", ">= 30 and <= 120", "> 120", ""};
     CHECK(verdict_of(within, {30}) == yes);
     CHECK(verdict_of(within, {120, 30}) == yes);
     CHECK(verdict_of(within, {29.9}) == open);
     CHECK(verdict_of(within, {120.1}) == no);
-    const Claim below{"", "", "", "", within.find, "< 2"};
+    const Claim below{"", "", "", "", "< 2", "otherwise", ""};
     CHECK(verdict_of(below, {1.9}) == yes);
     CHECK(verdict_of(below, {2}) == no);
-    const Claim equal{"", "", "", "", within.find, "= 1"};
+    const Claim equal{"", "", "", "", "= 1", "otherwise", ""};
     CHECK(verdict_of(equal, {1}) == yes);
     CHECK(verdict_of(equal, {2}) == no);
-    const Claim above{"", "", "", "", within.find, "> 0", "never"};
+    const Claim above{"", "", "", "", "> 0", "never", ""};
     CHECK(verdict_of(above, {0}) == open);
 }
 
@@ -107,6 +107,7 @@ TEST_CASE("a run without searches and studies has no verdict on any claim") {
     for (const auto& targets : {std::vector<TargetRun>{}, std::vector<TargetRun>(2)})
         for (const Claim& claim : paper_claims()) {
             INFO(claim.id);
+            CHECK(measures().size() == paper_claims().size());
             CHECK(evaluated(claim, run_with(targets), {}).verdict ==
                   (claim.id == "even-pairs" ? yes : open)); // Sobol's pairs are always there
         }
@@ -144,11 +145,60 @@ TEST_CASE("a spectrum matches its own waves unless the profile holds more than t
     CHECK(verdict("match-high", with(aliased)) == no);
 }
 
+TEST_CASE("CCO's spectrum is proportional to SOG's if one factor fits all its lower octaves") {
+    const std::vector<double> phases{0.1, 1.2, 2.3, 0.4, 1.5};
+    rough::Genome scaled = waves_of(phases);
+    scaled.scale = 3;
+    const auto with = [&](const rough::Genome& cco) {
+        return answers(variant("sog", waves_of(phases)), variant("gco", {}), variant("cco", cco));
+    };
+    CHECK(verdict("cco-proportional", with(scaled)) == yes);
+    CHECK(verdict("cco-proportional", with(waves_of(phases, -0.8))) == no); // steeper by k^-3.2
+}
+
+TEST_CASE("claims on the search are decided by each algorithm, by similarities and by seconds") {
+    const auto searched = [](double cco_after, double seconds) {
+        TargetRun target;
+        for (const char* name : {"sog", "gco", "cco"}) {
+            VariantRun run = variant(name, waves_of({0}));
+            const double after = run.name == "cco" ? cco_after : 0.9;
+            run.stages = {{run.name + "/score.1", {{1, {}, 0.7}, {2, {}, 0.5}}},
+                          {run.name + "/refine.1", {{1, {}, after}, {2, {}, 0.6}}}};
+            run.seconds = seconds;
+            target.variants.push_back(run);
+        }
+        return target;
+    };
+    CHECK(verdict("beneficial", searched(0.8, 60)) == yes);
+    CHECK(verdict("beneficial", searched(0.7, 60)) == no); // the second candidate alone gains
+    CHECK(verdict("minute", searched(0.8, 60)) == yes);
+    CHECK(verdict("minute", searched(0.8, 0.13)) == open);
+    CHECK(verdict("minute", searched(0.8, 300)) == no);
+    const auto swept = [](double gco, double cco, double spread) {
+        TargetRun target;
+        for (const double more : {0.0, spread})
+            for (const char* name : {"gco", "cco"}) {
+                const bool is_gco = name[0] == 'g';
+                ThresholdRow row;
+                row.variant = name;
+                row.best_child = 0.8 + more;
+                row.similarity = is_gco ? gco : cco;
+                target.thresholds.push_back(row);
+            }
+        return target;
+    };
+    CHECK(verdict("efficient", swept(0.9, 0.8, 0)) == yes);
+    CHECK(verdict("efficient", swept(0.8, 0.9, 0)) == no);
+    CHECK(verdict("gco-varies", swept(0.9, 0.8, 0.02)) == yes);
+    CHECK(verdict("gco-varies", swept(0.9, 0.8, 0.005)) == no);
+    CHECK(verdict("cco-steady", swept(0.9, 0.8, 0.02)) == no);
+}
+
 TEST_CASE("verdicts on formulas and parts of a genome turn when their numbers do") {
     Studies studies;
     studies.chromosomes = {{1, 0.1, {}, {}, {}, 1e-15}, {2, 0.0666, {}, {}, {}, 1e-14}};
     studies.ridges = {{2, 0.9, 0.9, 0.995}, {8, 0.97, 0.9, 0.995}};
-    studies.same_pressure = {{0.3, 0.95}, {0.4, 0.92}, {0.5, 0.91}};
+    studies.ours = {{0.3, 0.95}, {0.4, 0.92}, {0.5, 0.91}};
     studies.without_coarse = {{2, 0.1}};
     studies.without_fine = {{0.1, 2}};
     studies.contacts = {100, 1};
@@ -162,16 +212,16 @@ TEST_CASE("verdicts on formulas and parts of a genome turn when their numbers do
         CHECK(verdict(id, studies) == yes);
     studies.chromosomes = {{1, 0.1, {}, {}, {}, 2e-12}, {2, 0.0668, {}, {}, {}, 0}};
     studies.ridges[1] = {8, 1, 0.9, 0.5};
-    studies.same_pressure = {{0.3, 0.4}};
+    studies.ours = {{0.3, 0.4}};
     std::swap(studies.without_coarse, studies.without_fine);
     studies.contacts.lost = 0;
     studies.fractals[0].reduced_response.contact_fraction *= 1.12;
     studies.fractals[0].reduced_response.displacement *= 1.12; // K falls by as much
     for (const std::string& id : ids) // another profile than the alloy's cannot contradict
         CHECK(verdict(id, studies) == (id.starts_with("alloy") ? open : no));
-    studies.same_pressure = {{0.3, 0.7}};
+    studies.ours = {{0.3, 0.7}};
     CHECK(verdict("part-suffices", studies) == open);
-    studies.same_pressure = {{1, 0.95}}; // all chromosomes are kept
+    studies.ours = {{1, 0.95}}; // all chromosomes are kept
     CHECK(verdict("part-suffices", studies) == open);
 }
 

@@ -1,8 +1,10 @@
-#include "apps/experiments/variants/run.hpp"
+#include "apps/report/csv.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <map>
 
 using namespace app::testing;
 using nlohmann::json;
@@ -31,17 +33,28 @@ TEST_CASE("ways to search are compared on the same targets with the same budget 
     CHECK(table.find("heldout,default,2,") != std::string::npos);
 }
 
-TEST_CASE("how good a way is when so much was spent is its best by then, in the median over the seeds") {
-    app::RaceVariant variant{"v", "", {}};
-    for (const double better : {0.0, 0.1, 0.2}) {
-        app::RaceRun run{1, {{10, 1, 0.5 + better}, {20, 2, 0.7 + better}}, {}};
-        run.run.similarity_worst = 0.6 + better;
-        variant.runs.push_back(run);
-    }
-    CHECK(variant.median_at(9) == -1); // nothing yet
-    CHECK(variant.median_at(10) == Approx(0.6));
-    CHECK(variant.median_at(1000) == Approx(0.8));
-    CHECK(variant.median_at_seconds(1.5) == Approx(0.6));
+TEST_CASE("a shortfall is 1 less the best similarity by then, in the median over the seeds") {
+    const Folder folder;
+    succeeded(rugosa("run '" RUGOSA_SOURCE
+                     "/experiments/variants.ini' --pictures off --set experiment.budget=60 --set "
+                     "experiment.seeds=3 --set model.nodes=32 --set targets.shortest-wave=0.12 --out r",
+                     folder.path()));
+    const auto rows = [&](const char* name) { return app::csv_rows(rough::read_whole(folder / "r" / name)); };
+    int compared = 0;
+    for (const auto& row : rows("shortfall.csv"))
+        if (row[0] == "drawn" && row[2] == "evaluations") {
+            std::map<std::string, double> best; // by seed
+            for (const auto& one : rows("variants.csv"))
+                if (one[0] == "drawn" && one[1] == row[1] && std::stod(one[3]) <= std::stod(row[3]))
+                    best[one[2]] = std::stod(one[5]);
+            if (best.size() == 3) {
+                std::vector<double> all{best["1"], best["2"], best["3"]};
+                std::sort(all.begin(), all.end());
+                CHECK(std::stod(row[4]) == Approx(std::max(1e-5, 1 - all[1])).epsilon(1e-5));
+                ++compared;
+            }
+        }
+    CHECK(compared > 40);
 }
 
 TEST_CASE("a way that cannot search is refused before any other has begun") {
