@@ -37,7 +37,7 @@ std::vector<double> precisions(double from, double to);
 /// Pipelines by name.
 using Contestants = std::vector<std::pair<std::string, std::string>>;
 
-/// Who runs where nothing else is asked for, by the kind of genome.
+/// The variants of usual.csv and libpagmo's, by the kind of genome: they run if nothing else is requested.
 const std::map<std::string, Contestants>& usual_contestants();
 
 /// All variants on one problem.
@@ -101,7 +101,8 @@ void write_coco_runs(const Contest& contest, const std::filesystem::path& folder
 /// result.json, runs.csv, ert.csv, ecdf.csv and tests.csv.
 Findings findings_of(const Contest& contest, const std::vector<GroupResult>& groups);
 
-/// What each rank does for a comparison: from a race to what it reached.
+/// What each rank does for a comparison: from a race to what it reached. `setting` has the names of the
+/// problems, and the set-up of roughness or null.
 cluster::Work races_under(const nlohmann::json& setting);
 
 } // namespace app

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <set>
 
 namespace app {
 
@@ -161,85 +162,61 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
     return contest;
 }
 
-/// One run of a comparison.
-struct CompareRun {
-    std::string problem, pipeline;
-    int instance = 1;
-    std::uint64_t seed = 1;
-    long budget = 0;
-};
-
-/// Runs it here; ends early if the program is asked to stop.
-Reached raced(const Benchmark& problem, const CompareRun& race) {
-    return problem.run(race.pipeline, race.instance, {race.seed, race.budget, &Interrupt::flag()});
-}
-
-/// So many races on all ranks, each as `run_of` its place says; `take` gets what they reached, in any order.
-void race_on_ranks(const std::optional<rough::DesignSetup>& roughness, int threads, std::size_t count,
-                   const std::function<CompareRun(std::size_t)>& run_of,
-                   const std::function<void(std::size_t, Reached)>& take) {
-    cluster::hand_out(
-        {.kind = "races",
-         .setting = roughness ? json(*roughness) : json(),
-         .threads = threads,
-         .count = count,
-         .task =
-             [&](std::size_t i) {
-                 const CompareRun run = run_of(i);
-                 return json::array({run.problem, run.pipeline, run.instance, run.seed, run.budget});
-             },
-         .take =
-             [&](std::size_t i, const json& j) {
-                 take(i, {j.at(0).get<std::vector<double>>(), j.at(1), j.at(2),
-                          j.at(3).get<std::vector<std::pair<long, double>>>()});
-             },
-         .stopped = [] { return Interrupt::flag().load(); }});
-}
-
 /// All runs, spread over threads and ranks; problems that were not finished are left out.
 void hold(Contest& contest, const Settings& settings, const Conditions& conditions) {
     struct Place {
-        Bout* bout;
-        std::size_t variant, seed;
+        std::size_t bout, variant, seed;
     };
     std::vector<Place> places;
-    for (Bout& bout : contest.bouts)
+    json names = json::array();
+    for (const Bout& bout : contest.bouts) {
         for (std::size_t v = 0; v < bout.runs.size(); ++v)
             for (std::size_t s = 0; s < bout.runs[v].size(); ++s)
-                places.push_back({&bout, v, s});
+                places.push_back({names.size(), v, s});
+        names.push_back(bout.problem.name);
+    }
     std::vector<char> done(places.size(), 0);
     std::mutex telling;
     long ended = 0;
-    const auto race_of = [&](std::size_t i) {
-        const auto [bout, variant, s] = places[i];
-        const std::uint64_t number = contest.origin.seed + s;
-        return CompareRun{bout->problem.name, bout->variants[variant].second, instance_of(number),
-                          ga::fold(number, bout->problem.name), bout->budget};
-    };
-    const auto take = [&](std::size_t i, Reached reached) {
-        const auto [bout, variant, s] = places[i];
-        bout->runs[variant][s] = std::move(reached);
-        done[i] = !conditions.stop;
-        const std::lock_guard lock(telling);
-        conditions.progress.show(bout->problem.name + ": " + bout->variants[variant].first + ", run " +
-                                 std::to_string(++ended) + " of " + std::to_string(places.size()));
-    };
-    if (cluster::is_alone())
-        ga::parallel_for(places.size(), contest.origin.threads, [&](std::size_t i) {
+    const auto roughness = roughness_from(settings);
+    const cluster::Job job{
+        .kind = "races",
+        .setting = {{"problems", names}, {"roughness", roughness ? json(*roughness) : json()}},
+        .threads = contest.origin.threads,
+        .count = places.size(),
+        .task =
+            [&](std::size_t i) {
+                const Bout& bout = contest.bouts[places[i].bout];
+                const std::uint64_t number = contest.origin.seed + places[i].seed;
+                return json::array({places[i].bout, bout.variants[places[i].variant].second,
+                                    instance_of(number), ga::fold(number, bout.problem.name), bout.budget});
+            },
+        .take =
+            [&](std::size_t i, const json& reached) {
+                const auto [b, variant, seed] = places[i];
+                Bout& bout = contest.bouts[b];
+                bout.runs[variant][seed] = reached.get<Reached>();
+                done[i] = !conditions.stop;
+                const std::lock_guard lock(telling);
+                conditions.progress.show(bout.problem.name + ": " + bout.variants[variant].first + ", run " +
+                                         std::to_string(++ended) + " of " + std::to_string(places.size()));
+            },
+        .stopped = [&] { return conditions.stop.load(); }};
+    if (cluster::is_alone()) {
+        const cluster::Work work = races_under(job.setting);
+        ga::parallel_for(job.count, job.threads, [&](std::size_t i) {
             if (!conditions.stop)
-                take(i, raced(places[i].bout->problem, race_of(i)));
+                job.take(i, work(*job.task(i)));
         });
-    else
-        race_on_ranks(roughness_from(settings), contest.origin.threads, places.size(), race_of, take);
-    std::vector<const Bout*> unfinished;
+    } else {
+        cluster::hand_out(job);
+    }
+    std::set<std::size_t> unfinished;
     for (std::size_t i = 0; i < places.size(); ++i)
         if (!done[i])
-            unfinished.push_back(places[i].bout);
-    std::vector<Bout> finished;
-    for (Bout& bout : contest.bouts)
-        if (std::find(unfinished.begin(), unfinished.end(), &bout) == unfinished.end())
-            finished.push_back(std::move(bout));
-    contest.bouts = std::move(finished);
+            unfinished.insert(places[i].bout);
+    std::size_t place = 0;
+    std::erase_if(contest.bouts, [&](const Bout&) { return unfinished.contains(place++); });
 }
 
 Findings run_compare(const Settings& settings, const Conditions& conditions) {
@@ -266,12 +243,13 @@ Findings run_compare(const Settings& settings, const Conditions& conditions) {
 } // namespace
 
 cluster::Work races_under(const json& setting) {
-    const auto roughness =
-        setting.is_null() ? std::nullopt : std::optional(setting.get<rough::DesignSetup>());
-    return [roughness](const json& r) {
-        const CompareRun race{r.at(0), r.at(1), r.at(2), r.at(3), r.at(4)};
-        const Reached reached = raced(benchmarks({race.problem}, roughness).front(), race);
-        return json::array({reached.evaluations, reached.precision, reached.spent, reached.found});
+    const json& roughness = setting.at("roughness");
+    return [problems = benchmarks(setting.at("problems"),
+                                  roughness.is_null() ? std::nullopt
+                                                      : std::optional(roughness.get<rough::DesignSetup>()))](
+               const json& race) -> json {
+        return problems.at(race.at(0))
+            .run(race.at(1), race.at(2), {race.at(3), race.at(4), &Interrupt::flag()});
     };
 }
 

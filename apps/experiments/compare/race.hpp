@@ -6,6 +6,8 @@
 #include "ga/problem/problem.hpp"
 #include "ga/problem/ranking.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -66,6 +68,9 @@ struct Reached {
     /// Evaluations and the best precision after them: the first, and whenever a target was reached.
     std::vector<std::pair<long, double>> found = {};
 };
+/// @cond
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Reached, evaluations, precision, spent, found)
+/// @endcond
 
 /// Keeps when a run reaches its targets, and tells it when to end.
 class Tally {

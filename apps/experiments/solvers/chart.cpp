@@ -259,7 +259,8 @@ class Course {
                 throw;
             truths_.emplace_back(); // nothing will be measured against it
         }
-        data_.scenes.push_back({scene.name, scene.words, name_of(scene.body.kernel), truths_.back().origin});
+        data_.scenes.push_back(scene);
+        data_.scenes.back().reference = truths_.back().origin;
     }
 
     /// The same method, steps and tolerance on the scene, whatever the grid.

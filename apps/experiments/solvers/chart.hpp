@@ -61,6 +61,7 @@ struct ChartScene {
     std::function<double(double)> height;
     double last = 0;                   ///< mm
     std::function<ChartTruth()> exact; ///< where there is an exact solution
+    std::string reference = {};        ///< what it is measured against, once that is known
 
     rough::Profile profile(rough::Index nodes) const;
 };
@@ -141,11 +142,6 @@ double root_mean_square(const Eigen::VectorXd& errors);
 /// Of a run over its loads, root mean square, relative: of the area, and of the stiffness; NaN of none.
 std::pair<double, double> errors_of(const ModelRun& run, const ModelScene& scene);
 
-struct ChartedScene {
-    std::string name, words, kernel;
-    std::string reference; ///< what it is measured against
-};
-
 /// Why a setting was not tried.
 enum class LeftOutFor {
     limit,    ///< one curve takes too long, to go by a coarser grid
@@ -161,11 +157,11 @@ struct LeftOut {
 
 /// All that a chart shows.
 struct ChartData {
-    std::vector<ChartedScene> scenes; ///< a setting's scene is its place here
-    std::vector<ChartRun> runs;       ///< in the order of the plan
-    std::vector<LeftOut> left_out;    ///< the rest of the plan
-    double limit = 0;                 ///< s that one curve might take
-    ModelChart models;                ///< theories, lines and maps
+    std::vector<ChartScene> scenes; ///< a setting's scene is its place here
+    std::vector<ChartRun> runs;     ///< in the order of the plan
+    std::vector<LeftOut> left_out;  ///< the rest of the plan
+    double limit = 0;               ///< s that one curve might take
+    ModelChart models;              ///< theories, lines and maps
 
     /// The run at a setting, or none.
     const ChartRun* at(const ChartSetting& setting) const;

@@ -232,10 +232,10 @@ Csv chart_table(const ChartData& data) {
         return error == ChartRun::unknown ? std::nullopt : std::optional(error);
     };
     for (const ChartRun& run : data.runs) {
-        const ChartedScene& scene = data.scenes[run.setting.scene];
-        table.row(scene.name, scene.kernel, method_of(run), run.setting.nodes, run.setting.steps,
-                  run.setting.tolerance, run.seconds, known(run.error_pressure), known(run.error_stiffness),
-                  known(run.error_contact), run.iterations, name_of(run.outcome));
+        const ChartScene& scene = data.scenes[run.setting.scene];
+        table.row(scene.name, name_of(scene.body.kernel), method_of(run), run.setting.nodes,
+                  run.setting.steps, run.setting.tolerance, run.seconds, known(run.error_pressure),
+                  known(run.error_stiffness), known(run.error_contact), run.iterations, name_of(run.outcome));
     }
     for (const ModelRun& run : data.models.runs) { // errors of the fraction itself, as above
         const ModelScene& scene = data.models.scenes[run.scene];
@@ -333,11 +333,13 @@ json chart_facts(const ChartData& data) {
                                          {"scene", data.scenes[run.setting.scene].name},
                                          {"nodes", run.setting.nodes},
                                          {"outcome", name_of(run.outcome)}});
-    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene)
-        facts["solver_scenes"].push_back({{"name", data.scenes[scene].name},
-                                          {"words", data.scenes[scene].words},
-                                          {"reference", data.scenes[scene].reference},
+    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene) {
+        const ChartScene& of = data.scenes[scene];
+        facts["solver_scenes"].push_back({{"name", of.name},
+                                          {"words", of.words},
+                                          {"reference", of.reference},
                                           {"contact", data.contact(scene)}});
+    }
     for (const ModelScene& scene : data.models.scenes)
         facts["model_scenes"].push_back({{"name", scene.name},
                                          {"words", scene.words},

@@ -113,7 +113,7 @@ TEST_CASE("a method that was too slow on a grid is not tried on finer ones, and 
 TEST_CASE("a chart's facts name the fastest method, and the best runs err less as they take longer") {
     ChartData data;
     const ChartScene scene = chart_scenes().front();
-    data.scenes.push_back({scene.name, scene.words, "free", "the exact solution"});
+    data.scenes.push_back(scene);
     const ChartTruth truth = truth_of(scene, 0);
     for (const Index nodes : {64, 512})
         for (const auto method : {Solver::nested, Solver::nnls})
