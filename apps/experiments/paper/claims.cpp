@@ -37,8 +37,8 @@ const std::vector<Claim>& paper_claims() {
         std::vector<Claim> all;
         auto rows = csv_rows(builtin_files().at("claims.csv"));
         for (auto row = rows.begin() + 1; row != rows.end(); ++row)
-            all.push_back(
-                {row->at(0), row->at(1), row->at(2), row->at(3), row->at(4), row->at(5), row->at(6)});
+            all.push_back({row->at(0), row->at(1), row->at(2), row->at(3), row->at(4), row->at(5), row->at(6),
+                           row->at(7)});
         return all;
     }();
     return claims;
@@ -72,13 +72,7 @@ Verdict verdict_of(const Claim& claim, const std::vector<double>& numbers) {
 }
 
 EvaluatedClaim evaluated(const Claim& claim, const PaperRun& run, const Studies& studies) {
-    EvaluatedClaim result{&claim, {}};
-    const Measure& measure = measures().at(claim.id);
-    if (const auto* const once = std::get_if<0>(&measure))
-        result.findings.emplace_back("", (*once)(run, studies));
-    else
-        for (const TargetRun& target : run.targets)
-            result.findings.emplace_back(target.title, std::get<1>(measure)(run, target));
+    EvaluatedClaim result{&claim, findings_of(claim, run, studies)};
     result.verdict = verdict_of(
         claim, rough::column(result.findings, [](const auto& found) { return found.second.number; }));
     return result;

@@ -3,8 +3,6 @@
 #include "apps/experiments/paper/studies.hpp"
 #include "apps/report/csv.hpp"
 
-#include <variant>
-
 namespace app {
 
 enum class Verdict { reproduced, contradicted, undecidable };
@@ -17,24 +15,23 @@ struct Finding {
     std::vector<std::pair<std::string, double>> parts = {};
 };
 
-/// What a claim is judged by: a number of the run, or one for each target.
-using Measure = std::variant<Finding (*)(const PaperRun&, const Studies&),
-                             Finding (*)(const PaperRun&, const TargetRun&)>;
-/// By the ids of the claims.
-const std::map<std::string, Measure>& measures();
-
 /// A row of apps/experiments/paper/claims.csv. A condition is "> 0.95", ">= 30 and <= 120" or "never".
 struct Claim {
     std::string id;
     std::string place;        ///< in the paper, e.g. "Figure 8A"
     std::string sentence;     ///< what the paper says
     std::string measure;      ///< what the number is
+    std::string number;       ///< how it is found: a name in measures.cpp, or "least similarity of sog gco"
     std::string reproduced;   ///< condition, on every target
     std::string contradicted; ///< condition, on every target; "otherwise": not `reproduced`
     std::string remark;
 
     std::string rule() const; ///< both conditions in words
 };
+
+/// The number of a claim by the title of the target, or once with "".
+std::vector<std::pair<std::string, Finding>> findings_of(const Claim& claim, const PaperRun& run,
+                                                         const Studies& studies);
 
 /// The claims of the paper, in its order.
 const std::vector<Claim>& paper_claims();

@@ -8,12 +8,16 @@
 #include "apps/report/result.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/stored.hpp"
+#include "domain/target/similarity.hpp"
 #include "domain/text/json.hpp"
 #include "ga/base/parallel.hpp"
+#include "ga/base/random.hpp"
 #include "ga/base/stopwatch.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/log.hpp"
 
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace app {
@@ -55,6 +59,75 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
         variants.push_back({name, read_at(settings, "variants." + name,
                                           [&, &name = name] { return paper_pipeline(words, texts, name); })});
     return variants;
+}
+
+/// The genomes of the run's database before Eq. 11.
+std::vector<rough::Genome> database_of(const PaperRun& run) {
+    std::vector<rough::Genome> genomes = sobol_database(run.layout);
+    const auto columns = static_cast<std::size_t>(run.layout.phase_columns);
+    for (std::size_t g = 0; run.phases > 0 && g < genomes.size(); ++g) { // the same for all pairs (H, gamma)
+        ga::Stream random(ga::fold(ga::fold(ga::fold(run.origin.seed, "phases"), run.phases), g % columns));
+        for (rough::Chromosome& chromosome : genomes[g].series[0].chromosomes)
+            chromosome.phases[0] = random.uniform(0, 2 * std::numbers::pi);
+    }
+    return genomes;
+}
+
+/// What a run of a pipeline found, its answer solved throughout; nothing if it was stopped before a genome
+/// was scored.
+std::optional<VariantRun> finished_run(const std::string& name, const rough::DesignProblem& problem,
+                                       const ga::Result<rough::Genome>& result,
+                                       std::vector<StageRecord> stages) {
+    if (result.population.empty())
+        return std::nullopt;
+    VariantRun run;
+    run.name = name;
+    run.stages = std::move(stages);
+    run.seconds = result.seconds;
+    run.notes = result.notes;
+    run.answer.genome = in_final_form(problem.setup(), result.population.front().genome);
+    run.answer.response = respond(run.answer.genome, exactly(problem.setup().model));
+    run.similarity = similarity(as_reported(problem.setup()), run.answer.genome);
+    run.curves = result.counters.evaluations;
+    run.gradients = result.counters.gradients;
+    return run;
+}
+
+/// A run of gco or cco at one threshold (MPa).
+ThresholdRow threshold_row(const VariantRun& run, double p_bar) {
+    const auto size = [&](const std::string& path) {
+        const StageRecord* stage = stage_at(run.stages, run.name + "/" + path);
+        return stage ? stage->candidates.size() : 0;
+    };
+    ThresholdRow row;
+    row.p_bar = p_bar;
+    row.variant = run.name;
+    row.u1 = size("pair.1/left/above.1");
+    row.u2 = size("pair.1/right/above.1");
+    row.at_least_used = !run.notes.empty();
+    row.children = size("score.1");
+    row.best_child = -INFINITY;
+    double above = 0;
+    for (const Candidate& child : stage_at(run.stages, run.name + "/score.1")->candidates) {
+        above += child.similarity > 0.95;
+        row.best_child = std::max(row.best_child, child.similarity);
+    }
+    row.share_above = above / static_cast<double>(row.children);
+    row.parents = run.stages.back().candidates.front().parents;
+    row.similarity = run.similarity;
+    return row;
+}
+
+/// Each genome's scores on a target whose low part ends at p_bar.
+std::vector<Scores> scores_of(const std::vector<Answered>& database, const rough::DesignSetup& setup) {
+    const auto low = points_of_half(setup, false), high = points_of_half(setup, true);
+    std::vector<Scores> scores;
+    for (const Answered& one : database) {
+        const Eigen::VectorXd misfits = misfit(setup.targets.front(), secant_stiffness(one.response));
+        scores.push_back(
+            {rough::similarity(misfits), rough::similarity(misfits(low)), rough::similarity(misfits(high))});
+    }
+    return scores;
 }
 
 /// The paper's genomes and targets with what all variants share.
@@ -193,6 +266,18 @@ Findings run_paper(const Settings& settings, const Conditions& conditions) {
 }
 
 } // namespace
+
+std::vector<Answered> answered(const std::vector<rough::Genome>& genomes, const rough::Model& model,
+                               double max_pressure, int threads) {
+    std::vector<Answered> database(genomes.size());
+    ga::parallel_for(genomes.size(), threads, [&](std::size_t i) {
+        rough::Genome genome = genomes[i];
+        rough::Response response = respond(genome, model);
+        genome.scale = max_pressure / response.pressure[response.steps() - 1]; // Eq. 11
+        database[i] = {genome, scaled(std::move(response), genome.scale)};
+    });
+    return database;
+}
 
 Experiment paper_experiment() {
     return {.kind = "paper",

@@ -8,11 +8,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
+#include <sstream>
+#include <variant>
 
 namespace app {
 
 namespace {
+
+/// A number of the run, or one for each target.
+using Measure = std::variant<Finding (*)(const PaperRun&, const Studies&),
+                             Finding (*)(const PaperRun&, const TargetRun&)>;
 
 using rough::column;
 using Numbers = std::vector<double>;
@@ -32,38 +39,6 @@ double least(const Numbers& numbers) { return extreme(numbers, false); }
 double greatest(const Numbers& numbers) { return extreme(numbers, true); }
 double spread(const Numbers& numbers) { return greatest(numbers) - least(numbers); }
 double median(const Numbers& numbers) { return numbers.empty() ? unknown : rough::median(numbers); }
-
-/// A number for each of the paper's algorithms, and the one that `reduced` makes of them.
-template <class Of>
-Finding over_algorithms(const TargetRun& target, double (*reduced)(const Numbers&), Of of,
-                        const std::vector<std::string>& names = {"sog", "gco", "cco"}) {
-    Finding finding;
-    Numbers numbers;
-    for (const std::string& name : names) {
-        const VariantRun* const variant = find_variant(target, name);
-        if (!variant)
-            return {};
-        finding.parts.emplace_back(name, numbers.emplace_back(of(*variant)));
-    }
-    finding.number = reduced(numbers);
-    return finding;
-}
-
-/// A number for every two of the paper's algorithms: SOG and GCO, SOG and CCO, GCO and CCO.
-template <class Compare>
-Finding over_pairs(const TargetRun& target, double (*reduced)(const Numbers&), Compare compare) {
-    Finding finding;
-    Numbers numbers;
-    for (const auto& [first, second] : {std::pair("sog", "gco"), {"sog", "cco"}, {"gco", "cco"}}) {
-        const VariantRun *const a = find_variant(target, first), *const b = find_variant(target, second);
-        if (!a || !b)
-            return {};
-        finding.parts.emplace_back(std::string(first) + "–" + second,
-                                   numbers.emplace_back(compare(a->answer, b->answer)));
-    }
-    finding.number = reduced(numbers);
-    return finding;
-}
 
 template <class Value>
 Numbers over_thresholds(const TargetRun& target, const std::string& variant, Value value) {
@@ -155,10 +130,6 @@ double gain(const VariantRun& variant) {
     return greatest(after) - greatest(before);
 }
 
-Eigen::VectorXd heights(const PaperRun& run, const Answered& answer) {
-    return sample(answer.genome, run.model.grid).heights;
-}
-
 /// log10 of a power octave by octave from the first wavenumber on: octave o holds the bins 2^o to 2^(o+1)
 /// - 1. In octaves, as the lines of two series of different gamma never coincide.
 struct Octaves {
@@ -244,17 +215,67 @@ double peaks_without_waves(const PaperRun& run, const VariantRun& variant) {
     return peaks;
 }
 
-double sum_of(const Numbers& numbers) {
-    double sum = 0;
-    for (const double number : numbers)
-        sum += number;
-    return sum;
+/// "least similarity of sog gco cco", or "of pairs": a number of each of these answers, or of each two of the
+/// three, and what they are reduced to.
+Finding over_answers(const std::string& words, const PaperRun& run, const TargetRun& target) {
+    using Run = const PaperRun&;
+    using Answer = const VariantRun&;
+    static const std::map<std::string, double (*)(const Numbers&)> reductions{
+        {"least", least},
+        {"greatest", greatest},
+        {"sum", [](const Numbers& n) { return std::accumulate(n.begin(), n.end(), 0.0); }},
+        {"ratio", [](const Numbers& n) { return n[1] / n[0]; }},
+        {"last", [](const Numbers& n) { return n.back(); }},
+        {"nearer", [](const Numbers& n) {
+             return n[0] - least({n[1], n[2]}) / 2;
+         }}};
+    static const std::map<std::string, double (*)(Run, Answer)> of_one{
+        {"similarity", [](Run, Answer one) { return one.similarity; }},
+        {"error", [](Run, Answer one) { return 1 - one.similarity; }},
+        {"seconds", [](Run, Answer one) { return one.seconds; }},
+        {"gain", [](Run, Answer one) { return gain(one); }},
+        {"chromosomes", [](Run, Answer one) { return static_cast<double>(waves(one.answer.genome).size()); }},
+        {"off-high", [](Run of, Answer one) { return off_its_waves(of, one, true); }},
+        {"off-low", [](Run of, Answer one) { return off_its_waves(of, one, false); }},
+        {"peaks", peaks_without_waves},
+        {"exponent", high_exponent}};
+    static const std::map<std::string, double (*)(Run, Answer, Answer)> of_two{
+        {"area-gap",
+         [](Run, Answer a, Answer b) {
+             return gap(area_against_pressure(a.answer.response), area_against_pressure(b.answer.response));
+         }},
+        {"correlation", [](Run of, Answer a, Answer b) {
+             return rough::pearson(sample(a.answer.genome, of.model.grid).heights,
+                                   sample(b.answer.genome, of.model.grid).heights);
+         }}};
+    std::istringstream text(words);
+    std::string reduction, quantity, name;
+    std::vector<std::string> names;
+    for (text >> reduction >> quantity >> name; text >> name;)
+        names.push_back(name);
+    const bool is_of_pairs = names.front() == "pairs";
+    if (is_of_pairs)
+        names = {"sog", "gco", "cco"};
+    std::vector<const VariantRun*> answers;
+    for (const std::string& one : names)
+        if (answers.push_back(find_variant(target, one)); !answers.back())
+            return {};
+    Finding finding;
+    Numbers numbers;
+    const auto add = [&](const std::string& of, double number) {
+        finding.parts.emplace_back(of, numbers.emplace_back(number));
+    };
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (!is_of_pairs)
+            add(names[i], of_one.at(quantity)(run, *answers[i]));
+        else
+            for (std::size_t j = i + 1; j < names.size(); ++j)
+                add(names[i] + "–" + names[j], of_two.at(quantity)(run, *answers[i], *answers[j]));
+    finding.number = reductions.at(reduction)(numbers);
+    return finding;
 }
 
-double ratio_of_two(const Numbers& numbers) { return numbers[1] / numbers[0]; }
-
-} // namespace
-
+/// Numbers that are not of answers alone, by their names.
 const std::map<std::string, Measure>& measures() {
     using Run = const PaperRun&;
     using Target = const TargetRun&;
@@ -324,15 +345,6 @@ const std::map<std::string, Measure>& measures() {
                             {{"genomes' least, MPa", least(own)}, {"greatest, MPa", greatest(own)}}};
          }},
         {"threshold-units", [](Run, All) { return Finding{}; }},
-        {"large",
-         [](Run, Target target) {
-             return over_algorithms(target, least, std::mem_fn(&VariantRun::similarity));
-         }},
-        {"beneficial", [](Run, Target target) { return over_algorithms(target, least, gain); }},
-        {"minute",
-         [](Run, Target target) {
-             return over_algorithms(target, greatest, std::mem_fn(&VariantRun::seconds));
-         }},
         {"gco-varies", [](Run, Target target) { return spread_of_best(target, "gco"); }},
         {"cco-steady", [](Run, Target target) { return spread_of_best(target, "cco"); }},
         {"cco-parents",
@@ -374,68 +386,24 @@ const std::map<std::string, Measure>& measures() {
                              {"share of U₃ above 0.95, gco", mean("gco", &ThresholdRow::share_above)},
                              {"cco", mean("cco", &ThresholdRow::share_above)}}};
          }},
-        {"overlap",
-         [](Run, Target target) {
-             return over_algorithms(target, greatest,
-                                    [](const VariantRun& one) { return 1 - one.similarity; });
-         }},
-        {"area-alike",
-         [](Run, Target target) {
-             return over_pairs(
-                 target,
-                 [](const Numbers& n) {
-                     return n[0] - least({n[1], n[2]}) / 2;
-                 },
-                 [](const Answered& a, const Answered& b) {
-                     return gap(area_against_pressure(a.response), area_against_pressure(b.response));
-                 });
-         }},
-        {"fewer-chromosomes",
-         [](Run, Target target) {
-             return over_algorithms(
-                 target, ratio_of_two,
-                 [](const VariantRun& one) { return static_cast<double>(waves(one.answer.genome).size()); },
-                 {"gco", "cco"});
-         }},
-        {"peaks-alike",
-         [](Run run, Target target) {
-             return over_pairs(target, least, [&](const Answered& a, const Answered& b) {
-                 return rough::pearson(heights(run, a), heights(run, b));
-             });
-         }},
-        {"cco-approximates",
-         [](Run run, Target target) {
-             return over_pairs(
-                 target, [](const Numbers& n) { return n[2]; },
-                 [&](const Answered& a, const Answered& b) {
-                     return rough::pearson(heights(run, a), heights(run, b));
-                 });
-         }},
-        {"match-high",
-         [](Run run, Target target) {
-             return over_algorithms(target, greatest,
-                                    [&](const VariantRun& one) { return off_its_waves(run, one, true); },
-                                    {"sog", "gco"});
-         }},
-        {"differ-low",
-         [](Run run, Target target) {
-             return over_algorithms(target, least,
-                                    [&](const VariantRun& one) { return off_its_waves(run, one, false); },
-                                    {"sog", "gco"});
-         }},
-        {"extra-peaks",
-         [](Run run, Target target) {
-             return over_algorithms(target, sum_of,
-                                    [&](const VariantRun& one) { return peaks_without_waves(run, one); });
-         }},
-        {"cco-flat",
-         [](Run run, Target target) {
-             return over_algorithms(target, greatest,
-                                    [&](const VariantRun& one) { return high_exponent(run, one); }, {"cco"});
-         }},
         {"cco-proportional", proportion},
     };
     return all;
+}
+
+} // namespace
+
+std::vector<std::pair<std::string, Finding>> findings_of(const Claim& claim, const PaperRun& run,
+                                                         const Studies& studies) {
+    const auto found = measures().find(claim.number);
+    if (found != measures().end() && found->second.index() == 0)
+        return {{"", std::get<0>(found->second)(run, studies)}};
+    std::vector<std::pair<std::string, Finding>> findings;
+    for (const TargetRun& target : run.targets)
+        findings.emplace_back(target.title, found == measures().end()
+                                                ? over_answers(claim.number, run, target)
+                                                : std::get<1>(found->second)(run, target));
+    return findings;
 }
 
 const VariantRun* find_variant(const TargetRun& target, const std::string& name) {

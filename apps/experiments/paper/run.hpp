@@ -80,23 +80,8 @@ struct Studies;
 /// result.json and tables, those of a second target in the folder heldout.
 Findings findings_of(const PaperRun& run, const Studies& studies);
 
-/// The genomes of the run's database before Eq. 11.
-std::vector<rough::Genome> database_of(const PaperRun& run);
-
-/// What a run of a pipeline came to, its answer solved throughout; nothing when it was stopped before a
-/// genome was scored.
-std::optional<VariantRun> finished_run(const std::string& name, const rough::DesignProblem& problem,
-                                       const ga::Result<rough::Genome>& result,
-                                       std::vector<StageRecord> stages);
-
-/// A run of gco or cco at one threshold (MPa).
-ThresholdRow threshold_row(const VariantRun& run, double p_bar);
-
 /// A database's genomes with their responses, rescaled to a pressure by Eq. 11.
 std::vector<Answered> answered(const std::vector<rough::Genome>& genomes, const rough::Model& model,
                                double max_pressure, int threads);
-
-/// Each genome's scores on a target whose low part ends at p_bar.
-std::vector<Scores> scores_of(const std::vector<Answered>& database, const rough::DesignSetup& setup);
 
 } // namespace app

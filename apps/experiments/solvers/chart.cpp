@@ -104,21 +104,6 @@ ChartTruth refined(const ChartScene& scene, Index nodes, int steps, const std::f
 
 } // namespace
 
-const ChartExtent& quick_extent() {
-    static const ChartExtent extent{{128, 512, 2048}, {512, 2048}, {5, 80}, {1e-3, 1e-6}, 8193, 1};
-    return extent;
-}
-
-const ChartExtent& whole_extent() {
-    static const ChartExtent extent{{128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536},
-                                    {512, 2048},
-                                    {5, 10, 40, 80, 160},
-                                    {1e-3, 1e-4, 1e-6, 1e-8},
-                                    65537,
-                                    5};
-    return extent;
-}
-
 ChartSetting usual_setting(std::size_t scene, Solver method, Index nodes) {
     return {scene, method, nodes, usual_steps, is_iterative(method) ? 1e-6 : 0};
 }
@@ -326,6 +311,13 @@ class Course {
 };
 
 Findings run_chart_experiment(const Settings& settings, const Conditions& conditions) {
+    static const ChartExtent quick_extent{{128, 512, 2048}, {512, 2048}, {5, 80}, {1e-3, 1e-6}, 8193, 1},
+        whole_extent{{128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536},
+                     {512, 2048},
+                     {5, 10, 40, 80, 160},
+                     {1e-3, 1e-4, 1e-6, 1e-8},
+                     65537,
+                     5};
     const bool quick = settings.is_on("chart.quick");
     ga::Stopwatch since_written;
     const auto watch = [&](const ChartData& so_far, const std::string& where) {
@@ -335,7 +327,7 @@ Findings run_chart_experiment(const Settings& settings, const Conditions& condit
         rough::write_atomically(conditions.folder / "chart.csv", chart_table(so_far).text());
         since_written = {};
     };
-    const ChartData data = charted(chart_scenes(), quick ? quick_extent() : whole_extent(),
+    const ChartData data = charted(chart_scenes(), quick ? quick_extent : whole_extent,
                                    {60 * settings.positive("chart.minutes"), quick ? 128 : 256,
                                     [&] { return conditions.stop.load(); }, watch});
     if (data.runs.empty())

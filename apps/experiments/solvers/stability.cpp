@@ -45,110 +45,103 @@ std::string difference(const rough::LoadStep& step, std::size_t j, const Span& s
     return "";
 }
 
-/// A method on a scene.
-struct StabilityCell {
-    std::string scene, kernel, method;
+/// A scene and what each solver made of it, in the order of their names.
+struct StabilityRow {
+    std::string scene, kernel;
     bool has_solution;
-    ContactTrial trial;
+    std::vector<ContactTrial> trials;
 };
-using Cells = std::vector<StabilityCell>;
+using Rows = std::vector<StabilityRow>;
 
 constexpr std::array outcomes{Outcome::solved, Outcome::refused, Outcome::not_converged, Outcome::wrong};
 
-template <class Counts>
-long count(const Cells& cells, Counts counts) {
-    return std::count_if(cells.begin(), cells.end(), counts);
+/// How many cells have an outcome; of one method, or of all (-1).
+long count(const Rows& rows, Outcome outcome, int method = -1) {
+    long number = 0;
+    for (const StabilityRow& row : rows)
+        for (std::size_t m = 0; m < row.trials.size(); ++m)
+            number +=
+                row.trials[m].outcome == outcome && (method < 0 || m == static_cast<std::size_t>(method));
+    return number;
 }
 
 /// Outcomes of each method over all scenes.
-json by_method(const Cells& cells) {
-    json rows = json::array();
-    for (const std::string& method : rough::solver_names()) {
-        json row{{"method", method}, {"missed", count(cells, [&](const StabilityCell& cell) {
-                                          return cell.method == method && cell.has_solution &&
-                                                 cell.trial.outcome != Outcome::solved;
-                                      })}};
+json by_method(const Rows& rows) {
+    json table = json::array();
+    for (std::size_t m = 0; m < rough::solver_names().size(); ++m) {
+        table.push_back({{"method", rough::solver_names()[m]},
+                         {"missed", std::count_if(rows.begin(), rows.end(), [&](const StabilityRow& row) {
+                              return row.has_solution && row.trials[m].outcome != Outcome::solved;
+                          })}});
         for (const Outcome outcome : outcomes)
-            row["outcomes"].push_back(count(cells, [&](const StabilityCell& cell) {
-                return cell.method == method && cell.trial.outcome == outcome;
-            }));
-        rows.push_back(std::move(row));
+            table.back()["outcomes"].push_back(count(rows, outcome, static_cast<int>(m)));
     }
-    return rows;
+    return table;
 }
 
 /// Each scene and kernel with one cell per method.
-json by_scene(const Cells& cells) {
-    json rows = json::array();
-    const std::size_t methods = rough::solver_names().size();
-    for (std::size_t first = 0; first < cells.size(); first += methods) {
-        json row{{"scene", cells[first].scene}, {"kernel", cells[first].kernel}};
-        for (std::size_t k = first; k < first + methods; ++k) {
-            const ContactTrial& trial = cells[k].trial;
+json by_scene(const Rows& rows) {
+    json table = json::array();
+    for (const StabilityRow& row : rows) {
+        table.push_back({{"scene", row.scene}, {"kernel", row.kernel}});
+        for (const ContactTrial& trial : row.trials) {
             const bool solved = trial.outcome == Outcome::solved;
-            row["cells"].push_back({{"milliseconds", solved ? json(1000 * trial.seconds) : json()},
-                                    {"failure", solved ? "" : name_of(trial.outcome)}});
+            table.back()["cells"].push_back({{"milliseconds", solved ? json(1000 * trial.seconds) : json()},
+                                             {"failure", solved ? "" : name_of(trial.outcome)}});
         }
-        rows.push_back(std::move(row));
     }
-    return rows;
+    return table;
 }
 
 /// Messages of the cells that were not solved; equal ones of a scene once, with their methods.
-json messages(const Cells& cells) {
-    std::vector<json> rows;
-    std::map<std::string, std::size_t> known;
-    for (const StabilityCell& cell : cells) {
-        if (cell.trial.outcome == Outcome::solved)
-            continue;
-        const auto [entry, is_new] =
-            known.emplace(cell.scene + "\n" + cell.kernel + "\n" + cell.trial.message, rows.size());
-        if (is_new)
-            rows.push_back({{"scene", cell.scene},
-                            {"kernel", cell.kernel},
-                            {"methods", cell.method},
-                            {"outcome", name_of(cell.trial.outcome)},
-                            {"message", cell.trial.message}});
-        else
-            rows[entry->second]["methods"] =
-                rows[entry->second]["methods"].get<std::string>() + ", " + cell.method;
+json messages(const Rows& rows) {
+    json table = json::array();
+    for (const StabilityRow& row : rows) {
+        std::map<std::string, std::size_t> known;
+        for (std::size_t m = 0; m < row.trials.size(); ++m) {
+            const ContactTrial& trial = row.trials[m];
+            const std::string& method = rough::solver_names()[m];
+            if (trial.outcome == Outcome::solved)
+                continue;
+            const auto [entry, is_new] = known.emplace(trial.message, table.size());
+            if (is_new)
+                table.push_back({{"scene", row.scene},
+                                 {"kernel", row.kernel},
+                                 {"methods", method},
+                                 {"outcome", name_of(trial.outcome)},
+                                 {"message", trial.message}});
+            else
+                table[entry->second]["methods"].get_ref<std::string&>() += ", " + method;
+        }
     }
-    return rows;
+    return table;
 }
 
-/// "433 cells: 380 solved, ..."
-std::string summary_of(const Cells& cells) {
-    std::string text = std::to_string(cells.size()) + " cells:";
-    for (const Outcome outcome : outcomes)
-        text +=
-            (outcome == outcomes.front() ? " " : ", ") +
-            std::to_string(count(cells, [&](const auto& cell) { return cell.trial.outcome == outcome; })) +
-            " " + name_of(outcome);
-    return text;
-}
-
-Findings findings_of(const Cells& cells) {
+Findings findings_of(const Rows& rows) {
     Csv table("scene,kernel,method,outcome,kkt_residual,iterations,seconds,message", 6);
-    for (const StabilityCell& cell : cells) {
-        const ContactTrial& trial = cell.trial;
-        table.row(cell.scene, cell.kernel, cell.method, name_of(trial.outcome),
-                  trial.curve.steps.empty() ? std::nullopt : std::optional(trial.kkt_residual()),
-                  trial.curve.iterations, trial.seconds, trial.message);
-    }
+    for (const StabilityRow& row : rows)
+        for (std::size_t m = 0; m < row.trials.size(); ++m) {
+            const ContactTrial& trial = row.trials[m];
+            table.row(row.scene, row.kernel, rough::solver_names()[m], name_of(trial.outcome),
+                      trial.curve.steps.empty() ? std::nullopt : std::optional(trial.kkt_residual()),
+                      trial.curve.iterations, trial.seconds, trial.message);
+        }
     json names = json::array();
-    for (const Outcome outcome : outcomes)
+    std::string summary; // "433 cells: 380 solved, ..."
+    for (const Outcome outcome : outcomes) {
         names.push_back(name_of(outcome));
-    const bool wrong =
-        count(cells, [](const StabilityCell& cell) { return cell.trial.outcome == Outcome::wrong; }) > 0;
-    return {.result = {{"summary", summary_of(cells)},
+        summary += (summary.empty() ? std::to_string(table.rows().size()) + " cells: " : ", ") +
+                   std::to_string(count(rows, outcome)) + " " + name_of(outcome);
+    }
+    return {.result = {{"summary", summary},
                        {"outcomes", names},
-                       {"methods", by_method(cells)},
-                       {"scenes", by_scene(cells)},
-                       {"messages", messages(cells)},
+                       {"methods", by_method(rows)},
+                       {"scenes", by_scene(rows)},
+                       {"messages", messages(rows)},
                        {"runs", table.rows()}},
             .files = {{"stability.csv", table.text()}},
-            .summary = summary_of(cells),
-            .code = wrong ? 3 : 0};
+            .summary = summary,
+            .code = count(rows, Outcome::wrong) > 0 ? 3 : 0};
 }
 
 /// The scenes of a name on all kernels, or all of them.
@@ -166,22 +159,23 @@ std::vector<StabilityScene> scenes_from(const Settings& settings) {
 }
 
 Findings run_stability(const Settings& settings, const Conditions& conditions) {
-    Cells cells;
+    Rows rows;
     for (const StabilityScene& scene : scenes_from(settings)) {
         if (conditions.stop)
             break;
         StabilityReference reference(scene);
         const std::string& kernel = name_of(scene.body.kernel);
+        rows.push_back({scene.name, kernel, scene.has_solution, {}});
         for (const std::string& method : rough::solver_names()) {
             conditions.progress.show(scene.name + " (" + kernel + "): " + method);
             rough::ContactOptions options;
             options.solver = rough::solver_named(method);
-            ContactTrial trial = try_contact(scene, options, seconds_per_cell);
+            ContactTrial& trial =
+                rows.back().trials.emplace_back(try_contact(scene, options, seconds_per_cell));
             reference.verifier(trial, promised_tolerance(trial.curve, options));
-            cells.push_back({scene.name, kernel, method, scene.has_solution, std::move(trial)});
         }
     }
-    return cells.empty() ? Findings() : findings_of(cells);
+    return rows.empty() ? Findings() : findings_of(rows);
 }
 
 } // namespace

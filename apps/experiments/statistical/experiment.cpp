@@ -14,13 +14,6 @@ namespace {
 const char* const usual_pipeline =
     "sample 40 | score | until evaluations 2000 { l-shade evaluations=2000 | score | duel } | best 1";
 
-/// What a run was asked for and found.
-struct StatisticalRun {
-    rough::StatisticalTask task;
-    rough::StatisticalAnswer answer;
-    std::vector<rough::RealisedAnswer> surfaces;
-};
-
 rough::StatisticalTask task_of(const Settings& settings) {
     if (!settings.has("target.file"))
         throw rough::InputError(settings.place("target.file") + ": missing, expected a target's file");
@@ -34,59 +27,54 @@ rough::StatisticalTask task_of(const Settings& settings) {
     return task;
 }
 
-nlohmann::json result_of(const StatisticalRun& run) {
-    const rough::SelfAffine& of = run.answer.parameters;
-    nlohmann::json result{
-        {"theory", name_of(run.task.theory)},
-        {"quantity",
-         is_contact_fraction(run.task.target.quantity) ? "Contact fraction A" : "Stiffness K (MPa/mm)"},
-        {"parameters",
-         {{"H", of.hurst},
-          {"longest_mm", of.longest},
-          {"shortest_mm", of.shortest},
-          {"rms_slope", of.rms_slope}}},
-        {"similarity", run.answer.similarity},
-        {"evaluations", run.answer.evaluations},
-        {"similarity_realised", rough::column(run.surfaces, &rough::RealisedAnswer::similarity)},
-        {"surfaces", nlohmann::json::array()}};
-    for (const rough::RealisedAnswer& one : run.surfaces)
-        result["surfaces"].push_back({{"similarity", one.similarity}});
-    return result;
-}
-
 Findings run_statistical(const Settings& settings, const Conditions& conditions) {
-    StatisticalRun run;
-    run.task = task_of(settings);
+    const rough::StatisticalTask task = task_of(settings);
     conditions.progress.show("parameters");
-    run.answer = read_at(settings, "statistical.pipeline", [&] {
-        return statistical_design(run.task, settings.text("statistical.pipeline"), conditions.origin.seed,
+    const rough::StatisticalAnswer answer = read_at(settings, "statistical.pipeline", [&] {
+        return statistical_design(task, settings.text("statistical.pipeline"), conditions.origin.seed,
                                   conditions.origin.threads, &conditions.stop);
     });
-    const rough::Target& target = run.task.target;
+    const std::string theory = name_of(task.theory);
+    const rough::Target& target = task.target;
     Csv curves("curve,pressure_MPa," + std::string(columns_of(target.quantity).y));
     const auto add = [&](const std::string& name, const Eigen::VectorXd& y) {
         for (Eigen::Index k = 0; k < y.size(); ++k)
             curves.row(name, target.x[k], y[k]);
     };
     add("target", target.y);
-    add(name_of(run.task.theory), run.answer.foretold);
+    add(theory, answer.foretold);
     std::map<std::string, std::string> files;
+    std::vector<double> similarities; ///< of the surfaces that are drawn
     const long count = settings.whole("statistical.realisations", 0, 100);
     for (long k = 1; k <= count && !conditions.stop; ++k) {
         const std::string name = "surface-" + std::to_string(k);
         conditions.progress.show(name + " of " + std::to_string(count));
-        run.surfaces.push_back(realised_answer(run.task, run.answer.parameters,
-                                               conditions.origin.seed + static_cast<std::uint64_t>(k)));
-        add(name, run.surfaces.back().exact);
-        files[name + ".x3p"] = x3p(run.surfaces.back().surface);
+        const rough::RealisedAnswer drawn =
+            realised_answer(task, answer.parameters, conditions.origin.seed + static_cast<std::uint64_t>(k));
+        add(name, drawn.exact);
+        similarities.push_back(drawn.similarity);
+        files[name + ".x3p"] = x3p(drawn.surface);
     }
-    nlohmann::json result = result_of(run);
-    result["curves"] = curves.rows();
     files["curves.csv"] = curves.text();
+    const rough::SelfAffine& of = answer.parameters;
+    nlohmann::json result{
+        {"theory", theory},
+        {"quantity", is_contact_fraction(target.quantity) ? "Contact fraction A" : "Stiffness K (MPa/mm)"},
+        {"parameters",
+         {{"H", of.hurst},
+          {"longest_mm", of.longest},
+          {"shortest_mm", of.shortest},
+          {"rms_slope", of.rms_slope}}},
+        {"similarity", answer.similarity},
+        {"evaluations", answer.evaluations},
+        {"similarity_realised", similarities},
+        {"surfaces", nlohmann::json::array()},
+        {"curves", curves.rows()}};
+    for (const double similarity : similarities)
+        result["surfaces"].push_back({{"similarity", similarity}});
     return {.result = result,
             .files = files,
-            .summary = "similarity " + readable(run.answer.similarity, 4) + " by " +
-                       name_of(run.task.theory) + "'s theory"};
+            .summary = "similarity " + readable(answer.similarity, 4) + " by " + theory + "'s theory"};
 }
 
 } // namespace
