@@ -32,9 +32,6 @@ struct ChartExtent {
     double limit;                               ///< s that one curve may take
 };
 
-const ChartExtent& quick_extent();
-const ChartExtent& whole_extent();
-
 constexpr int usual_steps = 20;
 /// 20 load steps, and the tolerance 1e-6 for a method that has one.
 ChartSetting usual_setting(std::size_t scene, rough::Solver method, rough::Index nodes);
@@ -96,51 +93,37 @@ void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, C
 ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const ChartSetting& setting,
                    double limit, const std::function<bool()>& stop = {});
 
-/// A random surface that repeats, and its exact curve: what models are measured against.
+/// What a model predicts of a scene: a theory, one line in place of the map, or a coarser grid.
+struct ModelRun {
+    std::string family;     ///< theories, one line or solved
+    std::string model;      ///< its name
+    rough::Index nodes = 0; ///< 0 of a theory
+    double seconds = 0;     ///< of the whole curve on one core, the least of a few
+    Eigen::VectorXd contact_fraction = {}, stiffness = {};   ///< at the loads; NaN where it has no answer
+    Eigen::VectorXd area_errors = {}, stiffness_errors = {}; ///< relative, at each load
+    double area_error = 0, stiffness_error = 0;              ///< root mean squares of these
+};
+
+/// A random surface that repeats, its exact curve and the models measured against it.
 struct ModelScene {
     std::string name, words;
-    std::string reference;                       ///< what it is measured against
-    double rms_slope = 0;                        ///< h', rms gradient of a map
-    double rms_height = 0;                       ///< mm
-    double aspect_ratio = 0;                     ///< Str; 0: a line
-    Eigen::VectorXd pressure;                    ///< of the loads, MPa; E* is 1 MPa
-    Eigen::VectorXd contact_fraction, stiffness; ///< exact, MPa/mm
-};
-
-/// What a model says of a scene: a theory, one line in place of the map, or a coarser grid.
-struct ModelRun {
-    std::size_t scene = 0;
-    std::string family;                          ///< theories, one line or solved
-    std::string model;                           ///< its name
-    rough::Index nodes = 0;                      ///< 0 of a theory
-    double seconds = 0;                          ///< of the whole curve on one core, the least of a few
-    Eigen::VectorXd contact_fraction, stiffness; ///< at the scene's loads; NaN where it has no answer
-
-    /// Of one load, relative to the exact value; NaN where the model has no answer.
-    Eigen::VectorXd area_errors(const ModelScene& of) const {
-        return contact_fraction.array() / of.contact_fraction.array() - 1;
-    }
-    Eigen::VectorXd stiffness_errors(const ModelScene& of) const {
-        return stiffness.array() / of.stiffness.array() - 1;
-    }
-};
-
-/// Theories, lines and grids beside each other.
-struct ModelChart {
-    std::vector<ModelScene> scenes;
-    std::vector<ModelRun> runs;
+    std::string reference;                                 ///< what it is measured against
+    double rms_slope = 0;                                  ///< h', rms gradient of a map
+    double rms_height = 0;                                 ///< mm
+    double aspect_ratio = 0;                               ///< Str; 0: a line
+    Eigen::VectorXd pressure = {};                         ///< of the loads, MPa; E* is 1 MPa
+    Eigen::VectorXd contact_fraction = {}, stiffness = {}; ///< exact, MPa/mm
+    std::vector<ModelRun> runs = {};
 };
 
 /// The scenes self-affine-line (a profile), self-affine-map (isotropic) and ground-map (ridges along y with a
 /// tenth of roughness of every direction on them), H = 0.8, pressed from 0.5 % to nearly full contact. Exact
 /// is a map of `finest` nodes a side; shorter waves than 8 nodes of 128 a side there are none. Ends early
 /// where `stop` says so, with what there is.
-ModelChart charted_models(rough::Index finest, const std::function<bool()>& stop = {});
+std::vector<ModelScene> charted_models(rough::Index finest, const std::function<bool()>& stop = {});
 
 /// Of the errors that are known; NaN of none.
 double root_mean_square(const Eigen::VectorXd& errors);
-/// Of a run over its loads, root mean square, relative: of the area, and of the stiffness; NaN of none.
-std::pair<double, double> errors_of(const ModelRun& run, const ModelScene& scene);
 
 /// Why a setting was not tried.
 enum class LeftOutFor {
@@ -161,7 +144,7 @@ struct ChartData {
     std::vector<ChartRun> runs;     ///< in the order of the plan
     std::vector<LeftOut> left_out;  ///< the rest of the plan
     double limit = 0;               ///< s that one curve might take
-    ModelChart models;              ///< theories, lines and maps
+    std::vector<ModelScene> models; ///< theories, lines and maps
 
     /// The run at a setting, or none.
     const ChartRun* at(const ChartSetting& setting) const;
@@ -187,12 +170,12 @@ ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& exte
 /// chart.csv: a row a run, of solvers and of models.
 Csv chart_table(const ChartData& data);
 /// models.csv: a row a load of each run.
-Csv models_table(const ModelChart& chart);
+Csv models_table(const std::vector<ModelScene>& scenes);
 /// points.csv: each run that has an error, by kind; `best` is 1 if no run of its method is faster and more
 /// accurate, 2 if no run of any method is. Errors that differ by less than a twentieth count as equal.
 Csv points_table(const ChartData& data);
 /// model_errors.csv: the errors of each model over the loads, and its time.
-Csv model_errors_table(const ModelChart& chart);
+Csv model_errors_table(const std::vector<ModelScene>& scenes);
 /// What was left out and why, in one line; "" if all were tried.
 std::string left_out_in_a_line(const ChartData& data);
 /// Everything else that the page says: scenes, failures, and where theories, a line and a map hold.

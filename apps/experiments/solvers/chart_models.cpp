@@ -54,13 +54,9 @@ rough::TheoryCurve pressed(const Profile& surface, const VectorXd& pressures) {
     return answer;
 }
 
-/// Adds a scene, and every model of it.
-void add_models(ModelChart& chart, const std::function<bool()>& stop, const std::string& name,
-                const std::string& words, Profile (*on)(Index), Index finest,
-                const std::vector<Index>& coarser) {
-    const auto stopped = [&] { return stop && stop(); };
-    if (stopped())
-        return;
+/// A scene and every model of it.
+ModelScene modelled(const std::function<bool()>& stop, const std::string& name, const std::string& words,
+                    Profile (*on)(Index), Index finest, const std::vector<Index>& coarser) {
     const Profile surface = on(finest);
     const bool is_map = surface.is_2d();
     const rough::RandomSurface random = random_surface(surface, true);
@@ -70,10 +66,7 @@ void add_models(ModelChart& chart, const std::function<bool()>& stop, const std:
                          (is_map ? " x " + std::to_string(finest) : "") + " nodes",
                      rms_slope(random),
                      std::sqrt(spectral_moments(random).m0),
-                     is_map ? texture(surface, true).Str : 0,
-                     {},
-                     {},
-                     {}};
+                     is_map ? texture(surface, true).Str : 0};
     constexpr int loads = 12;
     constexpr double lightest = 0.005, heaviest = 1.6; // erf of it over sqrt 2 is what touches
     scene.pressure = scene.rms_slope / 2 *
@@ -82,12 +75,18 @@ void add_models(ModelChart& chart, const std::function<bool()>& stop, const std:
     scene.contact_fraction = exact.contact_fraction;
     scene.stiffness = exact.stiffness;
     const auto measure = [&](const char* family, const std::string& model, Index nodes, auto work) {
-        if (stopped())
+        if (stop && stop())
             return;
         rough::TheoryCurve curve;
-        const double seconds = least_seconds([&] { curve = work(); });
-        chart.runs.push_back(
-            {chart.scenes.size(), family, model, nodes, seconds, curve.contact_fraction, curve.stiffness});
+        ModelRun run{.family = family, .model = model, .nodes = nodes};
+        run.seconds = least_seconds([&] { curve = work(); });
+        run.contact_fraction = curve.contact_fraction;
+        run.stiffness = curve.stiffness;
+        run.area_errors = run.contact_fraction.array() / scene.contact_fraction.array() - 1;
+        run.stiffness_errors = run.stiffness.array() / scene.stiffness.array() - 1;
+        run.area_error = root_mean_square(run.area_errors);
+        run.stiffness_error = root_mean_square(run.stiffness_errors);
+        scene.runs.push_back(std::move(run));
     };
     for (const std::string& theory : rough::theory_names()) {
         const auto which = static_cast<rough::Theory>(&theory - rough::theory_names().data());
@@ -106,24 +105,29 @@ void add_models(ModelChart& chart, const std::function<bool()>& stop, const std:
         measure("solved", is_map ? "map" : "profile", coarse.nodes(),
                 [&] { return pressed(coarse, scene.pressure); });
     }
-    chart.scenes.push_back(std::move(scene));
+    return scene;
 }
 
 } // namespace
 
-ModelChart charted_models(Index finest, const std::function<bool()>& stop) {
-    ModelChart chart;
-    add_models(chart, stop, "self-affine-line", "a self-affine profile, H = 0.8, waves from L/32 to L/256",
-               line_on, 4096, {512, 1024, 2048});
+std::vector<ModelScene> charted_models(Index finest, const std::function<bool()>& stop) {
+    std::vector<ModelScene> scenes;
+    const auto add = [&](const char* name, const char* words, Profile (*on)(Index), Index exact,
+                         const std::vector<Index>& coarser) {
+        if (!stop || !stop())
+            scenes.push_back(modelled(stop, name, words, on, exact, coarser));
+    };
+    add("self-affine-line", "a self-affine profile, H = 0.8, waves from L/32 to L/256", line_on, 4096,
+        {512, 1024, 2048});
     std::vector<Index> sides;
     for (Index side = 32; side < finest; side *= 2)
         sides.push_back(side);
-    add_models(chart, stop, "self-affine-map",
-               "an isotropic self-affine map, H = 0.8, waves from L/4 to L/16", map_on, finest, sides);
-    add_models(chart, stop, "ground-map",
-               "ridges along y, self-affine across, with a tenth of the isotropic map's roughness on them",
-               ground_on, finest, sides);
-    return chart;
+    add("self-affine-map", "an isotropic self-affine map, H = 0.8, waves from L/4 to L/16", map_on, finest,
+        sides);
+    add("ground-map",
+        "ridges along y, self-affine across, with a tenth of the isotropic map's roughness on them",
+        ground_on, finest, sides);
+    return scenes;
 }
 
 double root_mean_square(const VectorXd& errors) {
@@ -133,10 +137,6 @@ double root_mean_square(const VectorXd& errors) {
         if (std::isfinite(error))
             sum += error * error, ++count;
     return count > 0 ? std::sqrt(sum / count) : std::nan("");
-}
-
-std::pair<double, double> errors_of(const ModelRun& run, const ModelScene& scene) {
-    return {root_mean_square(run.area_errors(scene)), root_mean_square(run.stiffness_errors(scene))};
 }
 
 } // namespace app

@@ -152,36 +152,37 @@ json fair_range(const Eigen::VectorXd& errors, const Eigen::VectorXd& fractions)
     return {{"from", fractions[from]}, {"to", fractions[to]}};
 }
 
-json theory_rows(const ModelChart& chart) {
+json theory_rows(const std::vector<ModelScene>& scenes) {
     json rows = json::array();
-    for (const ModelRun& run : chart.runs)
-        if (const ModelScene& of = chart.scenes[run.scene]; run.family == "theories")
-            rows.push_back({{"scene", of.name},
-                            {"theory", run.model},
-                            {"seconds", run.seconds},
-                            {"area", fair_range(run.area_errors(of), of.contact_fraction)},
-                            {"stiffness", fair_range(run.stiffness_errors(of), of.contact_fraction)}});
+    for (const ModelScene& of : scenes)
+        for (const ModelRun& run : of.runs)
+            if (run.family == "theories")
+                rows.push_back({{"scene", of.name},
+                                {"theory", run.model},
+                                {"seconds", run.seconds},
+                                {"area", fair_range(run.area_errors, of.contact_fraction)},
+                                {"stiffness", fair_range(run.stiffness_errors, of.contact_fraction)}});
     return rows;
 }
 
 /// For each map: the line along the lay, one section, and the coarsest grid within 3 %.
-json line_rows(const ModelChart& chart) {
+json line_rows(const std::vector<ModelScene>& scenes) {
     json rows = json::array();
-    for (const ModelScene& of : chart.scenes) {
+    for (const ModelScene& of : scenes) {
         json row{{"scene", of.name}, {"aspect_ratio", of.aspect_ratio}};
         double grid_error = HUGE_VAL;
-        for (const ModelRun& run : chart.runs) {
-            if (&chart.scenes[run.scene] != &of)
-                continue;
-            const auto [area, stiffness] = errors_of(run, of);
-            const json told{
-                {"area", area}, {"stiffness", stiffness}, {"seconds", run.seconds}, {"nodes", run.nodes}};
+        for (const ModelRun& run : of.runs) {
+            const double error = std::max(run.area_error, run.stiffness_error);
+            const json told{{"area", run.area_error},
+                            {"stiffness", run.stiffness_error},
+                            {"seconds", run.seconds},
+                            {"nodes", run.nodes}};
             if (run.model == "section")
                 row["section"] = told;
             else if (run.model == "mean-line")
-                row.update({{"line", told}, {"line_is_enough", std::max(area, stiffness) <= fair}});
+                row.update({{"line", told}, {"line_is_enough", error <= fair}});
             else if (run.family == "solved" && grid_error >= 0.03)
-                row["map"] = told, grid_error = std::max(area, stiffness);
+                row["map"] = told, grid_error = error;
         }
         if (row.contains("line") && row.contains("section") && row.contains("map"))
             rows.push_back(row);
@@ -237,27 +238,25 @@ Csv chart_table(const ChartData& data) {
                   run.setting.steps, run.setting.tolerance, run.seconds, known(run.error_pressure),
                   known(run.error_stiffness), known(run.error_contact), run.iterations, name_of(run.outcome));
     }
-    for (const ModelRun& run : data.models.runs) { // errors of the fraction itself, as above
-        const ModelScene& scene = data.models.scenes[run.scene];
-        table.row(scene.name, name_of(rough::Kernel::periodic), run.model, run.nodes, scene.pressure.size(),
-                  0.0, run.seconds, std::optional<double>(), errors_of(run, scene).second,
-                  root_mean_square(run.contact_fraction - scene.contact_fraction), 0,
-                  name_of(Outcome::solved));
-    }
+    for (const ModelScene& scene : data.models)
+        for (const ModelRun& run : scene.runs) // errors of the fraction itself, as above
+            table.row(scene.name, name_of(rough::Kernel::periodic), run.model, run.nodes,
+                      scene.pressure.size(), 0.0, run.seconds, std::optional<double>(), run.stiffness_error,
+                      root_mean_square(run.contact_fraction - scene.contact_fraction), 0,
+                      name_of(Outcome::solved));
     return table;
 }
 
-Csv models_table(const ModelChart& chart) {
+Csv models_table(const std::vector<ModelScene>& scenes) {
     Csv table("scene,model,nodes,seconds,pressure_MPa,contact_fraction,stiffness_MPa_per_mm,error_contact,"
               "error_stiffness",
               6);
-    for (const ModelRun& run : chart.runs) {
-        const ModelScene& scene = chart.scenes[run.scene];
-        const Eigen::VectorXd area = run.area_errors(scene), stiffness = run.stiffness_errors(scene);
-        for (Index j = 0; j < area.size(); ++j)
-            table.row(scene.name, run.model, run.nodes, run.seconds, scene.pressure[j],
-                      run.contact_fraction[j], run.stiffness[j], area[j], stiffness[j]);
-    }
+    for (const ModelScene& scene : scenes)
+        for (const ModelRun& run : scene.runs)
+            for (Index j = 0; j < run.stiffness.size(); ++j)
+                table.row(scene.name, run.model, run.nodes, run.seconds, scene.pressure[j],
+                          run.contact_fraction[j], run.stiffness[j], run.area_errors[j],
+                          run.stiffness_errors[j]);
     return table;
 }
 
@@ -288,14 +287,13 @@ Csv points_table(const ChartData& data) {
     return table;
 }
 
-Csv model_errors_table(const ModelChart& chart) {
+Csv model_errors_table(const std::vector<ModelScene>& scenes) {
     Csv table("scene,family,model,nodes,answers,loads,area,stiffness,seconds", 6);
-    for (const ModelRun& run : chart.runs) {
-        const auto [area, stiffness] = errors_of(run, chart.scenes[run.scene]);
-        table.row(chart.scenes[run.scene].name, run.family, run.model, run.nodes,
-                  run.contact_fraction.array().isFinite().count(), run.contact_fraction.size(), area,
-                  stiffness, run.seconds);
-    }
+    for (const ModelScene& scene : scenes)
+        for (const ModelRun& run : scene.runs)
+            table.row(scene.name, run.family, run.model, run.nodes,
+                      run.contact_fraction.array().isFinite().count(), run.contact_fraction.size(),
+                      run.area_error, run.stiffness_error, run.seconds);
     return table;
 }
 
@@ -340,7 +338,7 @@ json chart_facts(const ChartData& data) {
                                           {"reference", of.reference},
                                           {"contact", data.contact(scene)}});
     }
-    for (const ModelScene& scene : data.models.scenes)
+    for (const ModelScene& scene : data.models)
         facts["model_scenes"].push_back({{"name", scene.name},
                                          {"words", scene.words},
                                          {"reference", scene.reference},
