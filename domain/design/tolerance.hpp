@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/problem/setup.hpp"
+#include "domain/problem/made.hpp"
 
 #include <atomic>
 #include <cstdint>
@@ -11,9 +11,8 @@ namespace rough {
 /// How the tolerance of a design is found. The number of draws depends only on the grid, unless `seconds` is
 /// finite and `fixed_draws` is not set.
 struct ToleranceOptions {
-    double noise_length = 0; ///< correlation length l of the height noise, mm; 0: L/60
-    std::uint64_t seed = 1;  ///< of the draws
-    int threads = 0;         ///< 0: all; the result does not depend on them
+    std::uint64_t seed = 1;                                   ///< of the draws
+    int threads = 0;                                          ///< 0: all; the result does not depend on them
     double seconds = std::numeric_limits<double>::infinity(); ///< wall time; later levels stay NaN
     bool fixed_draws = false;                ///< the number of draws does not depend on `seconds`
     const std::atomic<bool>* stop = nullptr; ///< true ends the work early, as `seconds` does
@@ -46,27 +45,20 @@ struct Tolerance {
     double share_to = 1;                  ///< its upper end
     std::vector<ToleranceLevel> levels;   ///< 0.99, 0.95, 0.9 and the requested one, the highest first
     std::vector<NoiseQuantile> curve;     ///< from the smallest noise to the largest
-    bool complete = true; ///< false: no time for all levels; a noise may be the octave that few draws keep
+    bool complete = true; ///< false: no time for all levels; a noise may be one that only few draws keep
 };
 
-/// The tolerance of a genome in final amplitude on the set-up's grid and load steps. A draw's heights are not
-/// rescaled by Eq. 11; its displacement counts from its first touch. Noise up to the height range, tilt up to
-/// 16 times that and scale up to 0.99 are tried. The noise is bracketed with few draws and found with ten
-/// times as many: 1,000 for lines of up to 4,096 nodes, fewer for larger lines and for maps, but 40 at least.
-/// Throws InputError if the design has no response.
+/// The tolerance of a genome in final amplitude on the set-up's grid and load steps, for noise of the
+/// correlation length of DesignSetup::errors. A draw's heights are not rescaled by Eq. 11; its displacement
+/// counts from its first touch. Noise up to the height range, tilt up to 16 times that and scale up to 0.99
+/// are tried. The noise is bracketed with few draws and found with ten times as many: 1,000 for lines of up
+/// to 4,096 nodes, fewer for larger lines and for maps, but 40 at least. Throws InputError if the design has
+/// no response.
 Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const ToleranceOptions& options = {});
 
-/// Lowest similarity that 95 % of the draws of a height noise have, as in `tolerance_of`; NaN: no time.
-double similarity_under_noise(const DesignSetup& setup, const Genome& genome, double noise_rms,
-                              const ToleranceOptions& options = {});
-
-/// The lower of the similarities of a genome that is tilted by a height (mm) over the length, either way; for
-/// a map along x and y.
-double similarity_under_tilt(const DesignSetup& setup, const Genome& genome, double tilt);
-
-/// Gaussian height noise of rms 1 and autocorrelation exp(-(d/length)^2) at the distance d, sampled at the
-/// grid's nodes. The field belongs to the line or map: equal seeds give the same field on every grid. It is a
-/// Fourier series of period 2 L, or L if the grid wraps.
-Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed);
+/// Lowest similarity under DesignSetup::errors: that of 95 % of so many draws of the noise, or of as many as
+/// in `tolerance_of` if `draws` is 0, and those of both tilts, for a map along x and y. NaN: no time.
+double similarity_when_made(const DesignSetup& setup, const Genome& genome,
+                            const ToleranceOptions& options = {}, int draws = 0);
 
 } // namespace rough

@@ -151,21 +151,20 @@ std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const
             jobs.push_back({"4 times the datum, the target moved with it",
                             [far, &genome] { return similarity(far, respond(far, genome, far.model)); }});
     }
-    if (options.noise > 0)
-        jobs.push_back({line_of("height noise of ", options.noise, " mm rms, 95 % of the draws"),
-                        [&setup, &genome, &options, clock = ga::Stopwatch()] {
-                            return similarity_under_noise(setup, genome, options.noise,
-                                                          {.noise_length = options.noise_length,
-                                                           .seed = options.seed,
-                                                           .seconds = options.seconds - clock.seconds(),
-                                                           .stop = options.stop});
-                        },
-                        true});
-    if (options.tilt > 0)
+    const auto [noise, noise_length, tilt] = setup.errors;
+    const auto made = [&setup, &genome, &options](const MakingErrors& errors) {
+        return [&, errors] {
+            DesignSetup with = setup;
+            with.errors = errors;
+            return similarity_when_made(with, genome, {.seed = options.seed, .threads = 1});
+        };
+    };
+    if (noise > 0)
+        jobs.push_back({line_of("height noise of ", noise, " mm rms, 95 % of the draws"),
+                        made({noise, noise_length, 0}), true});
+    if (tilt > 0)
         jobs.push_back(
-            {line_of("tilt of ", options.tilt, " mm over the length"),
-             [&setup, &genome, &options] { return similarity_under_tilt(setup, genome, options.tilt); },
-             true});
+            {line_of("tilt of ", tilt, " mm over the length"), made({0, noise_length, tilt}), true});
     if (trust.peak_pressure > options.hardness && options.hardness > 0)
         jobs.push_back({"nodes held at the hardness",
                         [&setup, &genome, &options] {

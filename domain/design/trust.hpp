@@ -10,13 +10,10 @@ namespace rough {
 
 /// How an answer is put to the test.
 struct TrustOptions {
-    double noise = 0;        ///< rms of height noise, mm: 95 % of its draws are to hold; 0: none
-    double noise_length = 0; ///< its correlation length, mm; 0: L/60
-    double tilt = 0;         ///< over the length, mm, either way; 0: none
-    int phase_draws = 30;    ///< how many genomes with phases drawn anew
-    double hardness = 0;     ///< MPa: no node bears more, the measured target's neither; 0: not given
-    std::uint64_t seed = 1;  ///< of noise and redrawn phases
-    int threads = 0;         ///< 0: all
+    int phase_draws = 30;   ///< how many genomes with phases drawn anew
+    double hardness = 0;    ///< MPa: no node bears more, the measured target's neither; 0: not given
+    std::uint64_t seed = 1; ///< of noise and redrawn phases
+    int threads = 0;        ///< 0: all
     double seconds = std::numeric_limits<double>::infinity(); ///< what is not done by then is left out
     const std::atomic<bool>* stop = nullptr; ///< somebody asks it to end, as if the seconds were over
 };
@@ -54,10 +51,10 @@ struct Trust {
     std::vector<std::string> left_out; ///< what there was no time for
 };
 
-/// Re-verifies a genome in final amplitude, whose response as designed may be given (response_of). On an area
-/// what the search has verified already is taken from its answer, where that is given: a fine area's curve
-/// costs a minute; what it had no time for is left out. The datum's change is exact on the target
-/// side: 1/K(4 d) = 1/K(d)
+/// Re-verifies a genome in final amplitude, under the set-up's errors too, whose response as designed may be
+/// given (response_of). On an area what the search has verified already is taken from its answer, where that
+/// is given: a fine area's curve costs a minute; what it had no time for is left out. The datum's change is
+/// exact on the target side: 1/K(4 d) = 1/K(d)
 /// + (2 L/(pi E*)) ln 4 at the same load, displacements grow by (2 P L/(pi E*)) ln 4, areas and interface
 /// stiffness stay.
 Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,

@@ -36,9 +36,9 @@ struct Pressed {
     std::vector<ResponseJacobian> jacobians;
 };
 
-Pressed pressed_with_jacobian(const DesignSetup& setup, const Genome& genome, const Model& model) {
-    const Loadings loadings = loadings_of(setup, model.loading);
-    const Profile profile = sample(genome, model.grid);
+template <class InGenes>
+Pressed pressed_with_jacobian(const DesignSetup& setup, const Profile& profile, const Loadings& loadings,
+                              const Model& model, InGenes pull) {
     Pressed result;
     for (std::size_t way = 0; way < loadings.each.size(); ++way) {
         bool with_area = false;
@@ -47,14 +47,18 @@ Pressed pressed_with_jacobian(const DesignSetup& setup, const Genome& genome, co
         auto [response, gradient, area] =
             respond_with_gradient(profile, model.body, up_to_full_contact(loadings.each[way], profile, model),
                                   model.contact, with_area);
-        result.jacobians.push_back(in_genes(
-            gradient, [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); },
-            area));
+        result.jacobians.push_back(in_genes(gradient, pull, area));
         if (with_area)
             response.contact_fraction = area.fraction;
         result.responses.push_back(std::move(response));
     }
     return result;
+}
+
+Pressed pressed_with_jacobian(const DesignSetup& setup, const Genome& genome, const Model& model) {
+    return pressed_with_jacobian(
+        setup, sample(genome, model.grid), loadings_of(setup, model.loading), model,
+        [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); });
 }
 
 Rows rows_of(const DesignSetup& setup, const Pressed& pressed) {
@@ -113,6 +117,11 @@ ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& bel
 
 Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model) {
     return rows_of(setup, pressed_with_jacobian(setup, genome, model));
+}
+
+Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const Loadings& loadings,
+                 const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& in_genes) {
+    return rows_of(setup, pressed_with_jacobian(setup, profile, loadings, model, in_genes));
 }
 
 std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& finer, const Genome& genome,

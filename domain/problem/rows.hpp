@@ -3,6 +3,8 @@
 #include "domain/problem/verification.hpp"
 #include "ga/refinement/sensitivity.hpp"
 
+#include <functional>
+
 namespace rough {
 
 /// All targets' misfits of a genome under a model with their derivatives, target after target. Those of
@@ -15,8 +17,12 @@ struct Rows {
 
 /// Of a genome at scale 1 where Eq. 11 applies. Throws what respond() throws.
 Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model);
-/// The same in the load steps of `finer` on a grid `refine` times finer, then in every fourth of them, which
-/// are the set-up's own: one solution gives both (in_finer_steps).
+/// The same of a profile and the loadings for the targets; `in_genes` turns derivatives in heights (rows x N)
+/// into derivatives in genes. Throws what respond() throws.
+Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const Loadings& loadings,
+                 const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& in_genes);
+/// The same of a genome in the load steps of `finer` on a grid `refine` times finer, then in every fourth of
+/// them, which are the set-up's own: one solution gives both (in_finer_steps).
 std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& finer, const Genome& genome,
                                  Index refine);
 

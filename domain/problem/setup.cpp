@@ -43,6 +43,8 @@ DesignSetup completed(DesignSetup setup) {
     if (grid.is_2d() && setup.model.body.kernel == Kernel::strip)
         refuse_value("kernel", "strip given with an area, expected free or periodic");
     validate(setup.model);
+    if (setup.errors.noise_length == 0)
+        setup.errors.noise_length = grid.length / 60;
     if (setup.ridges == 0)
         setup.ridges = grid.is_2d() ? area_ridges : 1;
     if (setup.phases)

@@ -12,6 +12,15 @@ namespace rough {
 /// From here on an answer is called found, where nothing else is asked for.
 constexpr double default_required_similarity = 0.99;
 
+/// Errors in the heights of the surfaces that are made of a design. The answer has to survive them.
+struct MakingErrors {
+    double noise = 0;        ///< rms of Gaussian height noise, mm: 95 % of its draws are to hold; 0: none
+    double noise_length = 0; ///< its correlation length, mm; 0: L/60
+    double tilt = 0;         ///< over the length, mm, either way; 0: none
+
+    bool any() const { return noise > 0 || tilt > 0; } ///< given
+};
+
 /// What a design is asked for. What is left at 0 is filled in where a search begins (`completed`): K at a
 /// target is found by search({.targets = {read_target("target.csv")}}).
 struct DesignSetup {
@@ -31,6 +40,7 @@ struct DesignSetup {
     /// Of each chromosome of a genome that is drawn, M. 0: 1, as a line's collapse to one cosine; on an area,
     /// where they are directions, 8.
     int ridges = 0;
+    MakingErrors errors = {}; ///< that an answer is to survive
 };
 
 /// The bounds with lambda's, where they were left at 0, filled in: a quarter of the length (mm) to four times

@@ -48,8 +48,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GeneBounds, H_from, H_to, gamma_from, gamma_t
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PhaseReach, relative, absolute)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MakingLimits, shortest_wave, max_slope, max_height, min_radius)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Profile, heights, spacing, rows, row_spacing)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MakingErrors, noise, noise_length, tilt)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DesignSetup, model, targets, max_pressure, threshold, bounds, phases,
-                                   limits, like, required_similarity, ridges)
+                                   limits, like, required_similarity, ridges, errors)
 /// @endcond
 
 /// Everything of a set-up that decides a result.

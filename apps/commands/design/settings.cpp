@@ -72,6 +72,17 @@ void take_bounds(const Settings& settings, rough::DesignSetup& setup) {
     setup = placing(settings, "", [&] { return completed(setup); });
 }
 
+void take_errors(const Settings& settings, rough::DesignSetup& setup) {
+    rough::MakingErrors& errors = setup.errors;
+    for (const auto& [name, value] : {std::pair("noise", &errors.noise), std::pair("tilt", &errors.tilt)})
+        if (settings.has(name))
+            *value = settings.positive(name);
+    const rough::Grid& grid = setup.model.grid;
+    if (settings.has("noise-length"))
+        errors.noise_length =
+            settings.number("noise-length", std::min(grid.widest_spacing(), grid.length / 60), grid.length);
+}
+
 } // namespace
 
 std::vector<Setting> design_settings() {
@@ -97,8 +108,7 @@ std::vector<Setting> design_settings() {
         {"largest-change", "0.05", "largest change of such a phase, as a share of a turn, up to 0.5"},
         {"variant", "",
          "how to search: a named pipeline (rugosa operators) [default; on an area maps; with --database "
-         "in-line; "
-         "for a scan's contact area like]"},
+         "in-line; for a scan's contact area like; with --noise or --tilt made]"},
         {"pipeline", "", "how to search: a pipeline as text, in place of a variant"},
         {"seconds", "",
          "wall time of the whole program; an area that there is no time to verify is said to be not verified "
@@ -130,9 +140,12 @@ std::vector<Setting> design_settings() {
         {"gamma-to", "", "largest gamma [" + brief(usual.gamma_to, 15) + "]"},
         {"lambda-from", "", "least longest wave of a series, mm [L/4]"},
         {"lambda-to", "", "largest longest wave of a series, mm [4 L]"},
-        {"noise", "", "rms of the height noise under which 95 % of the draws must hold, mm [none]"},
+        {"noise", "",
+         "rms of the height noise under which 95 % of the draws must hold, mm: a profile is searched for "
+         "under "
+         "it, an area verified under it [none]"},
         {"noise-length", "", "correlation length of height noise, mm [L/60]"},
-        {"tilt", "", "height over the length that the answer may be tilted by, mm [none]"},
+        {"tilt", "", "height over the length that the answer may be tilted by, mm, as --noise [none]"},
         {"hardness", "", "hardness that no node bears more than, MPa, to verify the answer under [none]"},
     };
     return joined({settings, scan_settings(), model_settings(), {accuracy_setting()}});
@@ -218,6 +231,7 @@ DesignRun design_from(const Settings& settings) {
         run.accounts.push_back(note);
     for (const auto& note : carried_notes(setup.targets, setup.model))
         run.accounts.push_back(note);
+    take_errors(settings, setup);
     take_bounds(settings, setup);
     for (const char* limit : {"shortest-wave", "max-slope", "max-height", "min-radius"})
         run.limits_given = run.limits_given || settings.has(limit);
@@ -247,18 +261,8 @@ DesignRun design_from(const Settings& settings) {
     if (settings.has("evaluations"))
         options.evaluations = settings.whole("evaluations", 1, 1'000'000'000);
 
-    for (const auto& [name, value] :
-         {std::pair("noise", &run.trust_options.noise), std::pair("tilt", &run.trust_options.tilt)})
-        if (settings.has(name))
-            *value = settings.positive(name);
-    const rough::Grid& grid = setup.model.grid;
-    if (settings.has("noise-length"))
-        run.trust_options.noise_length =
-            settings.number("noise-length", std::min(grid.widest_spacing(), grid.length / 60), grid.length);
-    run.tolerance_options = {.noise_length = run.trust_options.noise_length,
-                             .seed = options.seed,
-                             .threads = options.threads,
-                             .fixed_draws = settings.has("evaluations")};
+    run.tolerance_options = {
+        .seed = options.seed, .threads = options.threads, .fixed_draws = settings.has("evaluations")};
     if (settings.has("hardness"))
         run.trust_options.hardness = settings.positive("hardness");
     run.trust_options.seed = options.seed;

@@ -47,9 +47,7 @@ void join(std::string& all, const std::string& more, const char* between = "; ")
     all += more;
 }
 
-bool asks_under(const DesignRun& run) {
-    return run.trust_options.noise > 0 || run.trust_options.tilt > 0 || run.trust_options.hardness > 0;
-}
+bool asks_under(const DesignRun& run) { return run.setup.errors.any() || run.trust_options.hardness > 0; }
 
 /// The worst similarity under all that was asked; -infinity where there was no answer under it.
 double verified_under(const DesignRun& run) {
@@ -65,9 +63,9 @@ bool is_verified(const DesignRun& run) { return !asks_under(run) || (run.trust &
 std::string conditions(const DesignRun& run) {
     std::string under = "on finer grids and in finer load steps";
     if (asks_under(run) && run.trust) {
-        if (run.trust_options.noise > 0)
+        if (run.setup.errors.noise > 0)
             under += ", under noise";
-        if (run.trust_options.tilt > 0)
+        if (run.setup.errors.tilt > 0)
             under += ", tilted";
         if (run.trust_options.hardness > 0)
             under += ", under the hardness";

@@ -132,8 +132,9 @@ Design designed(const std::optional<Eigen::VectorXd>& pressure,
     } else {
         setup.model = model_from(keywords);
     }
-    design.tolerance_options = {
-        .noise_length = keywords.take("noise_length", 0.0), .seed = options.seed, .threads = options.threads};
+    setup.errors = {keywords.take("noise", 0.0), keywords.take("noise_length", 0.0),
+                    keywords.take("tilt", 0.0)};
+    design.tolerance_options = {.seed = options.seed, .threads = options.threads};
     keywords.expect_none_left();
     if (setup.targets.empty())
         throw py::type_error("design: expected target_pressure and target_stiffness, target= or like=");
@@ -183,16 +184,16 @@ py::dict tolerance_of(Design& design) {
 py::dict trust_of(const Design& design, double noise, double tilt, double hardness, std::uint64_t seed,
                   int threads) {
     rough::TrustOptions options;
-    options.noise = noise;
-    options.noise_length = design.tolerance_options.noise_length;
-    options.tilt = tilt;
+    rough::DesignSetup setup = design.setup;
+    setup.errors.noise = noise;
+    setup.errors.tilt = tilt;
     options.hardness = hardness;
     options.seed = seed;
     options.threads = threads;
     rough::Trust trust;
     {
         const py::gil_scoped_release unlocked;
-        trust = trust_in(design.setup, design.found.best.genome, options);
+        trust = trust_in(setup, design.found.best.genome, options);
     }
     py::dict all, checks, kernels;
     for (const rough::Check& check : trust.checks)
@@ -304,7 +305,8 @@ void add_design(py::module_& module) {
         "max_pressure, variant, pipeline,\n"
         "seconds, evaluations, seed, threads, reach_similarity, alternatives, shortest_wave,\n"
         "max_slope, max_height, min_radius, hurst_from, hurst_to, gamma_from, gamma_to,\n"
-        "lambda_from, lambda_to, noise_length, starts (Genomes), progress (a callable of path, generations,\n"
+        "lambda_from, lambda_to, noise, noise_length, tilt, starts (Genomes), progress (a callable of path, "
+        "generations,\n"
         "evaluations, best), and the model's as in contact() of a Genome. Ctrl-C ends the search with\n"
         "the best so far. Returns a Design.");
 }

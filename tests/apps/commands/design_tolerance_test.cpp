@@ -29,8 +29,9 @@ TEST_CASE("the tolerance of a design follows from its genome") {
     setup.model.loading.steps = result["steps"];
     setup.required_similarity = 0.8;
     setup.targets = {rough::read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
-    const rough::Tolerance expected = tolerance_of(
-        setup, rough::genome_from_json(variant["genome"], "genome"), {.noise_length = 0.05, .seed = 3});
+    setup.errors.noise_length = 0.05;
+    const rough::Tolerance expected =
+        tolerance_of(setup, rough::genome_from_json(variant["genome"], "genome"), {.seed = 3});
     const json& tolerance = variant["tolerance"];
     CHECK(tolerance["noise_length_mm"] == 0.05);
     CHECK(tolerance["share"] == 0.95);

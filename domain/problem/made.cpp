@@ -1,0 +1,149 @@
+#include "domain/problem/made.hpp"
+
+#include "domain/errors.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/numerics/fourier.hpp"
+#include "ga/base/budget.hpp"
+#include "ga/base/random.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rough {
+
+namespace {
+
+constexpr std::uint64_t draws = 96;       ///< of noise that a search counts on
+constexpr double normal_quantile = 1.645; ///< 95 % of a normal distribution lie below this, in units of sigma
+
+/// Load steps that end where the search's do: with Eq. 11 at the pressure or displacement that it gives.
+Loadings loadings_of_made(const DesignSetup& asked, const DesignSetup& made, const Profile& surface) {
+    Loadings loadings = loadings_of(made, made.model.loading);
+    if (!asked.max_pressure)
+        return loadings;
+    double last = 0; // of the targets against pressure
+    for (const Target& target : asked.targets)
+        last = std::max(last, target.against_pressure() ? target.last() : 0);
+    for (Loading& loading : loadings.each)
+        if (loading.to_pressure > 0)
+            loading.to_pressure *= std::max(1., *asked.max_pressure / last);
+        else
+            loading.to_displacement = std::max(
+                loading.to_displacement, loading.reach * displacement_range(surface, made.model.body.kernel));
+    return loadings;
+}
+
+DesignSetup without_eq_11(DesignSetup setup) {
+    setup.max_pressure.reset();
+    return setup;
+}
+
+} // namespace
+
+MadeSurface::MadeSurface(DesignSetup setup, Genome genome)
+    : setup_(without_eq_11(setup)), genome_(std::move(genome)), surface_(sample(genome_, setup.model.grid)),
+      loadings_(loadings_of_made(setup, setup_, surface_)) {}
+
+double MadeSurface::similarity(const Eigen::VectorXd& errors) const {
+    Profile made = surface_;
+    made.heights += errors;
+    std::vector<Response> responses;
+    try {
+        for (const Loading& loading : loadings_.each)
+            responses.push_back(respond(made, setup_.model.body,
+                                        up_to_full_contact(loading, made, setup_.model),
+                                        setup_.model.contact));
+        return rough::similarity(setup_, scored(setup_, std::move(responses)));
+    } catch (const std::exception&) {
+        if (is_stopped(setup_.model.contact))
+            throw ga::Stopped{"stop requested"};
+        return -HUGE_VAL;
+    }
+}
+
+ga::Sensitivity MadeSurface::misfits(const Eigen::VectorXd& errors, const Rows& plain) const {
+    Profile made = surface_;
+    made.heights += errors;
+    const auto in_genes = [&](const Eigen::MatrixXd& by_heights) {
+        Eigen::MatrixXd by_genes = pulled_back(by_heights, genome_, setup_.model.grid);
+        if (plain.d_factor.size() > 0)
+            by_genes += by_heights * surface_.heights / plain.factor * plain.d_factor;
+        return by_genes;
+    };
+    return misfit_rows(setup_, made, loadings_, setup_.model, in_genes).misfits;
+}
+
+std::vector<Eigen::VectorXd> unit_tilts(const Grid& grid) {
+    const auto rise = [](Index nodes, double spacing, double over) {
+        return Eigen::ArrayXd::LinSpaced(nodes, 0, spacing * static_cast<double>(nodes - 1) / over);
+    };
+    Eigen::ArrayXXd plane(grid.nodes, grid.rows);
+    plane.colwise() = rise(grid.nodes, grid.spacing(), grid.length);
+    std::vector<Eigen::VectorXd> tilts{plane.reshaped()};
+    if (grid.is_2d()) {
+        plane.rowwise() = rise(grid.rows, grid.row_spacing(), grid.width).transpose();
+        tilts.emplace_back(plane.reshaped());
+    }
+    return tilts;
+}
+
+CommonErrors::CommonErrors(const DesignSetup& setup) {
+    const MakingErrors& errors = setup.errors;
+    const Grid& grid = setup.model.grid;
+    for (std::uint64_t draw = 0; errors.noise > 0 && draw < draws; ++draw)
+        noise.push_back(errors.noise *
+                        height_noise(grid, errors.noise_length, ga::fold(ga::fold(0, "common draws"), draw)));
+    if (errors.tilt > 0)
+        for (const Eigen::VectorXd& tilt : unit_tilts(grid))
+            tilts.insert(tilts.end(), {errors.tilt * tilt, -errors.tilt * tilt});
+}
+
+double CommonErrors::similarity(const MadeSurface& made) const {
+    double lowest = 1, sum = 0, squares = 0;
+    for (const Eigen::VectorXd& tilt : tilts)
+        lowest = std::min(lowest, made.similarity(tilt));
+    for (const Eigen::VectorXd& draw : noise) {
+        const double loss = 1 - std::max(-1., made.similarity(draw));
+        sum += loss;
+        squares += loss * loss;
+    }
+    if (noise.empty())
+        return lowest;
+    const double n = static_cast<double>(noise.size()), mean = sum / n;
+    return std::min(lowest, 1 - mean - normal_quantile * std::sqrt(std::max(0., squares / n - mean * mean)));
+}
+
+Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed) {
+    constexpr double cut = 12; // q l beyond which amplitudes are below 2e-8 of the largest
+    const double period = grid.wraps ? 1 : 2, pi = std::numbers::pi;
+    const auto elements = [&](Index nodes) { return grid.wraps ? nodes : 2 * std::max<Index>(1, nodes - 1); };
+    const Extent shape{elements(grid.nodes), grid.is_2d() ? elements(grid.rows) : 1};
+    const double dq = 2 * pi * length / (period * grid.length), // of q l
+        dq_y = grid.is_2d() ? 2 * pi * length / (period * grid.width) : 0;
+    const auto last = static_cast<Index>(cut / dq),
+               last_y = grid.is_2d() ? static_cast<Index>(cut / dq_y) : 0;
+    const auto folded = [](Index k, Index n) { return (k % n + n) % n; };
+    AlignedBuffer<std::complex<double>> waves(shape.nodes());
+    std::fill_n(waves.data(), shape.nodes(), 0.);
+    ga::Stream random(seed);
+    double power = 0;
+    for (Index j = -last_y; j <= last_y; ++j)
+        for (Index i = -last; i <= last; ++i) {
+            const double ql = std::hypot(dq * static_cast<double>(i), dq_y * static_cast<double>(j));
+            if (ql > cut)
+                continue;
+            const double amplitude = std::exp(-ql * ql / 8), a = random.normal(), b = random.normal();
+            power += amplitude * amplitude;
+            waves[folded(j, shape.rows) * shape.columns + folded(i, shape.columns)] +=
+                std::complex(amplitude * a, amplitude * b);
+        }
+    auto* data = reinterpret_cast<fftw_complex*>(waves.data());
+    fftw_execute_dft(complex_fourier_plan(shape).backward, data, data);
+    Eigen::VectorXd heights(grid.shape().nodes());
+    for (Index k = 0; k < heights.size(); ++k)
+        heights[k] = waves[k / grid.nodes * shape.columns + k % grid.nodes].real() / std::sqrt(power);
+    return heights;
+}
+
+} // namespace rough

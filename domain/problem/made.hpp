@@ -1,0 +1,51 @@
+#pragma once
+
+#include "domain/problem/rows.hpp"
+
+#include <cstdint>
+
+namespace rough {
+
+/// Gaussian height noise of rms 1 and autocorrelation exp(-(d/length)^2) at the distance d, sampled at the
+/// grid's nodes. The field belongs to the line or map: equal seeds give the same field on every grid. It is a
+/// Fourier series of period 2 L, or L if the grid wraps.
+Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed);
+
+/// Heights of a plane that rises by 1 over the length and, of a map, of another that rises over the width.
+std::vector<Eigen::VectorXd> unit_tilts(const Grid& grid);
+
+/// A surface that is made with errors in its heights. These stay as they are made: Eq. 11 does not rescale
+/// them, and displacement counts from the first touch. The surface is loaded as far as in the search.
+class MadeSurface {
+  public:
+    /// The surface of a genome in final amplitude under a completed set-up.
+    MadeSurface(DesignSetup setup, Genome genome);
+
+    const Profile& surface() const { return surface_; } ///< without errors
+    /// Similarity with these errors of the heights (mm, N entries); -infinity without a response. Throws
+    /// ga::Stopped if ContactOptions::stop ends it.
+    double similarity(const Eigen::VectorXd& errors) const;
+    /// Misfits with these errors and their derivatives in the genes. `plain` are the rows of the genome
+    /// without errors: under Eq. 11 the amplitude changes with the genes. Throws what respond() throws.
+    ga::Sensitivity misfits(const Eigen::VectorXd& errors, const Rows& plain) const;
+
+  private:
+    DesignSetup setup_; ///< without Eq. 11
+    Genome genome_;
+    Profile surface_;
+    Loadings loadings_;
+};
+
+/// The errors that a search counts on: fixed draws of the noise, the same for every genome, and each tilt in
+/// both directions.
+struct CommonErrors {
+    explicit CommonErrors(const DesignSetup& setup);              ///< of a completed set-up
+    std::vector<Eigen::VectorXd> noise = {};                      ///< heights, mm
+    std::vector<Eigen::VectorXd> tilts = {};                      ///< heights, mm
+    bool empty() const { return noise.empty() && tilts.empty(); } ///< no errors
+    /// A smooth stand-in of the lower of two similarities: the one that 95 % of the draws of noise keep, and
+    /// the one that every tilt keeps. 1 without errors.
+    double similarity(const MadeSurface& made) const;
+};
+
+} // namespace rough
