@@ -95,7 +95,7 @@ int design(const Words& words) {
     const OutputFolder output(settings.text("out"), "design",
                               {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor",
                                 "checkpoint.cbor.before", "surface.stl", "surface.3mf", "curves.csv",
-                                "points.csv", "heights-drawn.csv", "map.csv", "front.csv", "tolerance.csv"},
+                                "points.csv", "heights-drawn.csv", "map.csv", "front.csv", "made.csv", "tolerance.csv"},
                                settings.files(),
                                settings.is_on("force"),
                                resume});

@@ -30,7 +30,7 @@ const ga::Variants& design_variants();
 ga::Variants design_variants(double required);
 
 /// The name of the variant that a set-up is searched by where nothing else is asked for, with stored genomes
-/// to begin with or without.
+/// to begin with or without. Errors of making choose `made` for a line.
 std::string usual_variant(const DesignSetup& setup, bool stored = false);
 
 /// What text pipelines for a design are made of: the engine's words, roughness's, and `shape`, `own`, `fit`,

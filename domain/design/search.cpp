@@ -1,6 +1,7 @@
 #include "domain/design/search.hpp"
 
 #include "domain/design/pipelines.hpp"
+#include "domain/design/tolerance.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/stored.hpp"
 #include "domain/text/json.hpp"
@@ -20,6 +21,11 @@ constexpr std::size_t remembered = 60; ///< best individuals of all stages
 constexpr std::size_t shown_compromises = 24;
 /// Of an area's answers, those of the pipeline that are verified.
 constexpr std::size_t verified_on_area = 2;
+/// Draws of noise under which answers are compared.
+constexpr int compared_draws = 200;
+
+/// Whether answers are compared by what survives the set-up's errors. Of an area that takes too long.
+bool chooses_by_errors(const DesignSetup& setup) { return setup.errors.any() && !setup.model.grid.is_2d(); }
 
 /// The set-up whose contact solutions end after so many seconds from now, or when `stop` asks for it
 /// (ContactOptions::stop), on an area, where a curve may take long. A line's as it is given.
@@ -41,7 +47,8 @@ struct Verifying {
 /// Within a search's seconds, as the curve of a start tells: verifying one answer takes so many curves of the
 /// own grid, with some to spare, and two threads at most share it.
 Verifying verifying_within(const DesignSetup& setup, const SearchOptions& options) {
-    constexpr double curves = 80, most = 0.75, share_to_look = 0.1;
+    constexpr double most = 0.75, share_to_look = 0.1;
+    const double curves = 80 + (chooses_by_errors(setup) ? compared_draws : 0);
     const bool area = setup.model.grid.is_2d();
     Verifying plan{area ? std::min(verified_on_area, options.verifying) : options.verifying,
                    options.alternatives};
@@ -83,6 +90,10 @@ class AnswerVerifier {
             auto verification = problem_.verifier().known(genomes[i]);
             answers[i] = verified_answer(verifier_.setup(), genomes[i],
                                          verification ? std::move(*verification) : verifier_.of(genomes[i]));
+            if (answers[i].is_verified() && chooses_by_errors(verifier_.setup()))
+                answers[i].similarity_made = similarity_when_made(
+                    verifier_.setup(), answers[i].genome,
+                    {.seed = ga::fold(0, "compared draws"), .threads = 1}, compared_draws);
         });
         return answers;
     }
@@ -149,6 +160,18 @@ bool better(const Answer& a, const Answer& b) {
                           one.is_verified() ? 0 : one.similarity);
     };
     return rank(a) > rank(b);
+}
+
+/// Of verified answers those of which none is better with and without errors, by falling similarity without.
+std::vector<Answer> best_with_and_without(std::vector<Answer> answers) {
+    std::sort(answers.begin(), answers.end(), [](const Answer& a, const Answer& b) {
+        return std::pair(a.similarity, a.similarity_made) > std::pair(b.similarity, b.similarity_made);
+    });
+    std::vector<Answer> front;
+    for (Answer& answer : answers)
+        if (front.empty() || answer.similarity_made > front.back().similarity_made)
+            front.push_back(std::move(answer));
+    return front;
 }
 
 /// Remarks on what an answer's similarities rest on.
@@ -237,7 +260,8 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
     };
 
     ga::HallOfFame<DesignProblem> seen(problem, remembered);
-    ga::HallOfFame<DesignProblem> verified_so_far(problem, options.verifying, "verified");
+    ga::HallOfFame<DesignProblem> verified_so_far(problem, options.verifying,
+                                                  chooses_by_errors(setup) ? "made" : "verified");
     std::vector<Genome> front;     // the last that was ranked
     std::optional<Genome> nearest; // the best under a derived problem
     observers.insert(observers.begin(), seen.observer());
@@ -305,6 +329,8 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
         candidates_of(problem, population, verified_so_far.members, seen.members, options, plan.answers));
     result.best = *std::max_element(answers.begin(), answers.end(),
                                     [](const Answer& a, const Answer& b) { return better(b, a); });
+    if (chooses_by_errors(setup))
+        result.made = best_with_and_without(answers);
     result.alternatives =
         alternatives(setup.model.grid, verified, result.best, seen.members, plan.alternatives);
     for (std::string& note : remarks_on(result.best, options))

@@ -50,17 +50,20 @@ struct SearchOptions {
 /// A genome in final amplitude and how well it answers. Of an area that was not verified in time the
 /// similarities but the first are NaN.
 struct Answer {
-    Genome genome;                  ///< amplitude final
-    double similarity = 0;          ///< on the set-up's grid
-    double similarity_refined = 0;  ///< on a grid four times finer, Eq. 11 anew where it applies
-    double similarity_stepped = 0;  ///< in four times the load steps, a measured target's too
-    double similarity_worst = 0;    ///< the least of these and of both together
+    Genome genome;                 ///< amplitude final
+    double similarity = 0;         ///< on the set-up's grid
+    double similarity_refined = 0; ///< on a grid four times finer, Eq. 11 anew where it applies
+    double similarity_stepped = 0; ///< in four times the load steps, a measured target's too
+    double similarity_worst = 0;   ///< the least of these and of both together
+    /// Under the set-up's errors: what 95 % of 200 draws of noise keep, and every tilt; NaN: none given, or
+    /// no time.
+    double similarity_made = std::numeric_limits<double>::quiet_NaN();
     bool within_limits = true;      ///< it holds every limit of the set-up
     double difference = 1;          ///< from the answers before it, the least
     Verification verification = {}; ///< what these similarities are of
 
-    /// What an answer is verified by: it must survive finer grids and load steps.
-    double lowest() const { return similarity_worst; }
+    /// What an answer is verified by: it must survive finer grids and load steps, and errors that were given.
+    double lowest() const { return similarity_made < similarity_worst ? similarity_made : similarity_worst; }
     /// Whether all of that is known.
     bool is_verified() const { return !std::isnan(similarity_worst); }
 };
@@ -80,12 +83,15 @@ struct SearchResult {
     Answer best;                      ///< by its verified similarity
     std::vector<Answer> alternatives; ///< the best first, then the next best that differ from those before
     std::vector<Compromise> front;    ///< what `pareto` found, where the pipeline has it
-    ga::Counters counters;            ///< what was spent
-    std::vector<std::string> notes;   ///< remarks of stages
-    std::string stopped;              ///< why the search ended before its pipeline; empty when it did not
-    std::string name;                 ///< of the variant, or "pipeline": first word of every path
-    std::string pipeline;             ///< as it was run
-    DesignSetup setup;                ///< what the answers are of, completed
+    /// Of a set-up with errors, verified answers of which none is better both with and without these, by
+    /// falling similarity without.
+    std::vector<Answer> made;
+    ga::Counters counters;          ///< what was spent
+    std::vector<std::string> notes; ///< remarks of stages
+    std::string stopped;            ///< why the search ended before its pipeline; empty when it did not
+    std::string name;               ///< of the variant, or "pipeline": first word of every path
+    std::string pipeline;           ///< as it was run
+    DesignSetup setup;              ///< what the answers are of, completed
 };
 
 /// Throws ga::UsageError where one of design_variants, by its name, or a pipeline as text cannot search a

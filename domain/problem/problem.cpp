@@ -61,6 +61,7 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> 
       stiffest_(stiffest_of(setup_->model)), descriptors_(surface_descriptors(setup_->model.grid)) {
     validate(*setup_);
     verifier_ = std::make_shared<Verifier>(as_reported(*setup_), threads);
+    errors_ = std::make_shared<CommonErrors>(*setup_);
     // Below every genome within the limits, by how far it is over them.
     const auto limited = [](double similarity, const Outcome& outcome) {
         return outcome.excess > 0 ? std::min(similarity, 0.0) - 1 - outcome.excess : similarity;
@@ -86,6 +87,11 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> 
              const double finer = unless_stopped(verifier->setup().model.contact,
                                                  [&] { return rough::similarity(verifier->finer(), shape); });
              return limited(std::min(outcome.similarity(), finer), outcome);
+         }},
+        {"made",
+         [=, setup = setup_, errors = errors_](const Outcome& outcome) {
+             const double made = errors->similarity({exactly(*setup), outcome.genome});
+             return limited(std::min(outcome.similarity(), made), outcome);
          }},
         {"low", part(false)},
         {"high", part(true)}};
@@ -204,7 +210,7 @@ std::vector<Index> DesignProblem::points_of(const std::string& objective, std::s
         return target == 0 ? points_of_half(*setup_, objective == "high") : std::vector<Index>();
     std::vector<Index> points;
     if (objective == "similarity" || objective == "verified" || objective == "more_steps" ||
-        objective == target_objective(target)) {
+        objective == "made" || objective == target_objective(target)) {
         points.resize(static_cast<std::size_t>(setup_->targets[target].points()));
         std::iota(points.begin(), points.end(), Index{0});
     }
@@ -234,9 +240,15 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
                          Eigen::MatrixXd(all[0].misfits.jacobian(chosen, Eigen::all))};
     for (std::size_t i = 1; i < all.size(); ++i)
         rows = stacked(rows, all[i].misfits);
+    if (setup_->max_pressure)
+        shape.scale = all[0].factor;
+    if (objective == "made") {
+        const MadeSurface made(exactly(*setup_), shape);
+        for (const auto* errors : {&errors_->noise, &errors_->tilts})
+            for (const Eigen::VectorXd& heights : *errors)
+                rows = stacked(rows, made.misfits(heights, all[0]));
+    }
     if (setup_->limits.any_shape()) {
-        if (setup_->max_pressure)
-            shape.scale = all[0].factor;
         const LimitRows limits =
             limit_rows(shape, setup_->model.grid, setup_->limits, limit_guard, all[0].d_factor);
         rows = stacked(rows, {limit_weight * limits.residuals, limit_weight * limits.jacobian});

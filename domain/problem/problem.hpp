@@ -1,5 +1,6 @@
 #pragma once
 
+#include "domain/problem/made.hpp"
 #include "domain/problem/response_memory.hpp"
 #include "domain/problem/verification.hpp"
 #include "ga/base/random.hpp"
@@ -22,9 +23,9 @@ struct DesignOutcome {
 
 /// Find the genome that answers as asked, within limits. Objectives: `similarity`; `verified`, the least of
 /// it and the same on a finer grid and in finer load steps (Verification::worst); `more_steps`, of it and the
-/// same in finer load steps; `low` and `high`, on the first target's points up to and from the threshold;
-/// `goal1`, `goal2` and on, on each target alone. A genome over the limits is ranked below every one within
-/// them.
+/// same in finer load steps; `made`, the least of it and what survives the set-up's errors (CommonErrors);
+/// `low` and `high`, on the first target's points up to and from the threshold; `goal1`, `goal2` and on, on
+/// each target alone. A genome over the limits is ranked below every one within them.
 class DesignProblem {
   public:
     using Genome = rough::Genome;  ///< what is designed
@@ -85,6 +86,7 @@ class DesignProblem {
   private:
     std::shared_ptr<const DesignSetup> setup_;
     std::shared_ptr<const Verifier> verifier_;
+    std::shared_ptr<const CommonErrors> errors_;
     std::shared_ptr<ResponseMemory> memory_;
     double stiffest_;
     std::vector<ga::Objective<Outcome>> objectives_;

@@ -41,6 +41,7 @@ json answer_json(const rough::Answer& answer) {
     return {{"similarity", answer.similarity},
             {"similarity_refined", answer.similarity_refined},
             {"similarity_worst", answer.similarity_worst},
+            {"similarity_made", answer.similarity_made},
             {"difference", answer.difference},
             {"genome", rough::genome_to_json(answer.genome)}};
 }
@@ -157,6 +158,8 @@ json design_json(const DesignRun& run) {
         answer["alternatives"].push_back(answer_json(alternative));
     if (!run.found.front.empty())
         answer["front"] = front_json(run.found.front);
+    for (const rough::Answer& one : run.found.made)
+        answer["made"].push_back(answer_json(one));
     answer["margins"] = json::array();
     for (const auto& margin : run.margins)
         answer["margins"].push_back({{"name", margin.name},

@@ -13,7 +13,7 @@ void write_design_result(const DesignRun& run, const std::filesystem::path& fold
 void write_design_tables(const DesignRun& run, const std::filesystem::path& folder);
 
 /// Writes the tables that the page's figures draw: curves.csv, points.csv, heights-drawn.csv or map.csv, and
-/// front.csv.
+/// front.csv or made.csv.
 void write_design_drawings(const DesignRun& run, const std::filesystem::path& folder);
 
 } // namespace app

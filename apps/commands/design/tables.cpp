@@ -87,6 +87,13 @@ void write_front(const DesignRun& run, const std::filesystem::path& folder) {
     rough::write_atomically(folder / "front.csv", table.text());
 }
 
+void write_made(const DesignRun& run, const std::filesystem::path& folder) {
+    Csv table("similarity,similarity_made");
+    for (const rough::Answer& one : run.found.made)
+        table.row(one.similarity, one.similarity_made);
+    rough::write_atomically(folder / "made.csv", table.text());
+}
+
 } // namespace
 
 void write_design_drawings(const DesignRun& run, const std::filesystem::path& folder) {
@@ -94,6 +101,8 @@ void write_design_drawings(const DesignRun& run, const std::filesystem::path& fo
     write_heights(run, folder);
     if (!run.found.front.empty())
         write_front(run, folder);
+    if (!run.found.made.empty())
+        write_made(run, folder);
 }
 
 } // namespace app

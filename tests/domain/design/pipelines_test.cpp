@@ -119,11 +119,9 @@ TEST_CASE("an answer outside the limits on shape is brought within them, and one
     CHECK(same.counters.gradients == 0);
 }
 
-TEST_CASE("a block that changes the problem is refused on islands and, for areas, on a line") {
+TEST_CASE("a block that changes the problem is refused on islands") {
     const DesignSetup setup = drawn(false);
     CHECK_THROWS_WITH(
         expect_searchable(setup, "shape 8 | score | islands 2 { corrected { score } | score | best 4 }"),
         Catch::Contains("islands"));
-    CHECK_THROWS_WITH(expect_searchable(setup, "coarser 1 { shape 2 | score } | score"),
-                      Catch::Contains("area"));
 }
