@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace rough {
 
 namespace {
 
-constexpr std::uint64_t draws = 96;       ///< of noise that a search counts on
-constexpr double normal_quantile = 1.645; ///< 95 % of a normal distribution lie below this, in units of sigma
+constexpr std::uint64_t draws = 96; ///< of noise that a search counts on
 
 /// Load steps that end where the search's do: with Eq. 11 at the pressure or displacement that it gives.
 Loadings loadings_of_made(const DesignSetup& asked, const DesignSetup& made, const Profile& surface) {
@@ -100,18 +100,16 @@ CommonErrors::CommonErrors(const DesignSetup& setup) {
 }
 
 double CommonErrors::similarity(const MadeSurface& made) const {
-    double lowest = 1, sum = 0, squares = 0;
-    for (const Eigen::VectorXd& tilt : tilts)
-        lowest = std::min(lowest, made.similarity(tilt));
-    for (const Eigen::VectorXd& draw : noise) {
-        const double loss = 1 - std::max(-1., made.similarity(draw));
-        sum += loss;
-        squares += loss * loss;
-    }
-    if (noise.empty())
-        return lowest;
-    const double n = static_cast<double>(noise.size()), mean = sum / n;
-    return std::min(lowest, 1 - mean - normal_quantile * std::sqrt(std::max(0., squares / n - mean * mean)));
+    std::vector<double> with_noise{1}, with_tilts{1};
+    for (const Eigen::VectorXd& heights : tilts)
+        with_tilts.push_back(made.similarity(heights));
+    for (const Eigen::VectorXd& heights : noise)
+        with_noise.push_back(made.similarity(heights));
+    std::sort(with_noise.begin(), with_noise.end());
+    const auto worst = static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, noise.size() / 10));
+    return std::min(std::accumulate(with_noise.begin(), with_noise.begin() + worst, 0.) /
+                        static_cast<double>(worst),
+                    *std::min_element(with_tilts.begin(), with_tilts.end()));
 }
 
 Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed) {

@@ -43,8 +43,8 @@ struct CommonErrors {
     std::vector<Eigen::VectorXd> noise = {};                      ///< heights, mm
     std::vector<Eigen::VectorXd> tilts = {};                      ///< heights, mm
     bool empty() const { return noise.empty() && tilts.empty(); } ///< no errors
-    /// A smooth stand-in of the lower of two similarities: the one that 95 % of the draws of noise keep, and
-    /// the one that every tilt keeps. 1 without errors.
+    /// The lower of two similarities: the mean of the worst tenth of the draws of noise, which is near the
+    /// one that 95 % of them keep and changes smoothly, and the one that every tilt keeps. 1 without errors.
     double similarity(const MadeSurface& made) const;
 };
 
