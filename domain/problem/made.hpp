@@ -39,10 +39,9 @@ class MadeSurface {
 /// The errors that a search counts on: fixed draws of the noise, the same for every genome, and each tilt in
 /// both directions.
 struct CommonErrors {
-    explicit CommonErrors(const DesignSetup& setup);              ///< of a completed set-up
-    std::vector<Eigen::VectorXd> noise = {};                      ///< heights, mm
-    std::vector<Eigen::VectorXd> tilts = {};                      ///< heights, mm
-    bool empty() const { return noise.empty() && tilts.empty(); } ///< no errors
+    explicit CommonErrors(const DesignSetup& setup); ///< of a completed set-up
+    std::vector<Eigen::VectorXd> noise = {};         ///< heights, mm
+    std::vector<Eigen::VectorXd> tilts = {};         ///< heights, mm
     /// The lower of two similarities: the mean of the worst tenth of the draws of noise, which is near the
     /// one that 95 % of them keep and changes smoothly, and the one that every tilt keeps. 1 without errors.
     double similarity(const MadeSurface& made) const;
