@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 namespace rough {
 namespace {
@@ -11,6 +12,8 @@ namespace {
 constexpr Index fewest = 16, around = 12;
 constexpr std::size_t side = 7; ///< nodes that predict, on either side
 constexpr Index fewest_aside = 3;
+/// Usual steps by which a particle stands out, and by which its flanks do.
+constexpr double of_particle = 6, of_flank = 3;
 
 template <class Iterator>
 double middle(Iterator first, Iterator end) {
@@ -19,11 +22,14 @@ double middle(Iterator first, Iterator end) {
     return *half;
 }
 
-/// The range of the heights that the nodes on one side predict for a node, by their median and by their line
-/// of median slope; nothing if fewer than three of them are no outliers. `step` is -1 for the left, 1 for the
-/// right.
-std::optional<std::pair<double, double>> predicted(const Eigen::VectorXd& heights, Index node, Index step,
-                                                   const std::vector<bool>& is_outlier) {
+/// The heights that the nodes on one side predict for a node: by their median and by their line of median
+/// slope.
+struct Predicted {
+    double median, line;
+};
+/// Nothing if fewer than three of them are no outliers. `step` is -1 for the left, 1 for the right.
+std::optional<Predicted> predicted(const Eigen::VectorXd& heights, Index node, Index step,
+                                   const std::vector<bool>& is_outlier) {
     std::array<double, side> z, line, distance;
     std::array<double, side*(side - 1) / 2> slopes;
     auto slope = slopes.begin();
@@ -42,7 +48,7 @@ std::optional<std::pair<double, double>> predicted(const Eigen::VectorXd& height
     for (std::size_t i = 0; i < count; ++i)
         line[i] = z[i] - steepness * distance[i];
     const auto end = static_cast<std::ptrdiff_t>(count);
-    return std::minmax({middle(z.begin(), z.begin() + end), middle(line.begin(), line.begin() + end)});
+    return Predicted{middle(z.begin(), z.begin() + end), middle(line.begin(), line.begin() + end)};
 }
 
 /// The median step between neighbours around a node.
@@ -71,33 +77,41 @@ std::vector<Index> outliers(const Eigen::VectorXd& heights) {
             resolved = std::min(resolved, step);
 
     std::vector<bool> is_outlier(static_cast<std::size_t>(nodes), false);
-    const auto stands_out = [&](Index i) {
+    // 1: the node stands out above the others, -1: below them, 0: not. Flanks stand out of the lines alone,
+    // which medians on a slope would hide.
+    const auto stands_out = [&](Index i, bool is_flank) {
         const auto left = predicted(heights, i, -1, is_outlier), right = predicted(heights, i, 1, is_outlier);
         if (!left || !right)
-            return false;
-        const double beyond = std::max(heights[i] - std::max(left->second, right->second),
-                                       std::min(left->first, right->first) - heights[i]);
-        return beyond > 6 * usual && beyond > 3 * resolved && beyond > 6 * usual_step(steps, i);
+            return 0;
+        auto [lowest, highest] = std::minmax({left->line, right->line});
+        if (!is_flank)
+            std::tie(lowest, highest) = std::minmax({lowest, highest, left->median, right->median});
+        const double beyond = std::max(heights[i] - highest, lowest - heights[i]),
+                     times = is_flank ? of_flank : of_particle;
+        if (beyond > times * usual && beyond > 3 * resolved && beyond > times * usual_step(steps, i))
+            return heights[i] > highest ? 1 : -1;
+        return 0;
     };
-    std::vector<Index> found;
+    std::vector<std::pair<Index, int>> inner;
     for (Index i = fewest_aside; i < nodes - fewest_aside; ++i)
-        if (stands_out(i))
-            found.push_back(i);
-    // The outer nodes of a particle look like a step until its inner nodes no longer predict their heights.
-    const std::vector<Index> inner = found;
-    for (const Index node : inner)
+        if (const int side = stands_out(i, false))
+            inner.emplace_back(i, side);
+    // The outer nodes and the flanks of a particle look like a step until its inner nodes no longer predict
+    // their heights.
+    for (const auto& [node, side] : inner)
         is_outlier[static_cast<std::size_t>(node)] = true;
-    for (const Index node : inner)
+    for (const auto& [node, side] : inner)
         for (const Index step : {-1, 1})
-            for (Index i = node + step; i >= fewest_aside && i < nodes - fewest_aside; i += step) {
-                if (is_outlier[static_cast<std::size_t>(i)])
-                    continue;
-                if (!stands_out(i))
-                    break;
-                is_outlier[static_cast<std::size_t>(i)] = true;
-                found.push_back(i);
-            }
-    std::sort(found.begin(), found.end());
+            for (Index i = node + step; i >= fewest_aside && i < nodes - fewest_aside; i += step)
+                if (!is_outlier[static_cast<std::size_t>(i)]) {
+                    if (stands_out(i, true) != side)
+                        break;
+                    is_outlier[static_cast<std::size_t>(i)] = true;
+                }
+    std::vector<Index> found;
+    for (Index i = 0; i < nodes; ++i)
+        if (is_outlier[static_cast<std::size_t>(i)])
+            found.push_back(i);
     return found;
 }
 

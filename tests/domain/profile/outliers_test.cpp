@@ -56,6 +56,19 @@ TEST_CASE("a sharp honest profile has no outlier, however it lies on the nodes")
         }
 }
 
+TEST_CASE("a particle with flanks is found up to where they return to the surface") {
+    const Eigen::VectorXd clean =
+        made(600, [](double i) { return std::cos(i / 40) + 0.01 * std::sin(7 * i); });
+    for (const double sign : {1., -1.}) {
+        Eigen::VectorXd z = clean;
+        const std::array shape{0.06, 0.4, 1., 0.9, 0.5, 0.07};
+        for (std::size_t i = 0; i < shape.size(); ++i)
+            z[300 + Index(i)] += 2 * sign * shape[i];
+        CHECK(outliers(z) == std::vector<Index>{300, 301, 302, 303, 304, 305});
+        CHECK((interpolated(z, outliers(z)) - clean).cwiseAbs().maxCoeff() < 0.03);
+    }
+}
+
 TEST_CASE("a particle on a scan is found whole: none of its nodes stays and none beside it goes") {
     int particles = 0, whole = 0, cut = 0, beside = 0;
     for (unsigned seed = 9300; seed < 9360; ++seed) {
