@@ -2,12 +2,15 @@
 
 /// @file
 /// All that a user of the library needs. What is included here, and what that includes, is installed.
+#include "domain/accuracy/doubts.hpp"
 #include "domain/accuracy/error_bounds.hpp"
+#include "domain/accuracy/resolution.hpp"
 #include "domain/accuracy/respond.hpp"
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/contact/datum.hpp"
 #include "domain/contact/exact.hpp"
 #include "domain/contact/kernel.hpp"
+#include "domain/contact/materials.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/contact/smooth_area.hpp"
 #include "domain/contact/solve.hpp"
@@ -35,6 +38,7 @@
 #include "domain/profile/derivatives.hpp"
 #include "domain/profile/detrend.hpp"
 #include "domain/profile/filter.hpp"
+#include "domain/profile/finer.hpp"
 #include "domain/profile/fractal.hpp"
 #include "domain/profile/outliers.hpp"
 #include "domain/profile/roughness.hpp"

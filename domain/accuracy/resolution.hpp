@@ -1,0 +1,54 @@
+#pragma once
+
+#include "domain/profile/finer.hpp"
+#include "domain/response/model.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rough {
+
+/// Whether a measured surface is pressed again on interpolated heights. `automatic` does so up to
+/// most_finer_nodes.
+enum class Resolution { automatic, on, off };
+/// In the order of Resolution: auto, on, off.
+const std::vector<std::string>& resolution_names();
+/// The one of that name. Throws InputError on another word.
+Resolution resolution_named(const std::string& name);
+
+constexpr Index finer_times = 4; ///< elements for each one of a measured surface
+/// Nodes of an interpolated map, and of an interpolated line, up to which `automatic` presses it.
+constexpr Index most_finer_map_nodes = 2'000'000, most_finer_line_nodes = 10'000'000;
+/// Contact spots of fewer nodes across are not resolved: their area is that of the nodes that touch.
+constexpr Index resolved_spot_nodes = 4;
+
+/// Usual width of the contact spots (contact/pressure_and_gap.hpp) in nodes: half of the contact nodes lie in
+/// spots of at most so many nodes on a line, of at most its square on a map. 0 without contact.
+Index spot_width(const std::vector<int>& contact, Extent shape, bool wraps);
+
+/// The surface with heights interpolated linearly and by a spline between its nodes; nothing if `resolution`
+/// omits them.
+std::vector<Profile> finer_surfaces(const Profile& scan, Kernel kernel, Resolution resolution);
+
+/// What a scan says of its contact: a band that holds the curves of the heights as measured, interpolated
+/// linearly and interpolated by a spline, each at the measured curve's mean pressures. The pressure is each
+/// grid's own: the force over the length, for a free map over all of its patches. The band also holds the
+/// spline's curve continued to spacing 0, v + (v - measured)/3, as node counts err in proportion to the
+/// spacing (Richardson 1911), and it is wider by what one node of the finer grid changes. Roughness below the
+/// spacing is not in the band. Row by row, empty if it was not computed.
+struct ResolutionBand {
+    Eigen::VectorXd contact_fraction_low = {};   ///< least
+    Eigen::VectorXd contact_fraction_high = {};  ///< greatest
+    Eigen::VectorXd tangent_stiffness_low = {};  ///< MPa/mm
+    Eigen::VectorXd tangent_stiffness_high = {}; ///< MPa/mm
+    std::string omitted = {}; ///< why it was not computed, in words; "": it was, or is not asked for
+
+    bool is_computed() const { return contact_fraction_low.size() > 0; } ///< whether there is one
+};
+
+/// The band of a scan or map that gave this response under the model. A solver that does not converge on an
+/// interpolated surface leaves it out; every other error is thrown as respond() does.
+ResolutionBand resolution_band(const Profile& scan, const Model& model, const Response& measured,
+                               Resolution resolution = Resolution::automatic);
+
+} // namespace rough

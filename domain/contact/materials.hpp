@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rough {
+
+/// What a common material answers with: its elasticity, and the pressure from which it yields.
+struct Material {
+    std::string name;     ///< as --material takes it
+    double modulus;       ///< Young's modulus E, MPa
+    double poissons;      ///< Poisson's ratio nu
+    double hardness;      ///< indentation hardness, MPa: about the largest local pressure that it bears
+    const char* of;       ///< which one, in a few words
+    const char* elastic;  ///< source of E and nu
+    const char* indented; ///< source of the hardness
+};
+
+/// The known materials, in the order of their names. Values at room temperature; a heat treatment may change
+/// a hardness several times.
+const std::vector<Material>& materials();
+/// Their names, in the same order.
+std::vector<std::string> material_names();
+
+/// Largest local pressure over E* that a material of unknown hardness may bear: glass, silicon and diamond,
+/// which bear the most for their modulus, have 0.06 to 0.09.
+constexpr double largest_elastic_pressure = 0.1;
+
+} // namespace rough
