@@ -67,7 +67,10 @@ std::string in_words(const Account& account) {
                                 " load steps, below 1 % of the last pressure, relative to "
                                 "that 1 %)"))
               << "; " << account.accuracy << " was asked for. "
-              << (std::isfinite(account.area_error)
+              << (account.used.empty()
+                      ? "Contact fractions count measured nodes: only the band of the scan's "
+                        "resolution says what their spacing leaves open."
+                  : std::isfinite(account.area_error)
                       ? line_of("Contact fractions are off by an estimated ", account.area_error, " at most.")
                       : "Contact fractions are not bounded.");
     else

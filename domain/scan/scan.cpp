@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace rough {
 namespace {
@@ -35,10 +36,9 @@ struct Points {
 
 void refuse_missing(const Points& points, const std::string& file) {
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (std::isnan(points.at(i)) || std::isnan(points.heights[i]))
+        if (const bool has_x = !std::isnan(points.at(i)); !has_x || std::isnan(points.heights[i]))
             throw InputError(at(file, points.line_of(i)) + ": a missing value, expected " +
-                                 (std::isnan(points.at(i)) ? "an x" : "a height") +
-                                 ", or to fill it by interpolation",
+                                 (has_x ? "a height" : "an x") + ", or to fill it by interpolation",
                              "fill");
 }
 
@@ -148,14 +148,15 @@ struct Account {
     void say(const std::string& part) { text += (text.empty() ? "" : "; ") + part; }
 };
 
+/// "1 point", "2 points".
+std::string counted(std::size_t count, const std::string& of) {
+    return std::to_string(count) + " " + of + (count == 1 ? "" : "s");
+}
+
 std::string short_number(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", value);
     return text;
-}
-
-std::string points_text(std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " point" : " points");
 }
 
 /// Whether the first column counts the rows.
@@ -169,7 +170,7 @@ bool has_running_index(const Table& table) {
 
 /// Which columns hold what.
 struct Layout {
-    std::size_t x = no_column, height = 0, validity = no_column;
+    std::size_t x = no_column, height = 0, validity = no_column; ///< columns
 };
 
 Layout layout_of(const Table& table, const Header& header, bool spacing_given, const std::string& file) {
@@ -180,18 +181,17 @@ Layout layout_of(const Table& table, const Header& header, bool spacing_given, c
         return true;
     };
     if (table.columns == 1)
-        return {no_column, 0, no_column};
-    if (table.columns == 2) {
-        if (spacing_given && has_running_index(table))
-            return {no_column, 1, no_column};
-        if (spacing_given)
-            throw InputError(file + ": two columns, x and height; a spacing is for one column of heights");
-        return {0, 1, no_column};
-    }
+        return {};
+    if (table.columns == 2 && !spacing_given)
+        return {0, 1};
+    if (table.columns == 2 && has_running_index(table))
+        return {no_column, 1};
+    if (table.columns == 2)
+        throw InputError(file + ": two columns, x and height; a spacing is for one column of heights");
     if (table.columns == 3 && header.validity_column && only_0_and_1(2))
         return {0, 1, 2};
     if (table.columns == 3 && has_running_index(table))
-        return {1, 2, no_column};
+        return {1, 2};
     throw InputError(
         at(file, table.line[0]) + ": " + std::to_string(table.columns) +
             " columns, expected a line scan: heights, or x and height; or, of an areal matrix, the row to "
@@ -207,13 +207,12 @@ void take_row(Table& table, Index requested, const std::string& file, Account& a
         return;
     const auto row = static_cast<std::size_t>(std::max<Index>(requested, 1)) - 1;
     if (requested > 0) {
-        const std::string size =
-            std::to_string(table.rows()) + " rows of " + std::to_string(table.columns) + " heights";
+        const std::string size = line_of(table.rows(), " rows of ", table.columns, " heights");
         if (table.columns < 3 || row >= table.rows())
-            throw InputError(file + ": row " + std::to_string(requested) + " given of " + size +
-                                 ", expected one of an areal matrix",
-                             "row");
-        account.say("row " + std::to_string(requested) + " of " + size);
+            throw InputError(
+                line_of(file, ": row ", requested, " given of ", size, ", expected one of an areal matrix"),
+                "row");
+        account.say(line_of("row ", requested, " of ", size));
     }
     const auto first = table.cells.begin() + static_cast<std::ptrdiff_t>(row * table.columns);
     table.cells = {first, first + static_cast<std::ptrdiff_t>(table.columns)};
@@ -290,14 +289,10 @@ void agree(double from_header, double given, const std::string& file) {
 /// The spacing of a one-column file in mm, from the caller or the header.
 double spacing_of(const Header& header, const ScanOptions& options, std::size_t rows, const LengthUnit& rest,
                   const std::string& file) {
-    const auto in_mm = [&](const HeaderLength& length) {
-        return length.value * length.unit.value_or(rest).in_mm;
-    };
     double from_header = 0;
-    if (header.spacing)
-        from_header = in_mm(*header.spacing);
-    else if (header.width)
-        from_header = in_mm(*header.width) / static_cast<double>(rows);
+    if (const auto& length = header.spacing ? header.spacing : header.width)
+        from_header = length->value * length->unit.value_or(rest).in_mm /
+                      (header.spacing ? 1 : static_cast<double>(rows));
     const double given = spacing_given(options);
     agree(from_header, given, file);
     if (!(given > 0) && !(from_header > 0))
@@ -311,9 +306,8 @@ Points points_in_mm(const Table& table, const Header& header, const Layout& layo
     points.line = table.line;
     const bool even = layout.x == no_column;
     points.spacing = even ? spacing : 0;
-    points.heights.reserve(table.rows());
-    for (auto* list : {&points.x, &points.last_digit})
-        list->reserve(even ? 0 : table.rows());
+    for (auto* list : {&points.heights, &points.x, &points.last_digit})
+        list->reserve(even && list != &points.heights ? 0 : table.rows());
     for (std::size_t i = 0; i < table.rows(); ++i) {
         const double height = table.at(i, layout.height).value;
         const bool valid = layout.validity == no_column || table.at(i, layout.validity).value == 1;
@@ -328,7 +322,7 @@ Points points_in_mm(const Table& table, const Header& header, const Layout& layo
 
 void say_announced(long announced, std::size_t found, Account& account) {
     if (announced >= 0 && announced != static_cast<long>(found))
-        account.say("the file announces " + std::to_string(announced) + " points");
+        account.say(line_of("the file announces ", announced, " points"));
 }
 
 /// The row of a map that is asked for, or its only one.
@@ -337,14 +331,12 @@ Points points_of(const HeightMap& map, const ScanOptions& options, const std::st
     if (const auto units = given_units(options))
         agree(map.height_unit, units->height, "heights", file);
     agree(map.spacing, spacing_given(options), file);
-    const std::string size =
-        std::to_string(map.rows) + " rows of " + std::to_string(map.columns()) + " heights";
+    const std::string size = line_of(map.rows, " rows of ", map.columns(), " heights");
     if (map.rows == 1 && options.row > 0)
         throw InputError(file + ": a row given, expected none: " + map.format + " holds one profile", "row");
     if (map.rows > 1 && (options.row < 1 || options.row > map.rows))
-        throw InputError(file + ": an areal map of " + size + ", expected the row to take, 1 to " +
-                             std::to_string(map.rows),
-                         "row");
+        throw InputError(
+            line_of(file, ": an areal map of ", size, ", expected the row to take, 1 to ", map.rows), "row");
     account.say(map.format + ", heights in " + map.height_unit.name +
                 (map.rows > 1 ? "; row " + std::to_string(options.row) + " of " + size : ""));
     const Index first = map.columns() * std::max<Index>(options.row - 1, 0);
@@ -380,14 +372,13 @@ Points points_of(const std::vector<std::string_view>& lines, const ScanOptions& 
 Points in_order(Points points, bool fills, const std::string& file, Account& account) {
     if (!fills)
         refuse_missing(points, file);
-    const std::size_t all = points.size(), filled = fill(points), left_out = all - points.size();
-    if (filled)
-        account.say(std::to_string(filled) + " missing height" + (filled > 1 ? "s" : "") +
-                    " filled linearly");
-    if (left_out)
-        account.say(std::to_string(left_out) + " incomplete point" + (left_out > 1 ? "s" : "") + " left out");
+    const std::size_t all = points.size();
+    if (const std::size_t filled = fill(points))
+        account.say(counted(filled, "missing height") + " filled linearly");
+    if (const std::size_t left_out = all - points.size())
+        account.say(counted(left_out, "incomplete point") + " left out");
     if (points.size() < 2)
-        throw InputError(file + ": " + points_text(points.size()) + ", expected 2 or more");
+        throw InputError(file + ": " + counted(points.size(), "point") + ", expected 2 or more");
     if (points.at(0) <= points.at(points.size() - 1))
         return points;
     account.say("x runs backwards, reversed");
@@ -416,63 +407,43 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
             throw InputError(at(file, points.line_of(i)) + ": x does not grow (" + short_number(x[i]) +
                              " mm after " + short_number(x[i - 1]) + " mm), expected x in order");
     if (!fit.even) {
-        double shortest = x.back() - x.front(), longest = 0;
-        for (std::size_t i = 1; i < x.size(); ++i) {
-            shortest = std::min(shortest, x[i] - x[i - 1]);
-            longest = std::max(longest, x[i] - x[i - 1]);
-        }
-        account.say("spacing uneven (" + short_number(shortest) + " to " + short_number(longest) + " mm)");
+        std::vector<double> steps(x.size());
+        std::adjacent_difference(x.begin(), x.end(), steps.begin());
+        const auto [shortest, longest] = std::minmax_element(steps.begin() + 1, steps.end());
+        account.say("spacing uneven (" + short_number(*shortest) + " to " + short_number(*longest) + " mm)");
     }
     const Index count = nodes == 0 ? all : nodes;
     account.say("resampled linearly to " + std::to_string(count) + " even nodes");
     return resampled(x, points.heights, count);
 }
 
-std::string what_was_removed(Detrend form) {
-    return form == Detrend::none ? "nothing removed" : std::string(name_of(form)) + " removed";
-}
-
-/// Finds what stands out, says so, and takes it away where asked to.
-Profile without_outliers(Profile profile, bool remove, Account& account) {
-    const std::vector<Index> found = outliers(profile.heights);
+/// Finds what stands out, says so, and removes it if `remove` is set. Gives the nodes that are kept.
+std::vector<Index> take_outliers(Profile& profile, bool remove, Account& account) {
+    std::vector<Index> found = outliers(profile.heights);
     if (found.empty())
-        return profile;
-    account.say(std::to_string(found.size()) + (found.size() == 1 ? " outlier" : " outliers") +
+        return found;
+    account.say(counted(found.size(), "outlier") +
                 " (at x = " + short_number(profile.spacing * static_cast<double>(found.front())) +
                 (found.size() == 1 ? " mm" : " mm and on") + ") " + (remove ? "replaced linearly" : "kept"));
-    if (remove)
-        profile.heights = interpolated(profile.heights, found);
-    return profile;
-}
-
-Profile filtered(Profile profile, const ScanOptions& options, Account& account) {
-    if (options.lambda_s > 0) {
-        profile.heights = low_passed(profile, options.lambda_s);
-        account.say("waves under lambda_s = " + short_number(options.lambda_s) + " mm taken off");
-    }
-    if (options.lambda_c > 0) {
-        profile.heights -= low_passed(profile, options.lambda_c);
-        account.say("waves over lambda_c = " + short_number(options.lambda_c) + " mm taken off");
-    }
-    return profile;
+    if (!remove)
+        return found;
+    profile.heights = interpolated(profile.heights, found);
+    return {};
 }
 
 void check(const ScanOptions& options) {
-    if (!(options.spacing >= 0) || !std::isfinite(options.spacing))
-        throw InputError("spacing: " + short_number(options.spacing) + ", expected a length above 0");
-    for (const auto& [cut_off, name] :
-         {std::pair(options.lambda_s, "lambda-s"), std::pair(options.lambda_c, "lambda-c")})
-        if (!(cut_off >= 0) || !std::isfinite(cut_off))
-            throw InputError(std::string(name) + ": " + short_number(cut_off) + ", expected a length above 0",
-                             name);
+    for (const auto& [length, name] :
+         {std::pair(options.spacing, "spacing"), std::pair(options.lambda_s, "lambda-s"),
+          std::pair(options.lambda_c, "lambda-c")})
+        if (!(length >= 0) || !std::isfinite(length))
+            refuse_value(name, length, ", expected a length above 0");
     if (options.lambda_c > 0 && options.lambda_s >= options.lambda_c)
-        throw InputError("lambda-s: " + short_number(options.lambda_s) +
-                             " mm, expected less than lambda-c, " + short_number(options.lambda_c) + " mm",
-                         "lambda-s");
+        refuse_value("lambda-s", options.lambda_s, " mm, expected less than lambda-c, ", options.lambda_c,
+                     " mm");
     if (options.row < 0)
-        throw InputError("row: " + std::to_string(options.row) + ", expected 1 or more");
+        refuse("row: ", options.row, ", expected 1 or more");
     if (options.nodes != 0 && (options.nodes < 2 || options.nodes > 10'000'000))
-        throw InputError("nodes: " + std::to_string(options.nodes) + ", expected 2 to 1e7");
+        refuse("nodes: ", options.nodes, ", expected 2 to 1e7");
 }
 
 } // namespace
@@ -502,18 +473,27 @@ Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
     if (!std::isfinite(size * size) || !std::isfinite(length))
         throw InputError(file + ": heights up to " + short_number(size) + " mm over " + short_number(length) +
                          " mm, expected lengths whose squares fit double precision");
-    profile = without_outliers(std::move(profile), options.remove_outliers, account);
+    std::vector<Index> kept = take_outliers(profile, options.remove_outliers, account);
     profile.heights = detrended(profile, options.detrend);
-    account.say(what_was_removed(options.detrend));
-    profile = filtered(std::move(profile), options, account);
+    const std::string removed =
+        (options.detrend == Detrend::none ? "nothing" : std::string(name_of(options.detrend))) + " removed";
+    account.say(removed);
+    if (options.lambda_s > 0) {
+        profile.heights = low_passed(profile, options.lambda_s);
+        account.say("waves under lambda_s = " + short_number(options.lambda_s) + " mm taken off");
+    }
+    if (options.lambda_c > 0) {
+        profile.heights -= low_passed(profile, options.lambda_c);
+        account.say("waves over lambda_c = " + short_number(options.lambda_c) + " mm taken off");
+    }
     const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
     if (!(range > 1e-12 * size))
-        throw InputError(file + ": the heights are constant (" + what_was_removed(options.detrend) +
-                         "), expected a rough profile");
+        throw InputError(file + ": the heights are constant (" + removed + "), expected a rough profile");
     const double rms = std::sqrt((profile.heights.array() - profile.heights.mean()).square().mean());
-    return {std::move(profile), file + ": " + points_text(read) + ", length " + short_number(length) +
-                                    " mm, height range " + short_number(range) + " mm, rms " +
-                                    short_number(rms) + " mm; " + account.text};
+    return {std::move(profile),
+            file + ": " + counted(read, "point") + ", length " + short_number(length) + " mm, height range " +
+                short_number(range) + " mm, rms " + short_number(rms) + " mm; " + account.text,
+            std::move(kept)};
 }
 
 } // namespace rough

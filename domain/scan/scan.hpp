@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace rough {
 
@@ -27,6 +28,7 @@ struct ScanOptions {
 struct Scan {
     Profile profile;     ///< mm, even spacing, x growing, detrended
     std::string account; ///< points, length, height range, rms, units, resampling, filling, detrending
+    std::vector<Index> outliers; ///< nodes that stand out and were kept
 };
 
 /// Reads a measured line scan: from a text file one column of heights, or x and height, or those with a

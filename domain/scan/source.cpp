@@ -39,6 +39,7 @@ Source open_scan(const std::filesystem::path& file, const ScanOptions& options) 
     Source source{file.string(), {}};
     source.measured = std::move(scan.profile);
     source.account = std::move(scan.account);
+    source.outliers = std::move(scan.outliers);
     return source;
 }
 

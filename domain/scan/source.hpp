@@ -9,11 +9,12 @@ namespace rough {
 
 /// A line profile as a file gives it: a genome, with a height everywhere, or a measured scan. Lengths in mm.
 struct Source {
-    std::string name;                ///< of the file
-    std::optional<Genome> genome;    ///< nothing for a scan
-    double length = standard_length; ///< L of a genome; a scan has that of its points
-    Profile measured = {};           ///< a scan's even nodes; empty for a genome
-    std::string account = {};        ///< what was read of a scan and done to it, in one line
+    std::string name;                 ///< of the file
+    std::optional<Genome> genome;     ///< nothing for a scan
+    double length = standard_length;  ///< L of a genome; a scan has that of its points
+    Profile measured = {};            ///< a scan's even nodes; empty for a genome
+    std::string account = {};         ///< what was read of a scan and done to it, in one line
+    std::vector<Index> outliers = {}; ///< nodes of a scan that stand out and were kept
 
     /// The grid that it brings along: a scan's own points, 512 nodes for a genome. `wraps` for the periodic
     /// kernel.
