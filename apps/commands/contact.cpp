@@ -9,7 +9,9 @@
 #include "apps/report/result.hpp"
 #include "apps/report/shape_notes.hpp"
 #include "apps/report/units.hpp"
+#include "domain/accuracy/doubts.hpp"
 #include "domain/accuracy/line_of_map.hpp"
+#include "domain/accuracy/resolution.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/contact/pressure_and_gap.hpp"
 #include "domain/errors.hpp"
@@ -130,7 +132,12 @@ std::vector<Setting> contact_settings() {
         {"friction", "",
          "friction coefficient: writes CURVE-slip.csv, partial slip under the last load [none]"},
     };
-    return joined({area_settings(), settings, loading_settings(), scan_settings(), model_settings()});
+    return joined({area_settings(),
+                   settings,
+                   loading_settings(),
+                   scan_settings(),
+                   {resolution_setting()},
+                   model_settings()});
 }
 
 /// The path of CURVE.json, in the folder of CURVE.csv.
@@ -167,23 +174,112 @@ void expect_common(const Settings& settings) {
 
 /// A surface and its response.
 struct Pressed {
-    rough::Source source;
-    rough::Profile map; ///< an area; empty if a line was pressed
+    rough::Profile surface;
     rough::Model model;
     rough::AccountedResponse result;
-    std::vector<std::string> notes; ///< on the input, and on limits of the model
+    std::vector<std::string> notes;          ///< on the input, and on limits of the model
+    bool is_measured;                        ///< a scan or map, not a genome
+    std::vector<rough::Index> outliers = {}; ///< nodes of a scan that stand out and were kept
+    rough::ResolutionBand band = {};         ///< of a scan or map
+    rough::Index spot_width = 0;             ///< of a scan or map, usual at the last load, in nodes
+    std::vector<std::string> warnings = {};  ///< reasons not to believe the curve
 };
 
-/// The contact spots of the last load step, the largest first; those of a line are as wide as the map.
-std::string spots_csv(const AreaScene& scene, const rough::AccountedResponse& result) {
-    const rough::Extent shape =
-        result.account.by_line ? rough::line_of_map(scene.map).line.shape() : scene.map.shape();
-    const double ratio = static_cast<double>(scene.map.nodes() / shape.nodes());
-    const auto sizes = rough::contact_spots(result.last_contact, shape, scene.model.grid.wraps);
+/// The surface whose nodes last_contact names: of a map that one line answered for, that line.
+rough::Profile pressed_surface(const Pressed& pressed) {
+    return pressed.result.account.by_line ? rough::line_of_map(pressed.surface).line : pressed.surface;
+}
+
+/// The band of a scan or map, and what makes a curve doubtful: outliers that carry the contact, pressures
+/// beyond the material.
+void judge(Pressed& pressed, const Settings& settings) {
+    const auto& [response, account, contact] = pressed.result;
+    if (pressed.is_measured) {
+        pressed.band = resolution_band(pressed.surface, pressed.model, response, resolution_from(settings));
+        pressed.spot_width = spot_width(contact, pressed_surface(pressed).shape(), pressed.model.grid.wraps);
+    }
+    const auto touches = [&, &touching = contact](rough::Index node) {
+        return std::find(touching.begin(), touching.end(), node) != touching.end();
+    };
+    if (const auto& all = pressed.outliers; std::any_of(all.begin(), all.end(), touches)) {
+        const rough::OutlierCost cost = outlier_cost(pressed.surface, all, pressed.model, response);
+        if (cost.matters())
+            pressed.warnings.push_back("outliers carry the contact: without them " +
+                                       readable(cost.contact_fraction) + " times the contact and " +
+                                       readable(cost.stiffness) + " times the stiffness at " +
+                                       readable(cost.pressure) + " MPa; --outliers remove takes them off");
+    }
+    const double limit = elastic_limit(settings, pressed.model.body);
+    if (std::isinf(limit))
+        return;
+    const rough::ElasticEnd end = elastic_end(pressed_surface(pressed), pressed.model, response, limit);
+    if (end.is_reached(response))
+        pressed.warnings.push_back(
+            "the elastic answer ends at " + readable(response.pressure[end.step]) +
+            " MPa: from there on a node bears over " + readable(limit) + " MPa, " +
+            (settings.has("material") ? "the hardness of " + settings.text("material")
+                                      : std::string("a tenth of E*, more than any solid")) +
+            " (at the last load " + readable(end.largest_pressure) + " MPa); --hardness caps pressures");
+}
+
+bool is_resolved(const Pressed& pressed) { return pressed.spot_width >= rough::resolved_spot_nodes; }
+
+/// What a scan or map tells of its contact at the last load.
+std::string resolution_note(const Pressed& pressed) {
+    const auto& [low_area, high_area, low, high, omitted] = pressed.band;
+    const Index last = pressed.result.response.steps() - 1;
+    const std::string width = "half of the contact is at most " + std::to_string(pressed.spot_width) +
+                              (pressed.spot_width == 1 ? " node" : " nodes") +
+                              " wide: " + (is_resolved(pressed) ? "" : "not ") + "resolved";
+    if (!pressed.band.is_computed())
+        return "band not computed" + (omitted.empty() ? "" : " (" + omitted + ")") + "; " + width;
+    return "contact " + readable(100 * low_area[last]) + " to " + percent(high_area[last]) + ", K " +
+           readable(low[last]) + " to " + readable(high[last]) +
+           " MPa/mm at the last load, over the heights as measured and interpolated 4 times (linear, "
+           "spline); " +
+           width;
+}
+
+nlohmann::json resolution_json(const Pressed& pressed) {
+    nlohmann::json values{{"spot_width_nodes", pressed.spot_width},
+                          {"is_resolved", is_resolved(pressed)},
+                          {"words", resolution_note(pressed)}};
+    const auto& [low_area, high_area, low, high, omitted] = pressed.band;
+    const Index last = pressed.result.response.steps() - 1;
+    if (pressed.band.is_computed())
+        values["band"] = {{"contact_fraction_low", low_area[last]},
+                          {"contact_fraction_high", high_area[last]},
+                          {"stiffness_low_MPa_per_mm", low[last]},
+                          {"stiffness_high_MPa_per_mm", high[last]}};
+    return values;
+}
+
+/// The curve, of a scan or map with its band; empty cells if that was not computed.
+std::string curve_csv(const Pressed& pressed) {
+    const rough::Response& response = pressed.result.response;
+    if (!pressed.is_measured)
+        return csv(response);
+    const auto& band = pressed.band;
+    std::vector<Eigen::VectorXd> columns{band.contact_fraction_low, band.contact_fraction_high,
+                                         band.tangent_stiffness_low, band.tangent_stiffness_high};
+    if (!band.is_computed())
+        columns.assign(4, Eigen::VectorXd::Constant(response.steps(), NAN));
+    return csv(response,
+               {"contact_fraction_low", "contact_fraction_high", "tangent_stiffness_low_MPa_per_mm",
+                "tangent_stiffness_high_MPa_per_mm"},
+               columns);
+}
+
+/// The contact spots of a map at the last load step, the largest first; those of a line are as wide as the
+/// map.
+std::string spots_csv(const Pressed& pressed) {
+    const rough::Profile& map = pressed.surface;
+    const rough::Extent shape = pressed_surface(pressed).shape();
+    const auto sizes = rough::contact_spots(pressed.result.last_contact, shape, pressed.model.grid.wraps);
     Eigen::VectorXd nodes(static_cast<rough::Index>(sizes.size()));
-    std::transform(sizes.begin(), sizes.end(), nodes.begin(),
-                   [&](rough::Index size) { return ratio * static_cast<double>(size); });
-    return csv({"nodes", "area_mm2"}, {nodes, nodes * scene.map.spacing * scene.map.row_spacing});
+    std::copy(sizes.begin(), sizes.end(), nodes.begin());
+    nodes *= static_cast<double>(map.nodes() / shape.nodes());
+    return csv({"nodes", "area_mm2"}, {nodes, nodes * map.spacing * map.row_spacing});
 }
 
 /// Notes a measured surface whose ends differ, on a periodic body.
@@ -194,21 +290,17 @@ void add_jump_note(const rough::Profile& surface, const rough::Model& model,
             notes.push_back(note);
 }
 
-Pressed pressed_area(const Settings& settings, const std::filesystem::path& spots) {
+Pressed pressed_area(const Settings& settings) {
     AreaScene scene = area_from(settings);
     scene.model = within_accuracy(loaded(scene.model, settings), settings);
     rough::AccountedResponse result =
         scene.model.accuracy > 0 ? rough::respond_within(scene.map, scene.model, scene.model.accuracy)
                                  : rough::respond_exactly(scene.map, scene.model);
     scene.model.contact.tolerance = result.account.tolerance;
-    const std::string table = spots_csv(scene, result);
-    rough::write_atomically(spots, table);
-    tell(spots.string() + ": " + std::to_string(std::count(table.begin(), table.end(), '\n') - 1) +
-         " contact spots under the last load");
     std::vector<std::string> notes = std::move(scene.notes);
     if (!settings.has("genome"))
         add_jump_note(scene.map, scene.model, notes);
-    return {{}, std::move(scene.map), scene.model, std::move(result), std::move(notes)};
+    return {std::move(scene.map), scene.model, std::move(result), std::move(notes), !settings.has("genome")};
 }
 
 Pressed pressed(const Settings& settings) {
@@ -219,10 +311,8 @@ Pressed pressed(const Settings& settings) {
     rough::AccountedResponse result = respond_accounted(source, model);
     model.contact.tolerance = result.account.tolerance;
     std::vector<std::string> notes;
-    if (!source.account.empty())
-        notes.push_back(source.account);
+    rough::Profile profile = source.on(model.grid);
     if (source.genome) {
-        const rough::Profile profile = source.on(model.grid);
         const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
         for (const std::string& note :
              {model.grid.wraps ? jump_note(*source.genome, model.grid.length, range) : "",
@@ -230,9 +320,11 @@ Pressed pressed(const Settings& settings) {
             if (!note.empty())
                 notes.push_back(note);
     } else {
-        add_jump_note(source.on(model.grid), model, notes);
+        notes.push_back(source.account);
+        add_jump_note(profile, model, notes);
     }
-    return {std::move(source), {}, std::move(model), std::move(result), std::move(notes)};
+    return {std::move(profile), std::move(model), std::move(result),
+            std::move(notes),   !source.genome,   std::move(source.outliers)};
 }
 
 /// A written file as the page links to it.
@@ -307,14 +399,30 @@ int contact(const Words& words) {
                                                account.stem().string() + "-" + name + ".csv"),
                                            settings);
     }
-    const auto [source, map, model, result, notes] =
-        area ? pressed_area(settings, expect_writable(beside(settings.text("out"), "spots"), settings))
-             : pressed(settings);
-    for (const std::string& note : notes)
-        say(note);
-    const rough::Response& response = result.response;
-    rough::write_atomically(out, csv(response));
-    nlohmann::json values = account_json(result.account);
+    std::filesystem::path spots = beside(settings.text("out"), "spots");
+    if (area)
+        spots = expect_writable(spots, settings);
+    Pressed found = area ? pressed_area(settings) : pressed(settings);
+    judge(found, settings);
+    if (area) {
+        const std::string table = spots_csv(found);
+        rough::write_atomically(spots, table);
+        tell(spots.string() + ": " + std::to_string(std::count(table.begin(), table.end(), '\n') - 1) +
+             " contact spots under the last load");
+    }
+    const rough::Response& response = found.result.response;
+    rough::write_atomically(out, curve_csv(found));
+    std::vector<std::string> notes = found.notes;
+    if (found.is_measured)
+        notes.insert(notes.begin(), resolution_note(found));
+    for (const std::string& note : without_effect(settings))
+        notes.push_back(note);
+    notes.push_back(states_modulus(settings) ? material_note(settings) : modulus_note);
+    std::erase(notes, "");
+    nlohmann::json values = account_json(found.result.account);
+    values["warnings"] = found.warnings;
+    if (found.is_measured)
+        values["resolution"] = resolution_json(found);
     if (has_account)
         write_json(account, values);
     if (settings.has("friction")) {
@@ -325,36 +433,32 @@ int contact(const Words& words) {
              "Dundurs' beta = 0; a rigid profile at nu = 0.5 only)");
     }
     if (settings.has("report")) {
-        const ContactTables shown =
-            contact_tables(area ? map : source.on(model.grid), completed(model), response);
+        const ContactTables shown = contact_tables(found.surface, completed(found.model), response);
         for (const auto& [name, file] : tables)
             rough::write_atomically(file, shown.tables.at(name));
         values.update(shown.values);
-        values["name"] = settings.text(settings.has("genome")    ? "genome"
-                                       : settings.has("surface") ? "surface"
-                                                                 : "profile");
+        values["name"] = settings.text(!found.is_measured ? "genome" : area ? "surface" : "profile");
         values["notes"] = notes;
-        values["notes"].push_back(in_words(result.account));
-        if (!settings.given("modulus"))
-            values["notes"].push_back(modulus_note);
+        values["notes"].push_back(in_words(found.result.account));
         values["curve"] = out.filename().string().substr(account.stem().string().size());
         values["files"] = {from_page(out, page), from_page(account, page)};
         if (settings.has("friction"))
             values["files"].push_back(from_page(slip_file, page));
         if (area)
-            values["files"].push_back(from_page(beside(settings.text("out"), "spots"), page));
+            values["files"].push_back(from_page(spots, page));
         write_json(account, values);
         rough::write_atomically(page, render(page_source(account)));
     }
-    for (const auto& note : without_effect(settings))
+    for (const std::string& warning : found.warnings)
+        say("warning: " + warning);
+    for (const std::string& note : notes)
         say(note);
-    if (!settings.given("modulus"))
-        say(modulus_note);
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
          name_of(response.solver) + ", height range " + readable(response.range) +
          " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));
     // Held nodes change what may be made of the curve.
-    (result.account.held_nodes > 0 || (area && model.accuracy > 0) ? say : tell)(in_words(result.account));
+    (found.result.account.held_nodes > 0 || (area && found.model.accuracy > 0) ? say : tell)(
+        in_words(found.result.account));
     return 0;
 }
 

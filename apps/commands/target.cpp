@@ -29,14 +29,15 @@ std::vector<Setting> target_settings() {
          "(against displacement)"},
         {"to", "", "last pressure (MPa) or displacement (mm) [the response's own; needed with --formula]"},
         {"points", "20", "points of the target, evenly spaced"},
-        {"band", "", "tolerance band, a fraction of each value on both sides [none]"},
+        {"band", "",
+         "tolerance band, a fraction of each value on both sides [none; a scan: its resolution's]"},
         {"resistivity", "",
          "rho1 + rho2 of a conductance target to check, C = 2 K_i/(E* (rho1 + rho2)) of the interface "
          "stiffness K_i"},
         {"out", "", "target file to write (CSV)"},
         {"force", "", "write over an existing file", true},
     };
-    return joined({settings, scan_settings(), model_settings()});
+    return joined({settings, scan_settings(), {resolution_setting()}, model_settings()});
 }
 
 struct Made {
@@ -66,8 +67,9 @@ Made made_target(const Settings& settings) {
     (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) = last;
     return {placing(settings, "",
                     [&] {
-                        return target_like(source.on(model.grid), loaded, source.name, quantity, points,
-                                           last);
+                        return target_like(source.on(model.grid), loaded, source.name, quantity, points, last,
+                                           source.genome || settings.has("band") ? rough::Resolution::off
+                                                                                 : resolution_from(settings));
                     }),
             model};
 }
@@ -78,7 +80,7 @@ int report(const rough::Target& goal, const rough::Model& model, const Settings&
     say(goal.name + ": " + std::to_string(goal.points()) + " points of " + columns.y + " from " +
         readable(goal.y.minCoeff(), 4) + " to " + readable(goal.y.maxCoeff(), 4) + " against " + columns.x +
         " up to " + readable(goal.last(), 4) + (goal.has_band() ? ", with a band" : ""));
-    if (!settings.given("modulus"))
+    if (!states_modulus(settings))
         say(modulus_note);
     const auto reasons = rough::out_of_reach({goal}, model);
     for (const auto& reason : reasons)

@@ -2,6 +2,7 @@
 
 #include "apps/report/units.hpp"
 #include "domain/contact/kernel.hpp"
+#include "domain/contact/materials.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/plain_stream.hpp"
@@ -28,10 +29,40 @@ std::string plain(double value) {
     return digits;
 }
 
+/// The material that is named; null if none is.
+const rough::Material* material_from(const Settings& settings, const std::string& prefix = "") {
+    return settings.has(prefix + "material")
+               ? &rough::materials()[settings.one_of(prefix + "material", rough::material_names())]
+               : nullptr;
+}
+
 } // namespace
+
+bool states_modulus(const Settings& settings) {
+    return settings.given("modulus") || settings.has("material");
+}
+
+std::string material_note(const Settings& settings) {
+    const rough::Material* material = material_from(settings);
+    if (!material)
+        return "";
+    return material->name + " (" + material->of + "): E " + plain(material->modulus) + " MPa, nu " +
+           plain(material->poissons) + " (" + material->elastic + "), hardness " + plain(material->hardness) +
+           " MPa (" + material->indented + ")";
+}
+
+double elastic_limit(const Settings& settings, const rough::Body& body) {
+    if (body.yields() || !states_modulus(settings))
+        return std::numeric_limits<double>::infinity();
+    const rough::Material* material = material_from(settings);
+    return material ? material->hardness : rough::largest_elastic_pressure * body.effective_modulus;
+}
 
 std::vector<Setting> model_settings(const std::string& prefix) {
     const rough::Model usual;
+    std::string known;
+    for (const std::string& name : rough::material_names())
+        known += (known.empty() ? "" : ", ") + name;
     std::vector<Setting> settings{
         {prefix + "nodes", "",
          "nodes of the grid, 2 to 1e7 [" + std::to_string(usual.grid.nodes) + "; a scan: its points]"},
@@ -41,6 +72,9 @@ std::vector<Setting> model_settings(const std::string& prefix) {
         {prefix + "kernel", name_of(usual.body.kernel), "elastic body: free, periodic or strip"},
         {prefix + "datum", "", "distance d at which the free half-plane's displacement is zero, mm [L]"},
         {prefix + "strip-width", "", "width W of the strip, mm [L/511]"},
+        {prefix + "material", "",
+         "gives E, nu and the hardness beyond which contact warns; modulus and poisson replace its values: " +
+             known},
         {prefix + "modulus", plain(usual.body.effective_modulus), "Young's modulus E, MPa"},
         {prefix + "poisson", "0", "Poisson's ratio nu; E* = E/(1 - nu^2)"},
         {prefix + "steps", std::to_string(usual.loading.steps), "load steps n_t, at least 2"},
@@ -83,8 +117,11 @@ rough::Model model_on(rough::Grid grid, const Settings& settings, const std::str
     rough::Model model;
     model.grid = grid;
     model.body.kernel = kernel_from(settings, prefix);
+    const rough::Material* material = material_from(settings, prefix);
+    const auto is_given = [&](const char* name) { return !material || settings.given(prefix + name); };
     model.body.effective_modulus = rough::effective_modulus(
-        settings.positive(prefix + "modulus"), settings.number(prefix + "poisson", -0.999999, 0.5));
+        is_given("modulus") ? settings.positive(prefix + "modulus") : material->modulus,
+        is_given("poisson") ? settings.number(prefix + "poisson", -0.999999, 0.5) : material->poissons);
     if (settings.has(prefix + "datum"))
         model.body.datum = settings.positive(prefix + "datum");
     if (settings.has(prefix + "strip-width"))
@@ -157,6 +194,18 @@ std::vector<Setting> scan_settings(const std::string& prefix) {
     for (Setting& setting : settings)
         setting.group = "How a scan is read";
     return settings;
+}
+
+Setting resolution_setting() {
+    return {
+        "resolution", "auto",
+        "band of K and A over the heights as measured and interpolated 4 times: auto (up to 2e6 interpolated "
+        "nodes of a map, 1e7 of a line), on or off",
+        false, "How a scan is read"};
+}
+
+rough::Resolution resolution_from(const Settings& settings) {
+    return static_cast<rough::Resolution>(settings.one_of("resolution", rough::resolution_names()));
 }
 
 rough::Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/prompt/settings.hpp"
+#include "domain/accuracy/resolution.hpp"
 #include "domain/mwm/genome.hpp"
 #include "domain/profile/detrend.hpp"
 #include "domain/response/model.hpp"
@@ -11,7 +12,15 @@ namespace app {
 
 /// Says which pressures those of an unstated modulus are.
 inline constexpr const char* modulus_note =
-    "note: no --modulus given: E is 1 MPa, so pressures and stiffness are in units of E";
+    "note: no --modulus or --material given: E is 1 MPa, so pressures and stiffness are in units of E";
+/// Whether a modulus is stated, as --modulus or by a --material.
+bool states_modulus(const Settings& settings);
+/// The --material with its values and their sources in words; "" if none is given.
+std::string material_note(const Settings& settings);
+/// The local pressure (MPa) up to which the answer of the stated elastic body holds: the hardness of its
+/// --material, or largest_elastic_pressure of a --modulus. Infinite if neither is stated, or if --hardness
+/// caps pressures.
+double elastic_limit(const Settings& settings, const rough::Body& body);
 
 /// The settings that make a model: --nodes, --length, --kernel … as flags (prefix "") or keys (prefix
 /// "model.").
@@ -46,6 +55,10 @@ rough::Model loaded(rough::Model model, const Settings& settings);
 /// The settings that say how to read a measured profile: unit, spacing, row, outliers, form,
 /// filters, fill.
 std::vector<Setting> scan_settings(const std::string& prefix = "");
+
+/// --resolution: whether a measured surface is pressed again with interpolated heights.
+Setting resolution_setting();
+rough::Resolution resolution_from(const Settings& settings);
 
 /// Opens the scan. `nodes` resamples it to that many; 0 keeps its own number.
 rough::Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,

@@ -99,11 +99,17 @@ std::string csv(const std::vector<std::string>& header, const std::vector<Eigen:
     return out.str();
 }
 
-std::string csv(const rough::Response& response) {
-    return csv({"displacement_mm", "pressure_MPa", "contact_fraction", "tangent_stiffness_MPa_per_mm",
-                "kkt_residual", "interface_stiffness_MPa_per_mm"},
-               {response.displacement, response.pressure, response.contact_fraction,
-                response.tangent_stiffness, response.kkt_residual, interface_stiffness(response)});
+std::string csv(const rough::Response& response, const std::vector<std::string>& further,
+                const std::vector<Eigen::VectorXd>& columns) {
+    std::vector<std::string> header{"displacement_mm",  "pressure_MPa",
+                                    "contact_fraction", "tangent_stiffness_MPa_per_mm",
+                                    "kkt_residual",     "interface_stiffness_MPa_per_mm"};
+    std::vector<Eigen::VectorXd> all{response.displacement,     response.pressure,
+                                     response.contact_fraction, response.tangent_stiffness,
+                                     response.kkt_residual,     interface_stiffness(response)};
+    header.insert(header.end(), further.begin(), further.end());
+    all.insert(all.end(), columns.begin(), columns.end());
+    return csv(header, all);
 }
 
 } // namespace app

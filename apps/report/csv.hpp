@@ -70,7 +70,8 @@ std::vector<std::vector<std::string>> csv_rows(const std::string& text);
 /// Columns of equal length as CSV, 17 significant digits; NaN is an empty cell.
 std::string csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns);
 
-/// A response as `rugosa contact` writes it, a row a load step.
-std::string csv(const rough::Response& response);
+/// A response as `rugosa contact` writes it, a row a load step, with further columns behind.
+std::string csv(const rough::Response& response, const std::vector<std::string>& further = {},
+                const std::vector<Eigen::VectorXd>& columns = {});
 
 } // namespace app

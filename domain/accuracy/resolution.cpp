@@ -1,7 +1,9 @@
 #include "domain/accuracy/resolution.hpp"
 
+#include "domain/contact/full_contact.hpp"
 #include "domain/contact/pressure_and_gap.hpp"
 #include "domain/errors.hpp"
+#include "domain/profile/finer.hpp"
 #include "domain/response/curve.hpp"
 
 #include <algorithm>
@@ -34,27 +36,16 @@ double top(const Profile& surface, const Body& body) {
     return surface.heights.maxCoeff() - (body.kernel == Kernel::periodic ? surface.heights.mean() : 0);
 }
 
-/// Contact fraction and stiffness of an interpolated surface at the measured pressures: solved where the
-/// measured curve's displacements leave its top and read between these load steps, whose pressures nearly are
-/// the measured ones. Load control would take six times longer.
-Eigen::MatrixX2d at_measured_pressures(const Profile& surface, const Profile& scan, const Model& model,
-                                       const Response& measured) {
-    std::vector<double> displacements;
-    for (const double displacement : measured.displacement)
-        displacements.push_back(displacement + top(surface, model.body) - top(scan, model.body));
-    ContactOptions options = model.contact;
-    options.tolerance = std::max(options.tolerance, tolerance);
-    const Response found =
-        response_of(solve_contact(surface, model.body, displacements, options).steps, Solver::automatic, 0);
-    Eigen::MatrixX2d columns(found.steps(), 2);
-    columns << found.contact_fraction, found.tangent_stiffness;
-    const Eigen::MatrixX2d solved = columns;
-    for (Index j = 0; found.steps() > 1 && j < found.steps(); ++j) {
-        const auto [left, weight] = segment_at({found.pressure, {}}, measured.pressure[j]);
+/// Values of an interpolated surface at the measured pressures, read between its load steps.
+Eigen::VectorXd at_measured_pressures(const Response& finer, const Eigen::VectorXd& values,
+                                      const Response& measured) {
+    Eigen::VectorXd read = values;
+    for (Index j = 0; read.size() > 1 && j < read.size(); ++j) {
+        const auto [left, weight] = segment_at({finer.pressure, {}}, measured.pressure[j]);
         if (std::abs(weight) <= 2) // infinite between loads that a hardness makes equal
-            columns.row(j) = solved.row(left) + weight * (solved.row(left + 1) - solved.row(left));
+            read[j] = values[left] + weight * (values[left + 1] - values[left]);
     }
-    return columns;
+    return read;
 }
 
 /// The least and the greatest of the columns, wider by `margin`.
@@ -71,14 +62,6 @@ const std::vector<std::string>& resolution_names() {
     return names;
 }
 
-Resolution resolution_named(const std::string& name) {
-    const auto& names = resolution_names();
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-        refuse_value("resolution", "'", name, "' given, expected auto, on or off");
-    return static_cast<Resolution>(found - names.begin());
-}
-
 Index spot_width(const std::vector<int>& contact, Extent shape, bool wraps) {
     std::vector<Index> sizes = contact_spots(contact, shape, wraps);
     std::size_t below = 0;
@@ -88,12 +71,25 @@ Index spot_width(const std::vector<int>& contact, Extent shape, bool wraps) {
     return std::lround(shape.rows > 1 ? std::sqrt(nodes) : nodes);
 }
 
-std::vector<Profile> finer_surfaces(const Profile& scan, Kernel kernel, Resolution resolution) {
+std::vector<Response> finer_responses(const Profile& scan, const Model& model, const Response& measured,
+                                      Resolution resolution) {
+    std::vector<Response> responses;
     if (is_omitted(scan, resolution))
-        return {};
-    const bool wraps = kernel == Kernel::periodic;
-    return {finer(scan, finer_times, Interpolation::linear, wraps),
-            finer(scan, finer_times, Interpolation::spline, wraps)};
+        return responses;
+    const Body body = completed(model.body, model.grid.length);
+    ContactOptions options = model.contact;
+    options.tolerance = std::max(options.tolerance, tolerance);
+    for (const Interpolation by : {Interpolation::linear, Interpolation::spline}) {
+        const Profile surface = finer(scan, finer_times, by, body.kernel == Kernel::periodic);
+        std::vector<double> displacements;
+        for (const double displacement : measured.displacement)
+            displacements.push_back(displacement + top(surface, body) - top(scan, body));
+        // Under load control this would take six times longer.
+        const ContactCurve curve = solve_contact(surface, body, displacements, options);
+        responses.push_back(response_of(curve.steps, curve.solver, displacement_range(surface, body.kernel),
+                                        full_contact_stiffness(surface, body)));
+    }
+    return responses;
 }
 
 ResolutionBand resolution_band(const Profile& scan, const Model& model, const Response& measured,
@@ -103,15 +99,12 @@ ResolutionBand resolution_band(const Profile& scan, const Model& model, const Re
                     resolution == Resolution::off ? "" : "too many nodes; --resolution on computes it"};
     const Index rows = measured.steps();
     Eigen::MatrixXd fraction(rows, 4), stiffness(rows, 4);
-    Model at = model;
-    at.body = completed(at.body, at.grid.length);
     fraction.col(0) = measured.contact_fraction;
     stiffness.col(0) = measured.tangent_stiffness;
     Index column = 0;
-    for (const Profile& surface : finer_surfaces(scan, model.body.kernel, resolution)) {
-        const Eigen::MatrixX2d found = at_measured_pressures(surface, scan, at, measured);
-        fraction.col(++column) = found.col(0);
-        stiffness.col(column) = found.col(1);
+    for (const Response& finer : finer_responses(scan, model, measured, resolution)) {
+        fraction.col(++column) = at_measured_pressures(finer, finer.contact_fraction, measured);
+        stiffness.col(column) = at_measured_pressures(finer, finer.tangent_stiffness, measured);
     }
     for (Eigen::MatrixXd* values : {&fraction, &stiffness}) // the spline's to spacing 0
         values->col(3) = values->col(2) + (values->col(2) - values->col(0)) / (finer_times - 1);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "domain/profile/finer.hpp"
 #include "domain/response/model.hpp"
 
 #include <string>
@@ -13,8 +12,6 @@ namespace rough {
 enum class Resolution { automatic, on, off };
 /// In the order of Resolution: auto, on, off.
 const std::vector<std::string>& resolution_names();
-/// The one of that name. Throws InputError on another word.
-Resolution resolution_named(const std::string& name);
 
 constexpr Index finer_times = 4; ///< elements for each one of a measured surface
 /// Nodes of an interpolated map, and of an interpolated line, up to which `automatic` presses it.
@@ -26,9 +23,11 @@ constexpr Index resolved_spot_nodes = 4;
 /// spots of at most so many nodes on a line, of at most its square on a map. 0 without contact.
 Index spot_width(const std::vector<int>& contact, Extent shape, bool wraps);
 
-/// The surface with heights interpolated linearly and by a spline between its nodes; nothing if `resolution`
-/// omits them.
-std::vector<Profile> finer_surfaces(const Profile& scan, Kernel kernel, Resolution resolution);
+/// The responses of a scan or map with heights interpolated linearly and by a spline between its nodes;
+/// nothing if `resolution` omits them. Their displacements are the measured response's, so that their
+/// pressures nearly are, too. Throws as solve_contact.
+std::vector<Response> finer_responses(const Profile& scan, const Model& model, const Response& measured,
+                                      Resolution resolution);
 
 /// What a scan says of its contact: a band that holds the curves of the heights as measured, interpolated
 /// linearly and interpolated by a spline, each at the measured curve's mean pressures. The pressure is each

@@ -31,12 +31,11 @@ Index enough_nodes(const DesignSetup& setup) {
 } // namespace
 
 DesignSetup like(DesignSetup setup, Profile profile, const Model& own, const std::string& name,
-                 const std::vector<Quantity>& quantities, Index points, Index nodes) {
+                 const std::vector<Quantity>& quantities, Index points, Index nodes, Resolution resolution) {
     setup.like = std::move(profile);
     setup.model = own;
-    for (const Quantity quantity : quantities)
-        setup.targets.push_back(
-            target_like(*setup.like, own, name, quantity, points, setup.max_pressure.value_or(0)));
+    setup.targets =
+        targets_like(*setup.like, own, name, quantities, points, setup.max_pressure.value_or(0), resolution);
     if (!setup.like->is_2d())
         setup.model.grid.nodes = nodes > 0 ? nodes : enough_nodes(setup);
     return setup;

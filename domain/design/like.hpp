@@ -1,5 +1,6 @@
 #pragma once
 
+#include "domain/accuracy/resolution.hpp"
 #include "domain/problem/setup.hpp"
 
 namespace rough {
@@ -8,10 +9,10 @@ namespace rough {
 /// these quantities, at `points` even pressures up to the set-up's max_pressure, or as far as it is loaded.
 /// Fills in `like`, the targets, and the model on `nodes` nodes: 0 takes 512, or where area is asked for the
 /// profile's own number, or so many that its contact begins with some of them, 512 to 2048. A map keeps its
-/// own.
+/// own. The targets have the band of the resolution, unless it omits that.
 DesignSetup like(DesignSetup setup, Profile profile, const Model& own, const std::string& name,
                  const std::vector<Quantity>& quantities = {Quantity::stiffness, Quantity::area_at_pressure},
-                 Index points = 20, Index nodes = 0);
+                 Index points = 20, Index nodes = 0, Resolution resolution = Resolution::off);
 
 /// What a scan may be asked for by name: both (stiffness and contact area), stiffness, area or
 /// interface_stiffness.

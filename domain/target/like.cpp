@@ -23,29 +23,48 @@ Target even_target(Quantity quantity, const std::string& name, Index points, dou
     return target;
 }
 
-Target target_like(const Profile& profile, const Model& model, const std::string& name, Quantity quantity,
-                   Index points, double last) {
+std::vector<Target> targets_like(const Profile& profile, const Model& model, const std::string& name,
+                                 const std::vector<Quantity>& quantities, Index points, double last,
+                                 Resolution resolution) {
     const Response response = respond(profile, model);
-    const Curve curve = curve_of(quantity, response);
-    // A load found by a solver ends within its tolerance of the one asked for.
-    const bool reaches = last > 0 && last <= curve.to * (1 + 1e-9);
-    Target target =
-        even_target(quantity, name, points, reaches ? last : curve.to, [&](double x) { return curve.at(x); });
-    // The line through the first two of a few secants may fall below 0 before the first: no point is asked
-    // there.
-    Index asked = 0;
-    while (asked + 1 < points && target.y[asked] <= 0 && target.x[asked] < curve.x[0])
-        ++asked;
-    target.x = target.x.tail(points - asked).eval();
-    target.y = target.y.tail(points - asked).eval();
-    target.recorded = recorded_model(model);
-    if (quantity == Quantity::interface_stiffness &&
-        target.y.maxCoeff() > nearly_rigid * response.tangent_stiffness.maxCoeff())
-        throw InputError(name + ": in full contact up to " + field_text(target.last()) +
-                             " MPa, where an interface's stiffness is infinite; expected a last pressure "
-                             "below full contact",
-                         "to");
-    return target;
+    const std::vector<Response> finer = finer_responses(profile, model, response, resolution);
+    std::vector<Target> targets;
+    for (const Quantity quantity : quantities) {
+        const Curve curve = curve_of(quantity, response);
+        // A load found by a solver ends within its tolerance of the one asked for.
+        const bool reaches = last > 0 && last <= curve.to * (1 + 1e-9);
+        Target target = even_target(quantity, name, points, reaches ? last : curve.to,
+                                    [&](double x) { return curve.at(x); });
+        // The line through the first two of a few secants may fall below 0 before the first: no point is
+        // asked there.
+        Index asked = 0;
+        while (asked + 1 < points && target.y[asked] <= 0 && target.x[asked] < curve.x[0])
+            ++asked;
+        target.x = target.x.tail(points - asked).eval();
+        target.y = target.y.tail(points - asked).eval();
+        target.recorded = recorded_model(model);
+        if (quantity == Quantity::interface_stiffness &&
+            target.y.maxCoeff() > nearly_rigid * response.tangent_stiffness.maxCoeff())
+            throw InputError(name + ": in full contact up to " + field_text(target.last()) +
+                                 " MPa, where an interface's stiffness is infinite; expected a last pressure "
+                                 "below full contact",
+                             "to");
+        if (!finer.empty())
+            target.lower = target.upper = target.y;
+        for (const Response& other : finer) {
+            const Curve of = curve_of(quantity, other);
+            const Eigen::VectorXd y = target.x.unaryExpr([&](double x) { return of.at(std::min(x, of.to)); });
+            target.lower = target.lower.cwiseMin(y);
+            target.upper = target.upper.cwiseMax(y);
+        }
+        targets.push_back(std::move(target));
+    }
+    return targets;
+}
+
+Target target_like(const Profile& profile, const Model& model, const std::string& name, Quantity quantity,
+                   Index points, double last, Resolution resolution) {
+    return targets_like(profile, model, name, {quantity}, points, last, resolution).front();
 }
 
 } // namespace rough

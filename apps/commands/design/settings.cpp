@@ -148,7 +148,8 @@ std::vector<Setting> design_settings() {
         {"tilt", "", "height over the length that the answer may be tilted by, mm, as --noise [none]"},
         {"hardness", "", "hardness that no node bears more than, MPa, to verify the answer under [none]"},
     };
-    return joined({settings, scan_settings(), model_settings(), {accuracy_setting()}});
+    return joined(
+        {settings, scan_settings(), {resolution_setting()}, model_settings(), {accuracy_setting()}});
 }
 
 namespace {
@@ -206,16 +207,21 @@ DesignRun design_from(const Settings& settings) {
     if (settings.has("like") && area) {
         const AreaScene scene = area_from(settings, "like");
         run.accounts = scene.notes;
-        setup = like(setup, scene.map, scene.model, settings.text("like"), likeness(), points);
+        setup = like(setup, scene.map, scene.model, settings.text("like"), likeness(), points, 0,
+                     // A map's band would take most of the time.
+                     settings.given("resolution") ? resolution_from(settings) : rough::Resolution::off);
     } else if (settings.has("like")) {
         const rough::Source scan = scan_from(settings.text("like"), settings, 0);
         run.accounts.push_back(scan.account);
         rough::Model own = model_from(settings, scan);
         own.grid.nodes = scan.measured.nodes();
-        setup = like(setup, scan.on(own.grid), own, scan.name, likeness(), points, nodes_from(settings, 0));
+        setup = like(setup, scan.on(own.grid), own, scan.name, likeness(), points, nodes_from(settings, 0),
+                     resolution_from(settings));
     } else {
-        expect_none(settings, joined({scan_settings(), {{"points", "", ""}, {"quantity", "", ""}}}),
-                    "given with --target, expected with --like only");
+        expect_none(
+            settings,
+            joined({scan_settings(), {resolution_setting(), {"points", "", ""}, {"quantity", "", ""}}}),
+            "given with --target, expected with --like only");
         setup.model = run.from ? model_from(settings, rough::open_genome(run.from->file))
                                : surface_model_from(settings);
         setup.targets = goals_from(settings, setup.model);

@@ -1,3 +1,4 @@
+#include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/curve.hpp"
 #include "apps/python/module/python.hpp"
 #include "domain/response/interface.hpp"
@@ -64,14 +65,20 @@ Curve pressed(const rough::Profile& surface, rough::Model model, Gradient gradie
 }
 
 Curve of_surface(const rough::Profile& surface, Keywords& keywords, Gradient gradient) {
-    const rough::Model model = model_from(keywords, surface);
+    rough::Model model = model_from(keywords, surface);
+    const app::Settings of_scan = keywords.settings({app::resolution_setting()});
     keywords.expect_none_left();
-    return pressed(
+    Curve curve = pressed(
         surface, model, gradient,
         [&](const rough::Model& m) { return respond_within(surface, m, m.accuracy); },
         [](const rough::ResponseGradient& rows, const rough::AreaGradient& area) {
             return rough::ResponseJacobian{rows.pressure, rows.last_displacement, area.by_heights};
         });
+    if (of_scan.given("resolution"))
+        curve.band = interruptible(model, [&] {
+            return resolution_band(surface, model, curve.response, app::resolution_from(of_scan));
+        });
+    return curve;
 }
 
 Curve of_genome(const rough::Genome& genome, Keywords& keywords, Gradient gradient) {
@@ -94,9 +101,15 @@ py::tuple slip_of(const Curve& curve, double friction) {
                           std::move(slip.stick_fraction));
 }
 
+/// Read-only access to a member of the band.
+auto band(Eigen::VectorXd rough::ResolutionBand::*member) {
+    return [member](const Curve& curve) -> const VectorXd& { return curve.band.*member; };
+}
+
 } // namespace
 
 void add_contact(py::module_& module) {
+    using rough::ResolutionBand;
     constexpr auto inside = py::return_value_policy::reference_internal;
     py::class_<Curve>(module, "Curve",
                       "What a surface answers to its load steps; arrays are read-only views.")
@@ -119,6 +132,16 @@ void add_contact(py::module_& module) {
         .def_property_readonly(
             "solver", [](const Curve& c) { return rough::name_of(c.response.solver); },
             "Name of the solver that was used.")
+        .def_property_readonly(
+            "contact_fraction_low", band(&ResolutionBand::contact_fraction_low), inside,
+            "With resolution='auto' or 'on': least of the heights as given and interpolated "
+            "4 times, linearly and by a spline. Empty if it was not computed.")
+        .def_property_readonly("contact_fraction_high", band(&ResolutionBand::contact_fraction_high), inside,
+                               "The greatest.")
+        .def_property_readonly("tangent_stiffness_low", band(&ResolutionBand::tangent_stiffness_low), inside,
+                               "The same of K, MPa/mm: least.")
+        .def_property_readonly("tangent_stiffness_high", band(&ResolutionBand::tangent_stiffness_high),
+                               inside, "The greatest.")
         .def_readonly("account", &Curve::account,
                       "Under accuracy=: what was modelled and how wrong it may be.")
         .def_property_readonly(
@@ -174,7 +197,11 @@ void add_contact(py::module_& module) {
             "along x\n"
             "and y), a Profile, a Surface, or a Genome.\n"
             "Only a Genome takes nodes and length (pairs along x and y for an area). An area has no datum,\n"
-            "strip_width or accuracy. Returns a Curve. Raises InputError, NotConverged.\n\n"
+            "strip_width or accuracy. resolution='auto' or 'on' adds the band of a scan's or map's "
+            "resolution\n"
+            "(Curve.contact_fraction_low and so on), as the program does; plain heights are taken as they "
+            "are.\n"
+            "Returns a Curve. Raises InputError, NotConverged.\n\n"
             ">>> import numpy, rugosa\n"
             ">>> x = (numpy.arange(512) - 255.5) / 512\n"
             ">>> curve = rugosa.contact(-x**2 / 2, 1 / 512)\n"

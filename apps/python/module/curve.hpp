@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/response/response.hpp"
+#include "domain/accuracy/resolution.hpp"
 
 namespace rugosa::python {
 
@@ -11,7 +11,8 @@ struct Curve {
     Eigen::VectorXd displacement_gradient; ///< of the last step's displacement
     Eigen::VectorXd smooth_fraction;       ///< contact fraction that has a gradient, and that; empty likewise
     Eigen::MatrixXd fraction_gradient;
-    std::string account; ///< within an accuracy, in words
+    std::string account;        ///< within an accuracy, in words
+    rough::ResolutionBand band; ///< empty unless it was asked for and computed
 };
 
 } // namespace rugosa::python

@@ -50,6 +50,10 @@ class Curve:
     contact_fraction: Array
     tangent_stiffness: Array
     interface_stiffness: Array
+    contact_fraction_low: Array
+    contact_fraction_high: Array
+    tangent_stiffness_low: Array
+    tangent_stiffness_high: Array
     kkt_residual: Array
     full_stiffness: float
     height_range: float

@@ -6,6 +6,9 @@ stats file using "pressure_MPa" nooutput
 factor = pressure_factor(STATS_max)
 set xlabel sprintf("Mean pressure p (%s)", pressure_unit(STATS_max)); set xrange [0:*]; set yrange [0:*]
 set ylabel is_stiffness ? "Stiffness K (MPa/mm)" : "Contact fraction A"
-plot file using (factor * column("pressure_MPa")): \
+# The band of a scan or map: the columns behind the curve's, which a genome's file has not.
+plot file using (factor * column(2)):(column(is_stiffness ? 9 : 7)):(column(is_stiffness ? 10 : 8)) \
+    with filledcurves lc rgb blue fs transparent solid 0.25 notitle, \
+    file using (factor * column("pressure_MPa")): \
     (column(is_stiffness ? "tangent_stiffness_MPa_per_mm" : "contact_fraction")) with linespoints lc rgb blue lw 1.5 \
     ps 0.4 notitle

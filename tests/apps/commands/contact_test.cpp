@@ -157,3 +157,76 @@ TEST_CASE("within an accuracy the curve is that near the resolved one, and an ac
     CHECK(account["chromosomes"]["used"].size() + account["chromosomes"]["dropped"].size() == 4);
     CHECK_THAT(account["words"].get<std::string>(), Catch::Contains("in place of 4097"));
 }
+
+TEST_CASE("a scan's curve has the band of its resolution, a genome's has none") {
+    const Folder folder;
+    folder.write("g.json", one_wave);
+    std::string scan;
+    for (int i = 0; i < 300; ++i)
+        scan += std::to_string(std::cos(0.7 * i) + 0.5 * std::cos(0.11 * i) + 0.3 * std::sin(1.9 * i)) + "\n";
+    folder.write("scan.txt", scan);
+    const std::string press = "contact --profile scan.txt --unit um --spacing 1 --force --out c.csv ";
+    const std::string header = curve_header +
+                               ",contact_fraction_low,contact_fraction_high,"
+                               "tangent_stiffness_low_MPa_per_mm,tangent_stiffness_high_MPa_per_mm";
+    succeeded(rugosa(press + "--to-pressure 0.001 --report page.html", folder.path()));
+    for (const auto& row : rows_of(folder / "c.csv", header)) {
+        CHECK((row[6] <= row[2] && row[2] <= row[7]));
+        CHECK((row[8] <= row[3] && row[3] <= row[9]));
+        CHECK(row[6] < row[7]);
+    }
+    const json of = json::parse(rough::read_whole(folder / "c.json"));
+    const std::string words = of["resolution"]["words"];
+    CHECK(of["resolution"]["is_resolved"] == (of["resolution"]["spot_width_nodes"] >= 4));
+    const std::string page = rough::read_whole(folder / "page.html");
+    for (const std::string& part :
+         {words, std::string("Line contact: endless ridges"), std::string("Shaded: the band")})
+        CHECK_THAT(page, Catch::Contains(part));
+
+    const Ended off = succeeded(rugosa(press + "--resolution off --report page.html", folder.path()));
+    CHECK_THAT(off.out, Catch::Contains("band not computed"));
+    CHECK_THAT(rough::read_whole(folder / "page.html"), Catch::Contains("Band not computed"));
+    const std::string table = rough::read_whole(folder / "c.csv");
+    CHECK(table.starts_with(header + "\n"));
+    CHECK(table.ends_with(",,,,\n"));
+    succeeded(rugosa("contact --genome g.json --out g.csv", folder.path()));
+    rows_of(folder / "g.csv", curve_header);
+    check_refused(rugosa(press + "--resolution some", folder.path()), "--resolution");
+}
+
+TEST_CASE("a material gives its elasticity, and a curve beyond its hardness or on outliers is a warning") {
+    const Folder folder;
+    folder.write("g.json", one_wave);
+    const auto last = [&](const std::string& flags) {
+        succeeded(rugosa("contact --genome g.json --force --out c.csv " + flags, folder.path()));
+        return rows_of(folder / "c.csv").back()[3];
+    };
+    CHECK(last("--material steel") == last("--modulus 210000 --poisson 0.3"));
+    CHECK(last("--material steel --modulus 1000") == last("--modulus 1000 --poisson 0.3"));
+    check_refused(rugosa("contact --genome g.json --out n.csv --material stel", folder.path()), "steel");
+
+    std::string clean, spiked;
+    for (int i = 0; i < 500; ++i) {
+        const double height = std::cos(0.05 * i) + 0.01 * std::sin(7. * i);
+        clean += std::to_string(height) + "\n";
+        spiked += std::to_string(height + (i == 120 || i == 121 ? 5 : 0)) + "\n";
+    }
+    folder.write("clean.txt", clean);
+    folder.write("spiked.txt", spiked);
+    const auto said = [&](const std::string& flags) {
+        return succeeded(
+                   rugosa("contact --unit um --spacing 1 --resolution off --force --out c.csv --profile " +
+                              flags,
+                          folder.path()))
+            .out;
+    };
+    const std::string carry = "warning: outliers carry the contact",
+                      ends = "warning: the elastic answer ends at";
+    CHECK_THAT(said("spiked.txt"), Catch::StartsWith(carry));
+    CHECK(said("spiked.txt --outliers remove").find(carry) == std::string::npos);
+    CHECK(said("clean.txt").find("warning") == std::string::npos);
+    CHECK_THAT(said("clean.txt --material copper"),
+               Catch::StartsWith(ends) && Catch::Contains("hardness of copper"));
+    CHECK(said("clean.txt --material copper --hardness 369").find(ends) == std::string::npos);
+    CHECK(said("clean.txt --material copper --to-pressure 1").find(ends) == std::string::npos);
+}

@@ -50,7 +50,13 @@ TEST_CASE("a target made of a formula, a genome or a scan is read back with its 
                 "\n";
     folder.write("scan.txt", scan);
     CHECK(rugosa("target --like scan.txt --out s.csv", folder.path()).code == 0);
-    CHECK(rough::read_target(folder / "s.csv").points() == 20);
+    const rough::Target measured = rough::read_target(folder / "s.csv");
+    CHECK(measured.points() == 20);
+    REQUIRE(measured.has_band()); // of its resolution
+    CHECK((measured.upper - measured.lower).minCoeff() >= 0);
+    CHECK((measured.upper - measured.lower).maxCoeff() > 0);
+    CHECK(rugosa("target --like scan.txt --resolution off --out n.csv", folder.path()).code == 0);
+    CHECK(!rough::read_target(folder / "n.csv").has_band());
 }
 
 TEST_CASE("a target is checked against its own model, and called out of reach where it is") {

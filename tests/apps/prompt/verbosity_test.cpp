@@ -12,7 +12,7 @@ TEST_CASE("the program says more or less as it is told, the results stay the sam
     const auto verbose = rugosa("contact --profile scan.txt --out verbose.csv --verbose", folder.path());
     CHECK_THAT(plain.out, Catch::Contains("5 points"));
     CHECK_THAT(plain.out, Catch::Contains("E is 1 MPa"));
-    CHECK(std::count(plain.out.begin(), plain.out.end(), '\n') == 2);
+    CHECK(std::count(plain.out.begin(), plain.out.end(), '\n') == 3); // with the band
     CHECK(quiet.out.empty());
     CHECK_THAT(verbose.out, Catch::StartsWith(plain.out) && Catch::Contains("KKT"));
     for (const auto& ended : {plain, quiet, verbose}) {

@@ -24,13 +24,27 @@ class Contact(WithFolder):
             self.rugosa("contact", "--profile", "scan.txt", "--spacing", spacing, "--detrend", "none", "--kernel",
                         kernel, "--modulus", 70000, "--poisson", 0.3, "--steps", 30, "--out", "c.csv", "--force")
             csv = numpy.genfromtxt(self.folder / "c.csv", delimiter=",", names=True)
-            curve = rugosa.contact(heights, spacing, kernel=kernel, modulus=70000, poisson=0.3, steps=30)
+            curve = rugosa.contact(heights, spacing, kernel=kernel, modulus=70000, poisson=0.3, steps=30,
+                                   resolution="on")
             for column, name in [("displacement_mm", "displacement"), ("pressure_MPa", "pressure"),
                                  ("contact_fraction", "contact_fraction"),
                                  ("tangent_stiffness_MPa_per_mm", "tangent_stiffness"),
                                  ("kkt_residual", "kkt_residual"),
-                                 ("interface_stiffness_MPa_per_mm", "interface_stiffness")]:
+                                 ("interface_stiffness_MPa_per_mm", "interface_stiffness"),
+                                 ("contact_fraction_low", "contact_fraction_low"),
+                                 ("contact_fraction_high", "contact_fraction_high"),
+                                 ("tangent_stiffness_low_MPa_per_mm", "tangent_stiffness_low"),
+                                 ("tangent_stiffness_high_MPa_per_mm", "tangent_stiffness_high")]:
                 numpy.testing.assert_array_equal(getattr(curve, name), csv[column], f"{kernel} {name}")
+
+    def test_takes_a_material_and_gives_no_band_unasked(self):
+        heights = rough_heights()
+        steel = rugosa.contact(heights, 0.004, material="steel")
+        numbers = rugosa.contact(heights, 0.004, modulus=210000, poisson=0.3)
+        numpy.testing.assert_array_equal(steel.pressure, numbers.pressure)
+        self.assertEqual(steel.contact_fraction_low.size, 0)
+        with self.assertRaises(rugosa.InputError):
+            rugosa.contact(heights, 0.004, material="stel")
 
     def test_answers_as_hertz(self):
         x = (numpy.arange(4097) - 2048) / 4096

@@ -2,6 +2,7 @@
 #include "domain/accuracy/resolution.hpp"
 #include "domain/contact/materials.hpp"
 #include "domain/errors.hpp"
+#include "domain/profile/finer.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -142,14 +143,12 @@ TEST_CASE("the band of a smooth cap shrinks with the spacing, and its spots beco
     CHECK(spot_width({}, {20}, false) == 0);
 }
 
-TEST_CASE("a map too large for the band is left out, unless the band is asked for") {
+TEST_CASE("a map too large for the band is left out") {
     Profile map{Eigen::VectorXd::LinSpaced(400 * 400, 0, 1), 0.01, 400, 0.01};
-    CHECK(finer_surfaces(map, Kernel::free, Resolution::automatic).empty());
-    CHECK(finer_surfaces(map, Kernel::free, Resolution::on).size() == 2);
+    CHECK(finer_responses(map, {}, {}, Resolution::automatic).empty());
     const ResolutionBand band = resolution_band(map, {}, {}, Resolution::automatic);
     CHECK(!band.is_computed());
     CHECK_THAT(band.omitted, Catch::Contains("nodes"));
-    CHECK_THROWS_AS(resolution_named("maybe"), InputError);
 }
 
 TEST_CASE("the elastic answer ends where the exact solution of a cap reaches the hardness") {
