@@ -78,6 +78,7 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
         return responses;
     const Body body = completed(model.body, model.grid.length);
     ContactOptions options = model.contact;
+    options.solver = Solver::automatic;
     options.tolerance = std::max(options.tolerance, tolerance);
     for (const Interpolation by : {Interpolation::linear, Interpolation::spline}) {
         const Profile surface = finer(scan, finer_times, by, body.kernel == Kernel::periodic);
@@ -102,9 +103,15 @@ ResolutionBand resolution_band(const Profile& scan, const Model& model, const Re
     fraction.col(0) = measured.contact_fraction;
     stiffness.col(0) = measured.tangent_stiffness;
     Index column = 0;
-    for (const Response& finer : finer_responses(scan, model, measured, resolution)) {
-        fraction.col(++column) = at_measured_pressures(finer, finer.contact_fraction, measured);
-        stiffness.col(column) = at_measured_pressures(finer, finer.tangent_stiffness, measured);
+    try {
+        for (const Response& finer : finer_responses(scan, model, measured, resolution)) {
+            fraction.col(++column) = at_measured_pressures(finer, finer.contact_fraction, measured);
+            stiffness.col(column) = at_measured_pressures(finer, finer.tangent_stiffness, measured);
+        }
+    } catch (const std::exception& error) { // costs the band, not the curve
+        if (is_stopped(model.contact))
+            throw;
+        return {.omitted = error.what()};
     }
     for (Eigen::MatrixXd* values : {&fraction, &stiffness}) // the spline's to spacing 0
         values->col(3) = values->col(2) + (values->col(2) - values->col(0)) / (finer_times - 1);

@@ -8,14 +8,16 @@
 namespace rough {
 
 /// Whether a measured surface is pressed again on interpolated heights. `automatic` does so up to
-/// most_finer_nodes.
+/// most_finer_map_nodes and most_finer_line_nodes.
 enum class Resolution { automatic, on, off };
 /// In the order of Resolution: auto, on, off.
 const std::vector<std::string>& resolution_names();
 
 constexpr Index finer_times = 4; ///< elements for each one of a measured surface
-/// Nodes of an interpolated map, and of an interpolated line, up to which `automatic` presses it.
-constexpr Index most_finer_map_nodes = 2'000'000, most_finer_line_nodes = 10'000'000;
+/// Nodes of an interpolated map up to which `automatic` presses it.
+constexpr Index most_finer_map_nodes = 2'000'000;
+/// Nodes of an interpolated line up to which `automatic` presses it.
+constexpr Index most_finer_line_nodes = 10'000'000;
 /// Contact spots of fewer nodes across are not resolved: their area is that of the nodes that touch.
 constexpr Index resolved_spot_nodes = 4;
 
@@ -45,8 +47,8 @@ struct ResolutionBand {
     bool is_computed() const { return contact_fraction_low.size() > 0; } ///< whether there is one
 };
 
-/// The band of a scan or map that gave this response under the model. A solver that does not converge on an
-/// interpolated surface leaves it out; every other error is thrown as respond() does.
+/// The band of a scan or map that gave this response under the model. If an interpolated surface cannot be
+/// solved, `omitted` says why. Throws NotConverged if the options stop it.
 ResolutionBand resolution_band(const Profile& scan, const Model& model, const Response& measured,
                                Resolution resolution = Resolution::automatic);
 
