@@ -107,7 +107,7 @@ TEST_CASE("a page beside the curve shows pressure and gap at some loads, and lin
     REQUIRE(ended.code == 0);
     const std::string page = rough::read_whole(folder / "page.html");
     for (const char* part : {"href=\"a%20curve.csv\"", "href=\"a%20curve.json\"",
-                             "href=\"a%20curve-slip.csv\"", "no --modulus given"})
+                             "href=\"a%20curve-slip.csv\"", "no --modulus or --material given"})
         CHECK_THAT(page, Catch::Contains(part));
     REQUIRE(rugosa("report 'a curve.json' --out again.html", folder.path()).code == 0);
     CHECK(rough::read_whole(folder / "again.html") == page);
@@ -189,8 +189,8 @@ TEST_CASE("a scan's curve has the band of its resolution, a genome's has none") 
     const std::string table = rough::read_whole(folder / "c.csv");
     CHECK(table.starts_with(header + "\n"));
     CHECK(table.ends_with(",,,,\n"));
-    succeeded(rugosa("contact --genome g.json --out g.csv", folder.path()));
-    rows_of(folder / "g.csv", curve_header);
+    succeeded(rugosa("contact --genome g.json --out curve.csv", folder.path()));
+    rows_of(folder / "curve.csv", curve_header);
     check_refused(rugosa(press + "--resolution some", folder.path()), "--resolution");
 }
 
