@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace rough {
 
@@ -49,12 +48,9 @@ class Trials {
 
     /// Similarities, in rising order, of the first so many draws of noise with this rms (mm).
     std::vector<double> with_noise(double rms, int draws) {
-        std::vector<std::size_t> all(static_cast<std::size_t>(draws));
-        std::iota(all.begin(), all.end(), 0);
-        press(rms, all);
-        std::vector<double> similarities;
-        for (const std::size_t i : all)
-            similarities.push_back(draws_[i].similarity.at(rms));
+        std::vector<double> similarities(static_cast<std::size_t>(draws));
+        draws_.resize(std::max(draws_.size(), similarities.size()));
+        each(similarities.size(), [&](std::size_t i) { similarities[i] = pressed(draws_[i], i, rms); });
         std::sort(similarities.begin(), similarities.end());
         return similarities;
     }
@@ -74,7 +70,7 @@ class Trials {
             if (!lost_below && !kept_above)
                 open.push_back(i);
         }
-        press(rms, open);
+        each(open.size(), [&](std::size_t i) { pressed(draws_[open[i]], open[i], rms); });
         for (const std::size_t i : open)
             lost += draws_[i].similarity.at(rms) < level;
         return lost <= may_lose(draws);
@@ -94,22 +90,23 @@ class Trials {
     }
 
   private:
+    /// One draw of noise with rms 1, and the similarity for each rms (mm) that was tried.
+    struct Draw {
+        Eigen::VectorXd heights = {};
+        std::map<double, double> similarity = {};
+    };
+
     DesignSetup stopping(DesignSetup setup) const {
         setup.model.contact.stop = [this, before = setup.model.contact] {
             return watch_.expired() || is_stopped(before);
         };
         return setup;
     }
-    void press(double rms, const std::vector<std::size_t>& draws) {
-        if (!draws.empty())
-            draws_.resize(std::max(draws_.size(), draws.back() + 1));
-        each(draws.size(), [&](std::size_t i) {
-            Draw& draw = draws_[draws[i]];
-            if (draw.heights.size() == 0)
-                draw.heights = height_noise(setup_.model.grid, setup_.errors.noise_length,
-                                            ga::fold(ga::fold(options_.seed, "height noise"), draws[i]));
-            draw.similarity[rms] = made_.similarity(rms * draw.heights);
-        });
+    double pressed(Draw& draw, std::uint64_t number, double rms) const {
+        if (draw.heights.size() == 0)
+            draw.heights = height_noise(setup_.model.grid, setup_.errors.noise_length,
+                                        ga::fold(ga::fold(options_.seed, "height noise"), number));
+        return draw.similarity[rms] = made_.similarity(rms * draw.heights);
     }
     template <class Job>
     void each(std::size_t n, Job job) const {
@@ -120,11 +117,6 @@ class Trials {
         });
     }
 
-    /// One draw of noise with rms 1, and the similarity for each rms (mm) that was tried.
-    struct Draw {
-        Eigen::VectorXd heights = {};
-        std::map<double, double> similarity = {};
-    };
     ToleranceOptions options_;
     int threads_;
     ga::Watch watch_;
