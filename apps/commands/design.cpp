@@ -92,13 +92,14 @@ int design(const Words& words) {
     if (resume && !settings.has("out"))
         throw rough::InputError(
             "--resume: given without --out, expected the folder of the interrupted design");
-    const OutputFolder output(settings.text("out"), "design",
-                              {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor",
-                                "checkpoint.cbor.before", "surface.stl", "surface.3mf", "curves.csv",
-                                "points.csv", "heights-drawn.csv", "map.csv", "front.csv", "made.csv", "tolerance.csv"},
-                               settings.files(),
-                               settings.is_on("force"),
-                               resume});
+    const OutputFolder output(
+        settings.text("out"), "design",
+        {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor",
+          "checkpoint.cbor.before", "surface.stl", "surface.3mf", "curves.csv", "points.csv",
+          "heights-drawn.csv", "map.csv", "front.csv", "made.csv", "tolerance.csv"},
+         settings.files(),
+         settings.is_on("force"),
+         resume});
     const auto& folder = output.path();
     if (resume && says_finished(folder, "checkpoint.cbor"))
         return told_again(folder / "result.json");
