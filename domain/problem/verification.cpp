@@ -67,8 +67,12 @@ DesignSetup in_finer_steps(DesignSetup setup, int times) {
     const Response own = respond(*setup.like, exactly(setup.model));
     for (Target& target : setup.targets) {
         const Curve curve = curve_of(target.quantity, own);
-        for (Index k = 0; k < target.points(); ++k)
-            target.y[k] = curve.at(std::min(target.x[k], curve.to));
+        for (Index k = 0; k < target.points(); ++k) {
+            const double y = curve.at(std::min(target.x[k], curve.to)), moved = y / target.y[k];
+            target.y[k] = y;
+            if (target.has_band())
+                target.lower[k] *= moved, target.upper[k] *= moved;
+        }
     }
     return setup;
 }

@@ -357,8 +357,10 @@ std::vector<std::pair<std::string, double>> off_unasked(const DesignRun& run) {
         if (std::any_of(asked.begin(), asked.end(),
                         [&](const rough::Target& target) { return target.quantity == quantity; }))
             continue;
-        setup.targets.push_back(asked.front());
-        setup.targets.back().quantity = quantity;
+        rough::Target target = asked.front();
+        target.quantity = quantity;
+        target.lower = target.upper = {}; // of what was asked
+        setup.targets.push_back(std::move(target));
     }
     setup = rough::in_finer_steps(std::move(setup), 1); // values of the scan's own curve
     const std::vector<double> each = similarities(setup, respond(setup, run.found.best.genome, setup.model));
