@@ -180,8 +180,8 @@ struct Pressed {
     std::vector<std::string> notes;          ///< on the input, and on limits of the model
     bool is_measured;                        ///< a scan or map, not a genome
     std::vector<rough::Index> outliers = {}; ///< nodes of a scan that stand out and were kept
-    rough::ResolutionBand band = {};         ///< of a scan or map
-    rough::Index spot_width = 0;             ///< of a scan or map, usual at the last load, in nodes
+    rough::ResolutionBand band = {};         ///< for a scan or map
+    rough::Index spot_width = 0;             ///< usual width at the last load in nodes; for a scan or map
     std::vector<std::string> warnings = {};  ///< reasons not to believe the curve
 };
 
@@ -190,9 +190,9 @@ rough::Profile pressed_surface(const Pressed& pressed) {
     return pressed.result.account.by_line ? rough::line_of_map(pressed.surface).line : pressed.surface;
 }
 
-/// The band of a scan or map, and what makes a curve doubtful: outliers that carry the contact, pressures
-/// beyond the material.
-void judge(Pressed& pressed, const Settings& settings) {
+/// Adds the band of a scan or map, and the reasons to doubt a curve: outliers that carry the contact,
+/// pressures beyond the material.
+void add_doubts(Pressed& pressed, const Settings& settings) {
     const auto& [response, account, contact] = pressed.result;
     if (pressed.is_measured) {
         pressed.band = resolution_band(pressed.surface, pressed.model, response, resolution_from(settings));
@@ -216,7 +216,7 @@ void judge(Pressed& pressed, const Settings& settings) {
     if (end.is_reached(response))
         pressed.warnings.push_back(
             "the elastic answer ends at " + readable(response.pressure[end.step]) +
-            " MPa: from there on a node bears over " + readable(limit) + " MPa, " +
+            " MPa: from there on a node carries over " + readable(limit) + " MPa, " +
             (settings.has("material") ? "the hardness of " + settings.text("material")
                                       : std::string("a tenth of E*, more than any solid")) +
             " (at the last load " + readable(end.largest_pressure) + " MPa); --hardness caps pressures");
@@ -224,7 +224,7 @@ void judge(Pressed& pressed, const Settings& settings) {
 
 bool is_resolved(const Pressed& pressed) { return pressed.spot_width >= rough::resolved_spot_nodes; }
 
-/// What a scan or map tells of its contact at the last load.
+/// The contact at the last load as a scan or map tells it, in words.
 std::string resolution_note(const Pressed& pressed) {
     const auto& [low_area, high_area, low, high, omitted] = pressed.band;
     const Index last = pressed.result.response.steps() - 1;
@@ -254,7 +254,7 @@ nlohmann::json resolution_json(const Pressed& pressed) {
     return values;
 }
 
-/// The curve, of a scan or map with its band; empty cells if that was not computed.
+/// The curve, for a scan or map with its band. Its cells are empty if it was not computed.
 std::string curve_csv(const Pressed& pressed) {
     const rough::Response& response = pressed.result.response;
     if (!pressed.is_measured)
@@ -403,7 +403,7 @@ int contact(const Words& words) {
     if (area)
         spots = expect_writable(spots, settings);
     Pressed found = area ? pressed_area(settings) : pressed(settings);
-    judge(found, settings);
+    add_doubts(found, settings);
     if (area) {
         const std::string table = spots_csv(found);
         rough::write_atomically(spots, table);
