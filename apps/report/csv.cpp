@@ -46,8 +46,6 @@ void Csv::put(const std::string& given) {
     text_ << '"';
 }
 
-void Csv::put(double number) { put_number(text_, number); }
-
 void Csv::add(const nlohmann::json& row) {
     nlohmann::json named = nlohmann::json::object();
     for (std::size_t c = 0; c < names_.size(); ++c) {
@@ -55,10 +53,12 @@ void Csv::add(const nlohmann::json& row) {
         text_ << (c ? "," : "");
         if (value.is_string())
             put(value.get<std::string>());
+        else if (value.is_boolean())
+            text_ << value.get<bool>();
         else if (value.is_number_integer())
-            put(value.get<long>());
+            text_ << value.dump();
         else if (value.is_number())
-            put(value.get<double>());
+            put_number(text_, value.get<double>());
         named[names_[c]] = value;
     }
     text_ << "\n";

@@ -7,7 +7,6 @@
 #include <optional>
 #include <sstream>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace app {
@@ -21,16 +20,13 @@ class Csv {
     /// than 6.
     explicit Csv(const std::string& header, int digits = 17);
 
-    template <class First, class... Rest>
-    void row(const First& first, const Rest&... rest) {
-        put(first);
-        ((text_ << ",", put(rest)), ...);
-        text_ << "\n";
+    /// A row of as many values as the header has names.
+    template <class... Values>
+    void row(const Values&... values) {
         nlohmann::json row = nlohmann::json::object();
         auto name = names_.begin();
-        row[*name] = in_json(first);
-        ((row[*++name] = in_json(rest)), ...);
-        rows_.push_back(std::move(row));
+        ((row[*name++] = in_json(values)), ...);
+        add(row);
     }
 
     /// A row by the names of the header; a value that is null, or not there, leaves its cell empty.
@@ -42,14 +38,6 @@ class Csv {
 
   private:
     void put(const std::string& word);
-    void put(const std::optional<double>& number) {
-        if (number)
-            put(*number);
-    }
-    void put(double number);
-    template <class Number>
-    requires std::is_integral_v<Number>
-    void put(Number number) { text_ << number; }
 
     static nlohmann::json in_json(const std::optional<double>& number) {
         return number ? nlohmann::json(*number) : nlohmann::json();
