@@ -1,33 +1,10 @@
 #include "apps/external/solution.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 
 namespace app {
 
 using nlohmann::json;
-
-void to_json(json& j, const Answer& answer) { j = {answer.objectives, answer.violation}; }
-void from_json(const json& j, Answer& answer) {
-    j.at(0).get_to(answer.objectives);
-    j.at(1).get_to(answer.violation);
-}
-void to_json(json& j, const Solution& solution) { j = {solution.genes, solution.answer}; }
-void from_json(const json& j, Solution& solution) {
-    j.at(0).get_to(solution.genes);
-    j.at(1).get_to(solution.answer);
-}
-void to_json(json& j, const BestKnown& record) {
-    j = {record.minimise, record.best_ ? json(*record.best_) : json(), record.front_};
-}
-void from_json(const json& j, BestKnown& record) {
-    j.at(0).get_to(record.minimise);
-    record.best_.reset();
-    if (!j.at(1).is_null())
-        record.best_ = j.at(1).get<Solution>();
-    j.at(2).get_to(record.front_);
-}
 
 std::vector<double> violation_from(const json& answer) {
     if (!answer.contains("violation"))
@@ -66,7 +43,7 @@ bool BestKnown::dominates(const Answer& a, const Answer& b) const {
 }
 
 void BestKnown::take(const Solution& solution) {
-    if (!best_ || is_better(solution, *best_))
+    if (!best() || is_better(solution, best_))
         best_ = solution;
     if (minimise.size() < 2)
         return;

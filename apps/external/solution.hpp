@@ -1,8 +1,7 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,10 +25,11 @@ struct Solution {
     Answer answer;
 };
 
-void to_json(nlohmann::json& j, const Answer& answer);
-void from_json(const nlohmann::json& j, Answer& answer);
-void to_json(nlohmann::json& j, const Solution& solution);
-void from_json(const nlohmann::json& j, Solution& solution);
+///@{
+/// As checkpoints hold them.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Answer, objectives, violation)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Solution, genes, answer)
+///@}
 
 /// The best of all that was evaluated. It depends on what that was and not on the order in which it came: of
 /// equals the one whose genes come first in the alphabet stays.
@@ -39,19 +39,18 @@ class BestKnown {
     std::vector<bool> minimise;
 
     void take(const Solution& solution);
-    /// By the first objective and Deb's rules: without violation first, then less of it.
-    const std::optional<Solution>& best() const { return best_; }
+    /// By the first objective and Deb's rules: without violation first, then less of it. Nothing at first.
+    const Solution* best() const { return best_.genes.empty() ? nullptr : &best_; }
     /// Those that none dominates, best first by the first objective; empty for one objective.
     std::vector<Solution> front() const;
 
-    friend void to_json(nlohmann::json& j, const BestKnown& record);
-    friend void from_json(const nlohmann::json& j, BestKnown& record);
+    NLOHMANN_DEFINE_TYPE_INTRUSIVE(BestKnown, minimise, best_, front_)
 
   private:
     bool is_better(const Solution& a, const Solution& b) const;
     bool dominates(const Answer& a, const Answer& b) const;
 
-    std::optional<Solution> best_;
+    Solution best_;
     std::vector<Solution> front_;
 };
 

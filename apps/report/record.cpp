@@ -30,20 +30,6 @@ ga::Observer<rough::Genome> recorder(std::vector<StageRecord>& stages) {
     };
 }
 
-void to_json(nlohmann::json& j, const StageRecord& stage) {
-    auto candidates = nlohmann::json::array();
-    for (const Candidate& one : stage.candidates)
-        candidates.push_back({one.id, one.parents, one.similarity});
-    j = {stage.path, std::move(candidates), stage.spent};
-}
-
-void from_json(const nlohmann::json& j, StageRecord& stage) {
-    stage = {j.at(0).get<std::string>(), {}, j.at(2).get<long>()};
-    for (const auto& one : j.at(1))
-        stage.candidates.push_back({one.at(0).get<std::uint64_t>(),
-                                    one.at(1).get<std::vector<std::uint64_t>>(), one.at(2).get<double>()});
-}
-
 const StageRecord* stage_at(const std::vector<StageRecord>& stages, const std::string& path) {
     const auto found = std::find_if(stages.begin(), stages.end(),
                                     [&](const StageRecord& stage) { return stage.path == path; });

@@ -77,9 +77,11 @@ constexpr std::size_t most_candidates = 200000;
 /// objective; NaN where a stage left it unscored).
 ga::Observer<rough::Genome> recorder(std::vector<StageRecord>& stages);
 
-/// As a checkpoint keeps them.
-void to_json(nlohmann::json& j, const StageRecord& stage);
-void from_json(const nlohmann::json& j, StageRecord& stage);
+///@{
+/// As checkpoints keep them, and result.json but for `spent`.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Candidate, id, parents, similarity)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, path, candidates, spent)
+///@}
 
 /// The first record at the path, or nothing.
 const StageRecord* stage_at(const std::vector<StageRecord>& stages, const std::string& path);

@@ -9,23 +9,13 @@
 #include "domain/numerics/build.hpp"
 #include "domain/problem/response.hpp"
 
+namespace rough {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChromosomePlace, series, n, wave_length_mm, amplitude_mm)
+} // namespace rough
+
 namespace app {
 
-namespace {
-
 using nlohmann::json;
-
-json chromosomes_json(const std::vector<rough::ChromosomePlace>& places) {
-    json list = json::array();
-    for (const auto& place : places)
-        list.push_back({{"series", place.series},
-                        {"n", place.n},
-                        {"wave_length_mm", place.wave_length_mm},
-                        {"amplitude_mm", place.amplitude_mm}});
-    return list;
-}
-
-} // namespace
 
 json account_json(const rough::Account& account) {
     return {{"accuracy", account.accuracy > 0 ? json(account.accuracy) : json()},
@@ -38,8 +28,8 @@ json account_json(const rough::Account& account) {
             {"resolved_steps", account.resolved_rows},
             {"light_steps", account.light_rows},
             {"chromosomes",
-             {{"used", chromosomes_json(account.used)},
-              {"dropped", chromosomes_json(account.dropped)},
+             {{"used", account.used},
+              {"dropped", account.dropped},
               {"window_mm", {account.window.lowest, account.window.highest}},
               {"bound", account.dropped_error}}},
             {"solver", name_of(account.solver)},
@@ -68,18 +58,12 @@ json modelled_json(const rough::Genome& genome, const rough::Model& model) {
     return result;
 }
 
-using nlohmann::json;
-
 namespace {
 
 json variant_json(const VariantRun& variant, const std::vector<rough::Model>& loaded) {
-    json stages = json::array();
-    for (const StageRecord& stage : variant.stages) {
-        json candidates = json::array();
-        for (const Candidate& one : stage.candidates)
-            candidates.push_back({{"id", one.id}, {"parents", one.parents}, {"similarity", one.similarity}});
-        stages.push_back({{"path", stage.path}, {"candidates", std::move(candidates)}});
-    }
+    json stages = variant.stages;
+    for (json& stage : stages)
+        stage.erase("spent");
     json result = {{"similarity", variant.similarity},
                    {"similarity_refined", variant.similarity_refined},
                    {"similarity_worst", variant.similarity_worst},
