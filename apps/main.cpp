@@ -23,12 +23,10 @@
 namespace {
 
 void print_help() {
-    std::cout << "rugosa " RUGOSA_VERSION ": rough profiles with the contact behaviour that you ask for\n\n"
-                 "Usage: rugosa SUBCOMMAND [flags]\n\nSubcommands:\n";
-    for (const auto& command : app::commands())
-        std::cout << "  " << command.name << std::string(12 - std::string(command.name).size(), ' ')
-                  << command.summary << "\n";
     std::cout
+        << "rugosa " RUGOSA_VERSION ": rough profiles with the contact behaviour that you ask for\n\n"
+           "Usage: rugosa SUBCOMMAND [flags]\n\nSubcommands:\n"
+        << app::listed(app::commands(), 12)
         << "\n'rugosa SUBCOMMAND --help' tells its flags and gives examples. To begin with:\n"
            "  rugosa profile --profile SCAN.txt            what a measured surface is, and a solid to print\n"
            "  rugosa design --like SCAN.txt --seconds 10   a designed surface that behaves like it\n\n"
@@ -59,7 +57,7 @@ int dispatch(app::Words words) {
     }
     for (const auto& command : app::commands())
         if (words[0] == command.name)
-            return command.run({words.begin() + 1, words.end()});
+            return run_with(command, {words.begin() + 1, words.end()});
     if (words[0].starts_with("-"))
         throw rough::InputError("'" + words[0] + "' given, expected a subcommand before its flags" +
                                 ga::suggestion(words[0], {"--help", "--version"}));

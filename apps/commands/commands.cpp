@@ -1,6 +1,6 @@
 #include "apps/commands/commands.hpp"
 
-#include "apps/prompt/settings.hpp"
+#include "ga/text/nearest.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -10,27 +10,18 @@ namespace app {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all{
-        {"contact", "press a rough profile on an elastic body: pressure, area and stiffness", contact},
-        {"profile", "what a profile is: heights, solid (STL), picture, roughness, spectrum", profile},
-        {"target", "make target files for a design, or check one", target},
-        {"design", "find a rough profile that answers as a target asks", design},
-        {"database", "keep genomes and their responses in a file, and ask it for a target", database},
-        {"run", "run an experiment (.ini): design surfaces and report on them", run},
-        {"report", "render the page of a result folder again", report},
-        {"optimise", "optimise what a program in any language evaluates", optimise},
-        {"compare", "compare pipelines on problems with known answers", compare},
-        {"operators", "list what text pipelines are made of", operators},
-        {"chart", "chart speed against accuracy for every contact solver", chart},
-        {"stability", "try every contact solver where methods fail, and tabulate who fails", stability},
+        contact_command(),  profile_command(),   target_command(), design_command(),
+        database_command(), run_command(),       report_command(), optimise_command(),
+        compare_command(),  operators_command(), chart_command(),  stability_command(),
     };
     return all;
 }
 
-std::string command_line(const std::string& subcommand, const Words& words) {
-    std::string line = "rugosa " + subcommand;
-    for (const std::string& word : words)
-        line += " " + word;
-    return line;
+std::string listed(const std::vector<Command>& commands, std::size_t width) {
+    std::string lines;
+    for (const Command& command : commands)
+        lines += "  " + command.name + std::string(width - command.name.size(), ' ') + command.summary + "\n";
+    return lines;
 }
 
 namespace {
@@ -53,20 +44,49 @@ std::string folded(const std::string& text) {
     return lines + line + "\n";
 }
 
+void print_help(const Command& command, const std::string& name) {
+    std::cout << "Usage: rugosa " << name << (command.usage.empty() ? "" : " ") << command.usage << "\n\n"
+              << folded(command.text);
+    if (!command.parts.empty())
+        std::cout << "\n"
+                  << listed(command.parts, 8) << "\n'rugosa " << name << " " << command.parts.front().name
+                  << " --help' and so on tell the flags.\n";
+    if (!command.settings.empty())
+        std::cout << "\n" << described(command.settings);
+    std::cout << "\nExamples:\n";
+    for (const auto& example : command.examples)
+        std::cout << "  rugosa " << example << "\n";
+}
+
+/// Runs the part that the first word names.
+int run_part(const Command& command, const Words& words) {
+    Words names;
+    for (const Command& part : command.parts)
+        names.push_back(part.name);
+    if (words.empty())
+        throw rough::InputError(command.name + ": nothing given" + ga::suggestion("", names) + " ('rugosa " +
+                                command.name + " --help' tells more)");
+    for (const Command& part : command.parts)
+        if (words[0] == part.name)
+            return run_with(part, {words.begin() + 1, words.end()}, command.name + " ");
+    throw rough::InputError(command.name + ": '" + words[0] + "' given" + ga::suggestion(words[0], names));
+}
+
 } // namespace
 
-bool shows_help(const Words& words, const std::string& usage, const std::string& text,
-                const std::vector<Setting>& settings, const std::vector<std::string>& examples) {
-    if (!asks_help(words))
-        return false;
-    std::cout << "Usage: rugosa " << usage << "\n\n" << folded(text);
-    if (!settings.empty())
-        std::cout << "\n" << described(settings);
-    if (!examples.empty())
-        std::cout << "\nExamples:\n";
-    for (const auto& example : examples)
-        std::cout << "  rugosa " << example << "\n";
-    return true;
+int run_with(const Command& command, const Words& words, const std::string& before) {
+    const std::string name = before + command.name;
+    const bool is_for_part = !command.parts.empty() && (words.empty() || !words[0].starts_with("-"));
+    if (asks_help(words) && !is_for_part) {
+        print_help(command, name);
+        return 0;
+    }
+    if (!command.parts.empty())
+        return run_part(command, words);
+    std::string line = "rugosa " + name;
+    for (const std::string& word : words)
+        line += " " + word;
+    return command.run(read_command_line(words, command.settings, command.positional), line);
 }
 
 } // namespace app

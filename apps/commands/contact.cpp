@@ -7,7 +7,7 @@
 #include "apps/report/output.hpp"
 #include "apps/report/render.hpp"
 #include "apps/report/result.hpp"
-#include "apps/report/shape_notes.hpp"
+#include "apps/report/surface.hpp"
 #include "apps/report/units.hpp"
 #include "domain/accuracy/doubts.hpp"
 #include "domain/accuracy/line_of_map.hpp"
@@ -123,14 +123,15 @@ std::vector<Setting> contact_settings() {
         {"out", "", "curve file to write (CSV)"},
         {"report", "",
          "page to write (HTML): the curve, and pressure and gap along the profile or on the area [none]"},
-        {"force", "", "write over existing files", true},
-        {"threads", "0", "accepted as in design and run, but a curve needs one thread only"},
-        {"seed", "1", "accepted as in design and run, but nothing here is random"},
+        force_setting(),
+        ga::whole("threads", "0", 0, "accepted as in design and run, but a curve needs one thread only")
+            .up_to(1024),
+        ga::whole("seed", "1", 0, "").up_to(0x1p53), // accepted likewise, but nothing here is random
         accuracy_setting("",
                          "the resolved model: --nodes if given, else 64 nodes to the shortest wave; a scan "
                          "is always solved on its own nodes, a map too unless one line answers for it"),
-        {"friction", "",
-         "friction coefficient: writes CURVE-slip.csv, partial slip under the last load [none]"},
+        positive("friction", "",
+                 "friction coefficient: writes CURVE-slip.csv, partial slip under the last load [none]"),
     };
     return joined({area_settings(),
                    settings,
@@ -164,12 +165,6 @@ std::string slip_csv(const rough::PartialSlip& slip) {
     return csv({"tangential_displacement_mm", "tangential_traction_MPa", "tangential_stiffness_MPa_per_mm",
                 "stick_fraction"},
                {slip.displacement, slip.traction, slip.stiffness, slip.stick_fraction});
-}
-
-/// Checks the range of flags that have no effect here.
-void expect_common(const Settings& settings) {
-    settings.threads("threads");
-    settings.seed("seed");
 }
 
 /// A surface and its response.
@@ -333,35 +328,11 @@ std::string from_page(const std::filesystem::path& file, const std::filesystem::
     return std::filesystem::absolute(file).lexically_proximate(folder).string();
 }
 
-} // namespace
-
-int contact(const Words& words) {
-    if (shows_help(
-            words,
-            "contact (--genome G.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) --out "
-            "CURVE.csv "
-            "[flags]",
-            "Presses a rough profile on an elastic body, load step by load step, and writes displacement, "
-            "mean pressure, contact fraction, tangent and interface stiffness, each step with its KKT "
-            "residual; "
-            "and beside the curve, CURVE.json: what was modelled, and how wrong it may be.",
-            contact_settings(),
-            {"contact --genome surface.json --out curve.csv",
-             "contact --genome surface.json --kernel periodic --steps 50 --out curve.csv",
-             "contact --genome surface.json --accuracy 1e-3 --out curve.csv",
-             "contact --genome surface.json --pressures 0.01,0.02,0.05 --out curve.csv",
-             "contact --genome surface.json --to-pressure 0.05 --friction 0.3 --out curve.csv",
-             "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv "
-             "--report curve.html",
-             "contact --surface map.txt --unit um --spacing 0.5x0.5 --kernel periodic --out curve.csv",
-             "contact --genome surface.json --nodes 128x128 --length 1x1 --out curve.csv"}))
-        return 0;
-    const Settings settings = read_command_line(words, contact_settings());
+int contact(const Settings& settings, const std::string&) {
     if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
         throw rough::InputError("contact: expected one of --genome, --profile and --surface");
     if (!settings.has("out"))
         throw rough::InputError("contact: --out is missing, expected the curve file to write");
-    expect_common(settings);
     const std::filesystem::path out = expect_writable(settings.text("out"), settings);
 
     // A device or a pipe has nothing beside it.
@@ -372,7 +343,6 @@ int contact(const Words& words) {
 
     std::filesystem::path slip_file = beside(settings.text("out"), "slip");
     if (settings.has("friction")) {
-        settings.positive("friction");
         if (settings.has("hardness"))
             throw rough::InputError(
                 "contact: --friction given with --hardness, expected one of them: partial "
@@ -426,7 +396,7 @@ int contact(const Words& words) {
     if (has_account)
         write_json(account, values);
     if (settings.has("friction")) {
-        const double friction = settings.positive("friction");
+        const double friction = settings.number("friction");
         rough::write_atomically(slip_file, slip_csv(partial_slip(response, friction)));
         tell(slip_file.string() + ": partial slip under the last load, f = " + readable(friction) +
              "; assumed: plane strain, a constant normal load, bodies that do not couple (equal ones, or "
@@ -460,6 +430,31 @@ int contact(const Words& words) {
     (found.result.account.held_nodes > 0 || (area && found.model.accuracy > 0) ? say : tell)(
         in_words(found.result.account));
     return 0;
+}
+
+} // namespace
+
+Command contact_command() {
+    return {"contact",
+            "press a rough profile on an elastic body: pressure, area and stiffness",
+            "(--genome G.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) --out "
+            "CURVE.csv "
+            "[flags]",
+            "Presses a rough profile on an elastic body, load step by load step, and writes displacement, "
+            "mean pressure, contact fraction, tangent and interface stiffness, each step with its KKT "
+            "residual; "
+            "and beside the curve, CURVE.json: what was modelled, and how wrong it may be.",
+            contact_settings(),
+            {"contact --genome surface.json --out curve.csv",
+             "contact --genome surface.json --kernel periodic --steps 50 --out curve.csv",
+             "contact --genome surface.json --accuracy 1e-3 --out curve.csv",
+             "contact --genome surface.json --pressures 0.01,0.02,0.05 --out curve.csv",
+             "contact --genome surface.json --to-pressure 0.05 --friction 0.3 --out curve.csv",
+             "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv "
+             "--report curve.html",
+             "contact --surface map.txt --unit um --spacing 0.5x0.5 --kernel periodic --out curve.csv",
+             "contact --genome surface.json --nodes 128x128 --length 1x1 --out curve.csv"},
+            contact};
 }
 
 } // namespace app

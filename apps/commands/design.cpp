@@ -1,8 +1,6 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
-#include "apps/commands/design/files.hpp"
-#include "apps/commands/design/settings.hpp"
-#include "apps/commands/design/summary.hpp"
+#include "apps/commands/design/run.hpp"
 #include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
@@ -54,40 +52,10 @@ void morph_into(DesignRun& run) {
     run.found.name = run.found.pipeline = "morph";
 }
 
-} // namespace
-
-int design(const Words& words) {
+int design(const Settings& settings, const std::string& line) {
     const ga::Stopwatch clock;
-    if (shows_help(
-            words, "design (--target T.csv | --like SCAN.txt [--unit U]) [flags]",
-            "Finds a rough profile that answers as the target asks, and says what to believe of it. Writes "
-            "result.json, genome.json, answer.csv and report.html to a folder, of an area a tile to print "
-            "(surface.3mf, surface.stl) beside them. A target is a CSV file with "
-            "the columns pressure_MPa and stiffness_MPa_per_mm, contact_fraction or conductance, or "
-            "displacement_mm and contact_fraction or pressure_MPa; columns lower and upper give a tolerance "
-            "band. The answer is verified by its worst similarity, over a grid four times finer, four times "
-            "the load steps and both; found is one of 0.99 or what --reach-similarity asks. With --from "
-            "nothing "
-            "is searched: the named chromosomes' phases of a surface in production are changed as little as "
-            "brings it back to the target, on the set-up's own grid. Exit codes: 0 "
-            "found; 2 wrong use; 3 similarity or limits missed, an area not verified in time, or "
-            "the target is out of reach; 130 interrupted. The best so far is written in every case but wrong "
-            "use.",
-            design_settings(),
-            {"design --target target.csv", "design --target target.csv --max-pressure 1.6e-4 --seconds 5",
-             "design --like scan.txt --unit um --reach-similarity 0.99",
-             "design --target target.csv --database genomes.db --seconds 1",
-             "design --target stiffness.csv,area.csv --weights 1,0.3",
-             "design --target stiffness.csv,area.csv --variant nsga2",
-             "design --from genome.json --control 1:3,1:5 --largest-change 0.02 --target target.csv",
-             "design --target target.csv --max-slope 0.05 --min-radius 0.01",
-             "design --target target.csv --pipeline \"sample 200 | score | best 20 | refine lm 40 | best "
-             "1\""}))
-        return 0;
-    const Settings settings = read_command_line(words, design_settings());
     DesignRun run = design_from(settings);
-    run.origin = {"design", RUGOSA_VERSION, command_line("design", words), run.options.seed,
-                  ga::thread_count(run.options.threads)};
+    run.origin = {"design", RUGOSA_VERSION, line, run.options.seed, ga::thread_count(run.options.threads)};
     const bool resume = settings.is_on("resume");
     if (resume && !settings.has("out"))
         throw rough::InputError(
@@ -103,7 +71,7 @@ int design(const Words& words) {
     const auto& folder = output.path();
     if (resume && says_finished(folder, "checkpoint.cbor"))
         return told_again(folder / "result.json");
-    const bool pictures = settings.one_of("pictures", {"on", "off"}) == 0;
+    const bool pictures = settings.choice("pictures") == 0;
     for (const auto& account : run.accounts)
         say(account);
 
@@ -117,8 +85,6 @@ int design(const Words& words) {
     const auto checkpoint = folder / "checkpoint.cbor";
     run.options.keeping = rough::Keeping{
         checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); }, checkpoint_interval()};
-    if (!run.out_of_reach.empty())
-        run.options.evaluations = std::min(run.options.evaluations, rough::enough_for_the_nearest);
     double best = -HUGE_VAL;
     const auto report_progress = [&](const ga::Event<rough::Genome>& event) {
         for (const auto& individual : event.population)
@@ -181,6 +147,36 @@ int design(const Words& words) {
     say(folder.string() + ": " + run.summary.verdict + " (" + readable(clock.seconds()) + " s)" +
         (std::filesystem::exists(checkpoint) ? "; --resume goes on with the search" : ""));
     return exit_code(run);
+}
+
+} // namespace
+
+Command design_command() {
+    return {"design",
+            "find a rough profile that answers as a target asks",
+            "(--target T.csv | --like SCAN.txt [--unit U]) [flags]",
+            "Finds a rough profile that answers as the target asks, and says what to believe of it. "
+            "Writes result.json, genome.json, answer.csv and report.html to a folder, of an area a tile "
+            "to print (surface.3mf, surface.stl) beside them. A target is a CSV file with the columns "
+            "pressure_MPa and stiffness_MPa_per_mm, contact_fraction or conductance, or displacement_mm "
+            "and contact_fraction or pressure_MPa; columns lower and upper give a tolerance band. The "
+            "answer is verified by its worst similarity, over a grid four times finer, four times the "
+            "load steps and both; found is one of 0.99 or what --reach-similarity asks. With --from "
+            "nothing is searched: the named chromosomes' phases of a surface in production are changed as "
+            "little as brings it back to the target, on the set-up's own grid. Exit codes: 0 found; 2 "
+            "wrong use; 3 similarity or limits missed, an area not verified in time, or the target is out "
+            "of reach; 130 interrupted. The best so far is written in every case but wrong use.",
+            design_settings(),
+            {"design --target target.csv", "design --target target.csv --max-pressure 1.6e-4 --seconds 5",
+             "design --like scan.txt --unit um --reach-similarity 0.99",
+             "design --target target.csv --database genomes.db --seconds 1",
+             "design --target stiffness.csv,area.csv --weights 1,0.3",
+             "design --target stiffness.csv,area.csv --variant nsga2",
+             "design --from genome.json --control 1:3,1:5 --largest-change 0.02 --target target.csv",
+             "design --target target.csv --max-slope 0.05 --min-radius 0.01",
+             "design --target target.csv --pipeline \"sample 200 | score | best 20 | refine lm 40 | best "
+             "1\""},
+            design};
 }
 
 } // namespace app

@@ -7,14 +7,9 @@
 
 namespace app {
 
-int operators(const Words& words) {
-    if (shows_help(words, "operators",
-                   "Lists every operator of text pipelines with its parameters, their defaults and ranges, "
-                   "and one line of meaning. Stages are joined by '|'; pair(left, right, unite) sends the "
-                   "same genomes through two pipelines.",
-                   {}, {"operators"}))
-        return 0;
-    read_command_line(words, {});
+namespace {
+
+int operators(const Settings&, const std::string&) {
     rough::DesignSetup two_targets;
     two_targets.targets.resize(2);
     std::cout << ga::listing(rough::design_registry(two_targets));
@@ -22,6 +17,20 @@ int operators(const Words& words) {
     for (const auto& [name, text] : rough::design_variants())
         std::cout << "  " << name << " = " << text << "\n";
     return 0;
+}
+
+} // namespace
+
+Command operators_command() {
+    return {"operators",
+            "list what text pipelines are made of",
+            "",
+            "Lists every operator of text pipelines with its parameters, their defaults and ranges, "
+            "and one line of meaning. Stages are joined by '|'; pair(left, right, unite) sends the "
+            "same genomes through two pipelines.",
+            {},
+            {"operators"},
+            operators};
 }
 
 } // namespace app

@@ -17,31 +17,19 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
-#include <limits>
 
 namespace app {
 
 namespace {
 
-/// What is asked of a search whose genomes are evaluated outside, and, below, what came of it beside the
-/// children's record.
-struct OutsideSearch {
-    Genes genes;
-    std::string variant, pipeline; ///< one of them, or none for ga or, of several objectives, nsga2
-    std::string minimise;          ///< as for `minimised`
-    std::uint64_t seed = 1;
-    long evaluations = 0;                         ///< at most
-    double seconds = 0;                           ///< at most, from the call on
+/// A search by children.
+struct SearchByChildren : OutsideSearch {
+    std::string minimise;                         ///< as for `minimised`
     const std::atomic<bool>* stop = nullptr;      ///< see ga::Budget
     std::filesystem::path checkpoint;             ///< file
     bool resume = false;                          ///< go on from it
     std::string description;                      ///< of what decides the result beside the pipeline and seed
     std::function<void(const std::string&)> show; ///< progress
-
-    std::string searched;           ///< the pipeline as it was run
-    long spent = 0;                 ///< evaluations
-    std::string stopped;            ///< why it ended before its pipeline; empty when it did not
-    std::vector<std::string> notes; ///< the engine's remarks
 };
 
 /// The paid calls, made by children.
@@ -67,17 +55,10 @@ class ByChildren : public ga::Evaluator<P> {
 
 /// Searches for genomes of one type.
 template <class G>
-void search_by_children(OutsideSearch& asked, Children& children) {
+void search_by_children(SearchByChildren& asked, Children& children) {
     using P = OutsideProblem<G>;
     const ga::Stopwatch clock;
-    const auto parsed = [&](std::size_t objectives) {
-        ga::Parser<P> parser(ga::whole_vocabulary<P>(), outside_variants(asked.genes, objectives));
-        return asked.pipeline.empty() ? parser.variant(asked.variant) : parser.parse(asked.pipeline);
-    };
-    const std::string given = asked.variant;
-    if (asked.variant.empty())
-        asked.variant = asked.pipeline.empty() ? "ga" : "pipeline";
-    parsed(2); // words that are wrong are refused before anything is started
+    stage_of<P>(asked, 2); // words that are wrong are refused before anything is started
 
     // The first genome that a leading `sample` draws tells how many objectives there are.
     ByChildren<P> evaluator(children);
@@ -91,14 +72,12 @@ void search_by_children(OutsideSearch& asked, Children& children) {
         return;
     asked.spent = 1;
     const P problem(asked.genes, children.record.minimise = minimised(asked.minimise, objectives));
-    if (given.empty() && asked.pipeline.empty() && objectives > 1)
-        asked.variant = "nsga2";
-    const auto stage = parsed(objectives);
+    const auto stage = stage_of<P>(asked, objectives);
     asked.searched = stage.text();
 
     const bool draws_it_again = asked.searched.starts_with("sample ");
     const long apart = draws_it_again ? 0 : 1; // evaluations that the run does not count
-    run.variant = asked.variant;
+    run.variant = asked.variant = variant_of(asked, objectives);
     run.budget = {asked.evaluations - apart, asked.seconds - clock.seconds(), asked.stop};
     ga::Checkpoints<P> keeper(asked.checkpoint, asked.description + " " + std::to_string(objectives),
                               asked.resume, checkpoint_interval());
@@ -116,7 +95,7 @@ void search_by_children(OutsideSearch& asked, Children& children) {
 
 /// Searches. Throws ga::UsageError on a pipeline that cannot work; trouble with a child is the children's to
 /// tell.
-void search(OutsideSearch& search, Children& children) {
+void search(SearchByChildren& search, Children& children) {
     switch (search.genes.kind) {
     case Genes::Kind::numbers:
         return search_by_children<std::vector<double>>(search, children);
@@ -129,35 +108,23 @@ void search(OutsideSearch& search, Children& children) {
 
 using nlohmann::json;
 
-constexpr const char* usual_evaluations = "10000";
-
 std::vector<Setting> optimise_settings() {
-    return {
+    Setting minimise("minimise", "", "less is better: in all objectives, or X = 1,3 in those");
+    minimise.alone = "all";
+    const std::vector<Setting> settings{
         {"genes", "",
          "genome: real:COUNT:LOWER:UPPER, int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., with commas "
-         "between; "
-         "bits:COUNT; or permutation:COUNT (of 0, 1, ...)"},
+         "between; bits:COUNT; or permutation:COUNT (of 0, 1, ...)"},
         {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
-        {"variant", "",
-         "ga, nsga2, for numbers bipop-cma-es, ipop-cma-es or lshade [ga; of several objectives nsga2]"},
-        {"pipeline", "", "search by this text, its objectives called f1, f2, ... (rugosa operators)"},
-        {"minimise", "", "less is better: in all objectives, or X = 1,3 in those"},
-        {"evaluations", usual_evaluations, "most that may be asked for"},
-        {"seconds", "", "most wall time, of the program; alone, it takes the place of --evaluations"},
-        {"timeout", "60", "seconds that one evaluation may take"},
-        {"seed", "1", "seed of the random numbers"},
-        {"threads", "0", "evaluations at a time, one child process each; 0 takes all processors"},
+        minimise,
+        positive("timeout", "60", "seconds that one evaluation may take"),
+        ga::whole("threads", "0", 0, "evaluations at a time, one child process each; 0 takes all processors")
+            .up_to(1024),
         {"out", "", "folder for result.json [out/optimise]"},
-        {"resume", "", "continue the interrupted run in the folder given by --out", true},
-        {"force", "", "write over a result that is there", true}};
-}
-
-/// --minimise by itself is all of them.
-Words with_minimise_of_all(Words words) {
-    for (std::size_t i = 0; i < words.size(); ++i)
-        if (words[i] == "--minimise" && (i + 1 == words.size() || words[i + 1].starts_with("--")))
-            words[i] += "=all";
-    return words;
+        Setting("resume", "", "continue the interrupted run in the folder given by --out", true),
+        force_setting(),
+    };
+    return joined({settings, outside_settings()});
 }
 
 json solution_json(const Solution& solution) {
@@ -193,28 +160,19 @@ json outside_json(const OutsideSearch& searched, const BestKnown& record, const 
 }
 
 /// What the settings ask for; their mistakes are found before anything is made.
-OutsideSearch search_from(const Settings& settings) {
+SearchByChildren search_from(const Settings& settings) {
     for (const char* needed : {"genes", "evaluate"})
         if (!settings.has(needed))
             throw rough::InputError(
                 std::string("--") + needed + ": missing, expected it" +
                 (needed[0] == 'g' ? ", e.g. real:5:-5:5" : ", e.g. 'python3 fitness.py'"));
-    if (settings.given("variant") && settings.given("pipeline"))
-        throw rough::InputError("optimise: expected either --variant or --pipeline");
-    OutsideSearch search;
+    SearchByChildren search;
+    take_search(settings, search);
     search.genes = genes_from(settings.text("genes"));
     split_command(settings.text("evaluate"));
-    search.variant = settings.text("variant");
-    search.pipeline = settings.text("pipeline");
     search.minimise = settings.text("minimise");
     if (search.minimise != "all") // their largest is not known yet
         minimised(search.minimise, 1000);
-    search.seed = settings.seed("seed");
-    search.seconds =
-        settings.has("seconds") ? settings.positive("seconds") : std::numeric_limits<double>::infinity();
-    search.evaluations = settings.has("seconds") && !settings.given("evaluations")
-                             ? std::numeric_limits<long>::max()
-                             : settings.whole("evaluations", 1, 1L << 53);
     search.description = json({settings.text("genes"), settings.text("evaluate"), search.minimise}).dump();
     search.resume = settings.is_on("resume");
     if (search.resume && !settings.has("out"))
@@ -222,36 +180,11 @@ OutsideSearch search_from(const Settings& settings) {
     return search;
 }
 
-} // namespace
-
-int optimise(const Words& words) {
+int optimise(const Settings& settings, const std::string& line) {
     const ga::Stopwatch clock;
-    if (shows_help(
-            words, "optimise --genes KIND --evaluate 'COMMAND' [flags]",
-            "Optimises what a program in any language evaluates. COMMAND is started once a thread, without a "
-            "shell; it reads a line {\"id\":1,\"genes\":[0.5,1]} a genome from its standard input and writes "
-            "a line {\"id\":1,\"objectives\":[3.2]} to its standard output, flushed. Greater is better "
-            "unless "
-            "--minimise says otherwise. \"violation\":V or [V1,V2,...], above 0 for a constraint that is "
-            "broken, "
-            "puts a genome behind those that hold all. The same genome must have the same answer; then the "
-            "same seed "
-            "gives "
-            "the same bits on any number of threads. Writes result.json. Exit codes: 0 done; 2 wrong use, or "
-            "a child that ended, was silent too long or answered nonsense; 130 interrupted. The best so far "
-            "is written, and --resume goes on.",
-            optimise_settings(),
-            {"optimise --genes real:5:-5:5 --evaluate 'python3 fitness.py' --minimise --out out/sphere",
-             "optimise --genes bits:40 --evaluate ./count --evaluations 2000 --seed 7",
-             "optimise --genes permutation:20 --evaluate 'python3 tour.py' --pipeline \"sample 50 | score | "
-             "repeat 200 { tournament 3 | cross order | mutate 0.05 reverse | score | elite 2 } | best 1\"",
-             "optimise --genes int:64:0:120,real:1:-5:5,choice:3:a:b:c --evaluate ./mixed --evaluations 5000",
-             "optimise --genes real:10:0:1 --evaluate 'python3 two.py' --minimise 1,2 --variant nsga2"}))
-        return 0;
-    const Settings settings = read_command_line(with_minimise_of_all(words), optimise_settings());
-    OutsideSearch asked = search_from(settings);
+    SearchByChildren asked = search_from(settings);
     const int threads = ga::thread_count(settings.threads("threads"));
-    const double timeout = settings.positive("timeout");
+    const double timeout = settings.number("timeout");
     const OutputFolder output(settings.text("out"), "optimise",
                               {{"result.json", "checkpoint.cbor", "checkpoint.cbor.before", "evaluate.log"},
                                settings.files(),
@@ -273,8 +206,7 @@ int optimise(const Words& words) {
         asked.stopped = children.trouble();
     const BestKnown& record = children.record;
     if (record.best() || interrupt.asked()) {
-        json result =
-            origin_json({"optimise", RUGOSA_VERSION, command_line("optimise", words), asked.seed, threads});
+        json result = origin_json({"optimise", RUGOSA_VERSION, line, asked.seed, threads});
         result.update(outside_json(asked, record, settings));
         result["seconds"] = clock.seconds();
         write_json(output.restored() / "result.json", result);
@@ -298,6 +230,30 @@ int optimise(const Words& words) {
              ? ", and --resume with more --evaluations or --seconds goes on"
              : ""));
     return interrupt.asked() ? exit_interrupted : 0;
+}
+
+} // namespace
+
+Command optimise_command() {
+    return {"optimise",
+            "optimise what a program in any language evaluates",
+            "--genes KIND --evaluate 'COMMAND' [flags]",
+            "Optimises what a program in any language evaluates. COMMAND is started once a thread, "
+            "without a shell; it reads a line {\"id\":1,\"genes\":[0.5,1]} a genome from its standard "
+            "input and writes a line {\"id\":1,\"objectives\":[3.2]} to its standard output, flushed. "
+            "Greater is better unless --minimise says otherwise. \"violation\":V or [V1,V2,...], above 0 "
+            "for a constraint that is broken, puts a genome behind those that hold all. The same genome "
+            "must have the same answer; then the same seed gives the same bits on any number of threads. "
+            "Writes result.json. Exit codes: 0 done; 2 wrong use, or a child that ended, was silent too "
+            "long or answered nonsense; 130 interrupted. The best so far is written, and --resume goes on.",
+            optimise_settings(),
+            {"optimise --genes real:5:-5:5 --evaluate 'python3 fitness.py' --minimise --out out/sphere",
+             "optimise --genes bits:40 --evaluate ./count --evaluations 2000 --seed 7",
+             "optimise --genes permutation:20 --evaluate 'python3 tour.py' --pipeline \"sample 50 | score | "
+             "repeat 200 { tournament 3 | cross order | mutate 0.05 reverse | score | elite 2 } | best 1\"",
+             "optimise --genes int:64:0:120,real:1:-5:5,choice:3:a:b:c --evaluate ./mixed --evaluations 5000",
+             "optimise --genes real:10:0:1 --evaluate 'python3 two.py' --minimise 1,2 --variant nsga2"},
+            optimise};
 }
 
 } // namespace app

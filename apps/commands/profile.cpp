@@ -5,8 +5,7 @@
 #include "apps/report/drawn.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/render.hpp"
-#include "apps/report/shape_notes.hpp"
-#include "apps/report/solids.hpp"
+#include "apps/report/surface.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
@@ -25,28 +24,43 @@ namespace app {
 
 namespace {
 
-constexpr rough::Index fewest_nodes = 10; ///< that roughness can be told of, of a map a side
+/// What --width, --base and --magnify set.
+Fields fields_of(rough::Extrusion& extrusion) {
+    return {
+        {positive("width", "", "width of a profile's solid along its ridges, mm [L/4]"), extrusion.width},
+        {positive("base", "",
+                  "thickness of the solid below its lowest node, mm [the larger of height range and L/10]"),
+         extrusion.base},
+        {positive("magnify", "1", "factor on all lengths of the solid, for printing"), extrusion.magnify},
+    };
+}
 
 std::vector<Setting> profile_settings() {
+    rough::Extrusion usual;
     const std::vector<Setting> settings{
         {"genome", "", "genome file (JSON) of the profile (may be given without the flag)"},
         {"profile", "", "measured profile in place of a genome: text, SDF, SUR, GSF or X3P"},
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
-        {"force", "", "write over existing results", true},
-        {"nodes", "", "nodes of the grid, 10 to 1e7 [512; a scan: its points]; a genome's area: NXxNY"},
-        {"length", "",
-         "length L of the profile, mm [0.84942; a scan, or a genome made for one: its own]; an area: LX or "
-         "LXxLY"},
-        {"periodic", "", "the area repeats: nothing is windowed, lags go around its edges", true},
-        {"smr", "", "heights over an area's mean plane, mm, with commas between: what share is higher"},
-        {"smc", "", "shares of an area, 0 to 1, with commas between: the height that each exceeds"},
-        {"width", "", "width of a profile's solid along its ridges, mm [L/4]"},
-        {"base", "",
-         "thickness of the solid below its lowest node, mm [the larger of height range and L/10]"},
-        {"magnify", "1", "factor on all lengths of the solid, for printing"},
-        {"pictures", "on", "off leaves out the page and the pictures"},
+        force_setting(),
+        Setting(ga::whole("nodes", "", 10,
+                          "nodes of the grid, 10 to 1e7 [512; a scan: its points]; a genome's area: NXxNY")
+                    .up_to(1e7))
+            .several('x'),
+        positive("length", "",
+                 "length L of the profile, mm [0.84942; a scan, or a genome made for one: its own]; an "
+                 "area: LX or LXxLY")
+            .several('x'),
+        Setting("periodic", "", "the area repeats: nothing is windowed, lags go around its edges", true),
+        Setting(
+            ga::number("smr", "", -1e300, 1e300,
+                       "heights over an area's mean plane, mm, with commas between: what share is higher"))
+            .several(),
+        Setting(ga::number("smc", "", 0, 1,
+                           "shares of an area, 0 to 1, with commas between: the height that each exceeds"))
+            .several(),
+        pictures_setting(),
     };
-    return joined({area_settings(), settings, scan_settings()});
+    return joined({area_settings(), settings, settings_of(fields_of(usual)), scan_settings()});
 }
 
 /// A profile and what it was made of: cosines, or a scan.
@@ -60,13 +74,12 @@ struct Shape {
 Shape shape_from(const Settings& settings) {
     if (settings.has("profile") && settings.given("length"))
         throw rough::InputError("--length: given with a scan, which has its own");
-    const rough::Index nodes = nodes_from(settings, 0, "", fewest_nodes);
+    const rough::Index nodes = nodes_from(settings, 0);
     const rough::Source source = source_from(settings, nodes);
     rough::Grid grid = source.grid();
     if (nodes > 0)
         grid.nodes = nodes;
-    if (settings.has("length"))
-        grid.length = settings.positive("length");
+    settings.take("length", grid.length);
     Shape shape{source.on(grid), {}, source.account, ""};
     if (!source.genome)
         return shape;
@@ -80,16 +93,6 @@ Shape shape_from(const Settings& settings) {
     shape.jump = jump_note(*source.genome, grid.length,
                            shape.profile.heights.maxCoeff() - shape.profile.heights.minCoeff());
     return shape;
-}
-
-rough::Extrusion extrusion_from(const Settings& settings) {
-    rough::Extrusion extrusion;
-    if (settings.has("width"))
-        extrusion.width = settings.positive("width");
-    if (settings.has("base"))
-        extrusion.base = settings.positive("base");
-    extrusion.magnify = settings.positive("magnify");
-    return extrusion;
 }
 
 std::pair<Eigen::VectorXd, Eigen::VectorXd> columns(const std::vector<rough::SpectralLine>& lines) {
@@ -124,9 +127,9 @@ struct MaterialRatios {
 MaterialRatios ratios_of(rough::Profile map, const Settings& settings) {
     map.heights.array() -= map.heights.mean();
     MaterialRatios found;
-    for (const double height : settings.numbers("smr", -1e300, 1e300))
+    for (const double height : settings.numbers("smr"))
         found.of_heights.push_back({material_ratio(map, height), height});
-    for (const double ratio : settings.numbers("smc", 0, 1))
+    for (const double ratio : settings.numbers("smc"))
         found.of_ratios.push_back({ratio, rough::material_height(map.heights, ratio)});
     return found;
 }
@@ -174,7 +177,7 @@ Description described_profile(const Settings& settings) {
     const auto shape = std::make_shared<Shape>(shape_from(settings));
     const rough::Profile& profile = shape->profile;
     const bool is_roughness = settings.has("lambda-c");
-    const rough::Roughness r = rough::roughness(profile, is_roughness ? settings.positive("lambda-c") : 0);
+    const rough::Roughness r = rough::roughness(profile, is_roughness ? settings.number("lambda-c") : 0);
     Description all{.kind = "profile",
                     .surface = {shape, &profile},
                     .spectrum = continuous_spectrum(profile),
@@ -212,7 +215,7 @@ Description described_profile(const Settings& settings) {
 
 Description described_map(const Settings& settings) {
     const bool wraps = settings.is_on("periodic"), measured = settings.has("surface");
-    rough::Map read = measured ? surface_from(settings) : sampled_from(settings, wraps, fewest_nodes);
+    rough::Map read = measured ? surface_from(settings) : sampled_from(settings, wraps);
     const auto map = std::make_shared<const rough::Profile>(std::move(read.heights));
     const rough::ArealParameters areal = areal_parameters(*map, wraps);
     const MaterialRatios ratios = ratios_of(*map, settings);
@@ -252,7 +255,7 @@ Description described_map(const Settings& settings) {
 nlohmann::json numbers_of(const Description& of, const Settings& settings, const std::string& name,
                           const std::vector<std::string>& files) {
     const auto cut_off = [&](const char* flag) {
-        return settings.has(flag) ? nlohmann::json(settings.positive(flag)) : nullptr;
+        return settings.has(flag) ? nlohmann::json(settings.number(flag)) : nullptr;
     };
     nlohmann::json numbers = of.numbers;
     numbers.update({{"kind", of.kind},
@@ -300,7 +303,7 @@ void write_pages(const std::filesystem::path& folder,
 }
 
 void write_description(const Description& of, const Settings& settings, const rough::Extrusion& extrusion) {
-    const bool pictures = settings.is_on("pictures");
+    const bool pictures = settings.choice("pictures") == 0;
     const Solids solids = solids_of(*of.surface, extrusion);
     const std::filesystem::path source = settings.text(settings.has("genome")    ? "genome"
                                                        : settings.has("profile") ? "profile"
@@ -337,12 +340,26 @@ void write_description(const Description& of, const Settings& settings, const ro
     say("written to " + out.path().string());
 }
 
+int profile(const Settings& settings, const std::string&) {
+    if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
+        throw rough::InputError("profile: expected one of a genome file, --profile and --surface");
+    rough::Extrusion extrusion;
+    take(settings, fields_of(extrusion));
+    const bool is_map = settings.has("surface") || (settings.has("genome") && asks_for_area(settings));
+    for (const std::string name : {"periodic", "smr", "smc"})
+        if (!is_map && settings.given(name))
+            throw rough::InputError("--" + name +
+                                    ": given without an area, expected with --surface or --nodes NXxNY");
+    write_description(is_map ? described_map(settings) : described_profile(settings), settings, extrusion);
+    return 0;
+}
+
 } // namespace
 
-int profile(const Words& words) {
-    if (shows_help(
-            words,
-            "profile (GENOME.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) [--out DIR] "
+Command profile_command() {
+    return {"profile",
+            "what a profile is: heights, solid (STL), picture, roughness, spectrum",
+            "(GENOME.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) [--out DIR] "
             "[flags]",
             "Writes what a rough profile is: a page to look at (report.html), its heights (heights.csv, "
             "profile.x3p), a solid to print or mesh (profile.3mf in mm, profile.stl), a picture "
@@ -357,19 +374,9 @@ int profile(const Words& words) {
              "profile --profile scan.txt --unit um --lambda-s 0.0025 --lambda-c 0.8",
              "profile --profile map.sur --row 12 --detrend arc --outliers remove",
              "profile surface.json --nodes 128x128",
-             "profile --surface map.x3p --detrend parabola --lambda-c 0.8 --smc 0.1,0.8 --out out/map"}))
-        return 0;
-    const Settings settings = read_command_line(words, profile_settings(), {"genome"});
-    if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
-        throw rough::InputError("profile: expected one of a genome file, --profile and --surface");
-    const rough::Extrusion extrusion = extrusion_from(settings);
-    const bool is_map = settings.has("surface") || (settings.has("genome") && asks_for_area(settings));
-    for (const std::string name : {"periodic", "smr", "smc"})
-        if (!is_map && settings.given(name))
-            throw rough::InputError("--" + name +
-                                    ": given without an area, expected with --surface or --nodes NXxNY");
-    write_description(is_map ? described_map(settings) : described_profile(settings), settings, extrusion);
-    return 0;
+             "profile --surface map.x3p --detrend parabola --lambda-c 0.8 --smc 0.1,0.8 --out out/map"},
+            profile,
+            {"genome"}};
 }
 
 } // namespace app

@@ -8,20 +8,9 @@
 
 namespace app {
 
-int report(const Words& words) {
-    const std::vector<Setting> settings{
-        {"folder", "", "the folder of a result, or CURVE.json of a contact (may be given without the flag)"},
-        {"templates", "",
-         "folder of templates (.mustache) and figures (.gp) used instead of the built-in ones"},
-        {"out", "",
-         "the page to write [report.html, or chart.html and stability.html, in the folder; CURVE.html]"}};
-    if (shows_help(words, "report (DIR | CURVE.json) [--templates DIR] [--out PAGE.html]",
-                   "Renders the page of a result again, from its result.json (CURVE.json of a contact) and "
-                   "tables. A template or "
-                   "figure of your own with the same file name takes the place of the built-in one.",
-                   settings, {"report out/paper", "report out/paper --templates mine --out mine.html"}))
-        return 0;
-    const Settings given = read_command_line(words, settings, {"folder"});
+namespace {
+
+int report(const Settings& given, const std::string&) {
     if (!given.has("folder"))
         throw rough::InputError("report: no folder given; name the folder of a result");
     const PageSource source = page_source(given.text("folder"));
@@ -30,6 +19,25 @@ int report(const Words& words) {
     rough::write_atomically(page, render(source, {.templates = given.text("templates")}));
     tell(page.string());
     return 0;
+}
+
+} // namespace
+
+Command report_command() {
+    return {
+        "report",
+        "render the page of a result folder again",
+        "(DIR | CURVE.json) [--templates DIR] [--out PAGE.html]",
+        "Renders the page of a result again, from its result.json (CURVE.json of a contact) and tables. A "
+        "template or figure of your own with the same file name takes the place of the built-in one.",
+        {{"folder", "", "the folder of a result, or CURVE.json of a contact (may be given without the flag)"},
+         {"templates", "",
+          "folder of templates (.mustache) and figures (.gp) used instead of the built-in ones"},
+         {"out", "",
+          "the page to write [report.html, or chart.html and stability.html, in the folder; CURVE.html]"}},
+        {"report out/paper", "report out/paper --templates mine --out mine.html"},
+        report,
+        {"folder"}};
 }
 
 } // namespace app

@@ -21,33 +21,19 @@ std::vector<Setting> run_settings() {
     std::vector<Setting> settings{
         {"experiment", "", "the experiment's .ini file (may be given without the flag)"},
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
-        {"force", "", "write over an existing result", true},
+        force_setting(),
         {"resume", "", "continue the interrupted run in the folder given by --out", true},
         {"seed", "", "seed of the random numbers [the experiment's]"},
         {"threads", "", "threads [the experiment's; 0 takes all]"},
-        {"pictures", "on", "off leaves out the report and its pictures"},
-        {"set", "", "change a key of the experiment, section.key=value; may be repeated"},
+        pictures_setting(),
+        Setting("set", "", "change a key of the experiment, section.key=value; may be repeated")
+            .several('\n'),
     };
     for (Setting flag : model_flags()) {
         flag.meaning = "in place of the experiment's model." + flag.name + ": " + flag.meaning;
         settings.push_back(flag);
     }
     return settings;
-}
-
-/// Takes the repeatable `--set section.key=value` out of the words.
-std::vector<std::string> taken_overrides(Words& words) {
-    std::vector<std::string> overrides;
-    for (std::size_t i = 0; i < words.size();)
-        if (words[i] == "--set" && i + 1 < words.size()) {
-            overrides.push_back(words[i + 1]);
-            words.erase(words.begin() + static_cast<long>(i), words.begin() + static_cast<long>(i) + 2);
-        } else if (words[i].starts_with("--set=")) {
-            overrides.push_back(words[i].substr(6));
-            words.erase(words.begin() + static_cast<long>(i));
-        } else
-            ++i;
-    return overrides;
 }
 
 /// By the file's experiment.kind, which is read before it is known what other keys there may be.
@@ -65,77 +51,77 @@ const Experiment& experiment_of(const std::filesystem::path& file,
     return experiments()[read_ini(file, any, overrides).one_of("experiment.kind", kinds)];
 }
 
-/// Runs an experiment under its short name: the keys of its own section are flags.
-int run_by_name(const std::string& kind, const Words& words) {
-    const Experiment& experiment = *std::find_if(experiments().begin(), experiments().end(),
-                                                 [&](const Experiment& one) { return one.kind == kind; });
-    std::map<std::string, std::string> key_of; // by flag
-    std::vector<Setting> flags{{"out", "", "folder to write [out/" + kind + "]"},
-                               {"force", "", "write over an existing result", true}};
-    if (experiment.takes_file) {
-        flags.push_back({"experiment", "", "an .ini file of this kind (may be given without the flag)"});
-        for (const char* common : {"seed", "threads"}) {
-            key_of[common] = std::string("experiment.") + common;
-            flags.push_back(
-                {common, "", std::string(common) + " [the file's, or " + (common[0] == 's' ? "1]" : "all]")});
+/// An experiment under its short name: the keys of its own section are flags.
+struct Short {
+    const Experiment& experiment;
+    std::map<std::string, std::string> key_of; ///< by flag
+    std::vector<Setting> flags;
+
+    explicit Short(const std::string& kind)
+        : experiment(*std::find_if(experiments().begin(), experiments().end(),
+                                   [&](const Experiment& one) { return one.kind == kind; })),
+          flags{{"out", "", "folder to write [out/" + kind + "]"}, force_setting()} {
+        if (experiment.takes_file) {
+            flags.push_back({"experiment", "", "an .ini file of this kind (may be given without the flag)"});
+            for (Setting common : {seed_setting(), threads_setting()}) {
+                key_of[common.name] = "experiment." + common.name;
+                common.fallback = "";
+                common.meaning += " [the file's, or as without one]";
+                flags.push_back(common);
+            }
         }
+        for (const Setting& key : experiment.settings)
+            if (key.name.starts_with(kind + ".")) {
+                flags.push_back(key);
+                flags.back().name = key.name.substr(kind.size() + 1);
+                key_of[flags.back().name] = key.name;
+            }
     }
-    for (const Setting& key : experiment.settings)
-        if (key.name.starts_with(kind + ".")) {
-            flags.push_back(key);
-            flags.back().name = key.name.substr(kind.size() + 1);
-            key_of[flags.back().name] = key.name;
-        }
-    if (shows_help(words, kind + (experiment.takes_file ? " [FILE.ini]" : "") + " [--out DIR] [flags]",
-                   experiment.summary, flags, experiment.examples))
-        return 0;
-    const Settings given = read_command_line(words, flags,
-                                             experiment.takes_file ? std::vector<std::string>{"experiment"}
-                                                                   : std::vector<std::string>{});
-    std::map<std::string, std::string> values;
-    std::vector<std::string> overrides;
-    for (const auto& [flag, key] : key_of)
-        if (given.given(flag)) {
-            values[key] = given.text(flag);
-            overrides.push_back(key + "=" + given.text(flag));
-        }
-    Request request{.command = command_line(kind, words),
-                    .out = given.text("out"),
-                    .name = kind,
-                    .inputs = given.files(),
-                    .page = experiment.takes_file ? "report.html" : kind + ".html",
-                    .force = given.is_on("force")};
-    if (!experiment.takes_file || !given.has("experiment"))
-        return carry_out(experiment, Settings("", experiment.all_settings(), values), request);
-    const std::filesystem::path file = given.text("experiment");
-    const Settings settings = read_ini(file, experiment.all_settings(), overrides);
-    if (settings.text("experiment.kind") != kind)
-        throw rough::InputError(settings.place("experiment.kind") + ": " + settings.text("experiment.kind") +
-                                " given, expected " + kind);
-    for (const auto& input : settings.files())
-        request.inputs.push_back(input);
-    return carry_out(experiment, settings, request);
+
+    int run(const Settings& given, const std::string& line) const {
+        std::map<std::string, std::string> values;
+        std::vector<std::string> overrides;
+        for (const auto& [flag, key] : key_of)
+            if (given.given(flag)) {
+                values[key] = given.text(flag);
+                overrides.push_back(key + "=" + given.text(flag));
+            }
+        const std::string& kind = experiment.kind;
+        Request request{.command = line,
+                        .out = given.text("out"),
+                        .name = kind,
+                        .inputs = given.files(),
+                        .page = experiment.takes_file ? "report.html" : kind + ".html",
+                        .force = given.is_on("force")};
+        if (!experiment.takes_file || !given.has("experiment"))
+            return carry_out(experiment, Settings("", experiment.all_settings(), values), request);
+        const Settings settings = read_ini(given.text("experiment"), experiment.all_settings(), overrides);
+        if (settings.text("experiment.kind") != kind)
+            throw rough::InputError(settings.place("experiment.kind") + ": " +
+                                    settings.text("experiment.kind") + " given, expected " + kind);
+        for (const auto& input : settings.files())
+            request.inputs.push_back(input);
+        return carry_out(experiment, settings, request);
+    }
+};
+
+Command short_command(const std::string& kind, const std::string& summary) {
+    const Short of(kind);
+    const bool takes_file = of.experiment.takes_file;
+    return {kind,
+            summary,
+            std::string(takes_file ? "[FILE.ini] " : "") + "[--out DIR] [flags]",
+            of.experiment.summary,
+            of.flags,
+            of.experiment.examples,
+            [of](const Settings& given, const std::string& line) { return of.run(given, line); },
+            takes_file ? Words{"experiment"} : Words{}};
 }
 
-} // namespace
-
-int chart(const Words& words) { return run_by_name("chart", words); }
-int compare(const Words& words) { return run_by_name("compare", words); }
-int stability(const Words& words) { return run_by_name("stability", words); }
-
-int run(const Words& given) {
-    if (shows_help(given, "run EXPERIMENT.ini [--out DIR] [--set section.key=value]... [flags]",
-                   "Runs an experiment and writes result.json, tables (CSV) and report.html to a folder. "
-                   "--set changes one key of the experiment and may be repeated.",
-                   run_settings(),
-                   {"run experiments/paper.ini", "run experiments/paper.ini --out results --seed 7",
-                    "run experiments/paper.ini --set target.profile=scan.txt --set target.unit=um"}))
-        return 0;
-    Words words = given;
-    std::vector<std::string> overrides = taken_overrides(words);
-    const Settings flags = read_command_line(words, run_settings(), {"experiment"});
+int run(const Settings& flags, const std::string& line) {
     if (!flags.has("experiment"))
         throw rough::InputError("run: no experiment given, expected an .ini file");
+    std::vector<std::string> overrides = flags.has("set") ? flags.words("set") : Words{};
     for (const char* key : {"seed", "threads"})
         if (flags.has(key))
             overrides.push_back(std::string("experiment.") + key + "=" + flags.text(key));
@@ -150,14 +136,40 @@ int run(const Words& given) {
     for (const auto& input : settings.files())
         inputs.push_back(input);
     return carry_out(experiment, settings,
-                     {.command = command_line("run", given),
+                     {.command = line,
                       .out = flags.text("out"),
                       .name = file.stem().string(),
                       .inputs = inputs,
                       .page = "report.html",
-                      .pictures = flags.one_of("pictures", {"on", "off"}) == 0,
+                      .pictures = flags.choice("pictures") == 0,
                       .force = flags.is_on("force"),
                       .resume = flags.is_on("resume")});
+}
+
+} // namespace
+
+Command chart_command() {
+    return short_command("chart", "chart speed against accuracy for every contact solver");
+}
+Command compare_command() {
+    return short_command("compare", "compare pipelines on problems with known answers");
+}
+Command stability_command() {
+    return short_command("stability", "try every contact solver where methods fail, and tabulate who fails");
+}
+
+Command run_command() {
+    return {
+        "run",
+        "run an experiment (.ini): design surfaces and report on them",
+        "EXPERIMENT.ini [--out DIR] [--set section.key=value]... [flags]",
+        "Runs an experiment and writes result.json, tables (CSV) and report.html to a folder. --set changes "
+        "one key of the experiment and may be repeated.",
+        run_settings(),
+        {"run experiments/paper.ini", "run experiments/paper.ini --out results --seed 7",
+         "run experiments/paper.ini --set target.profile=scan.txt --set target.unit=um"},
+        run,
+        {"experiment"}};
 }
 
 } // namespace app

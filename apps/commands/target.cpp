@@ -1,7 +1,6 @@
 #include "domain/target/target.hpp"
 
 #include "apps/commands/commands.hpp"
-#include "apps/prompt/formula.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/terminal.hpp"
@@ -24,18 +23,17 @@ std::vector<Setting> target_settings() {
         {"genome", "", "genome file (JSON) whose own response is the target"},
         {"like", "", "measured profile whose own response is the target"},
         {"check", "", "target file to check in place of making one"},
-        {"quantity", "stiffness",
-         "of what: stiffness, interface_stiffness or area (against pressure), area-displacement or load "
-         "(against displacement)"},
-        {"to", "", "last pressure (MPa) or displacement (mm) [the response's own; needed with --formula]"},
-        {"points", "20", "points of the target, evenly spaced"},
-        {"band", "",
-         "tolerance band, a fraction of each value on both sides [none; a scan: its resolution's]"},
-        {"resistivity", "",
-         "rho1 + rho2 of a conductance target to check, C = 2 K_i/(E* (rho1 + rho2)) of the interface "
-         "stiffness K_i"},
+        Setting("quantity", "stiffness",
+                "of what, against pressure or (area-displacement, load) displacement")
+            .of(rough::quantity_names()),
+        positive("to", "",
+                 "last pressure (MPa) or displacement (mm) [the response's own; needed with --formula]"),
+        ga::whole("points", "20", 1, "points of the target, evenly spaced").up_to(1e6),
+        ga::number("band", "", 0, 1,
+                   "tolerance band, a fraction of each value on both sides [none; a scan: its resolution's]"),
+        resistivity_setting(),
         {"out", "", "target file to write (CSV)"},
-        {"force", "", "write over an existing file", true},
+        force_setting(),
     };
     return joined({settings, scan_settings(), {resolution_setting()}, model_settings()});
 }
@@ -46,15 +44,15 @@ struct Made {
 };
 
 Made made_target(const Settings& settings) {
-    const auto quantity = static_cast<rough::Quantity>(settings.one_of("quantity", rough::quantity_names()));
-    const rough::Index points = settings.whole("points", 1, 1000000);
+    const auto quantity = static_cast<rough::Quantity>(settings.choice("quantity"));
+    const rough::Index points = static_cast<rough::Index>(settings.number("points"));
     if (settings.has("formula")) {
         if (!settings.has("to"))
             throw rough::InputError(
                 "--to: missing, expected the last pressure (MPa) or displacement (mm) of the formula");
         const auto y = formula(settings.text("formula"), against_pressure(quantity) ? "p" : "d", "--formula");
         const rough::Model model = model_from(settings);
-        rough::Target goal = rough::even_target(quantity, "--formula", points, settings.positive("to"), y);
+        rough::Target goal = rough::even_target(quantity, "--formula", points, settings.number("to"), y);
         goal.recorded = recorded_model(model);
         return {std::move(goal), model};
     }
@@ -63,7 +61,8 @@ Made made_target(const Settings& settings) {
         say(source.account);
     const rough::Model model = model_from(settings, source);
     rough::Model loaded = model;
-    const double last = settings.has("to") ? settings.positive("to") : 0;
+    double last = 0;
+    settings.take("to", last);
     (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) = last;
     return {placing(settings, "",
                     [&] {
@@ -88,22 +87,7 @@ int report(const rough::Target& goal, const rough::Model& model, const Settings&
     return reasons.empty() ? 0 : 3;
 }
 
-} // namespace
-
-int target(const Words& words) {
-    if (shows_help(
-            words,
-            "target (--formula F --to X | --genome G.json | --like SCAN.txt | --check T.csv) [--out T.csv] "
-            "[flags]",
-            "Makes target files for rugosa design, or checks one: reads it, and tests exactly whether any "
-            "profile could answer so. A file made here records the body, length and datum it is meant for. "
-            "Exit code 3 says that the target is out of reach.",
-            target_settings(),
-            {"target --formula \"0.3 + 0.8 * sqrt(p / 1.6e-4)\" --to 1.6e-4 --out target.csv",
-             "target --genome surface.json --quantity area --out area.csv",
-             "target --like scan.txt --unit um --band 0.02 --out target.csv", "target --check target.csv"}))
-        return 0;
-    const Settings settings = read_command_line(words, target_settings());
+int target(const Settings& settings, const std::string&) {
     int given = 0;
     for (const char* source : {"formula", "genome", "like", "check"})
         given += settings.has(source);
@@ -123,7 +107,7 @@ int target(const Words& words) {
     const std::filesystem::path out = expect_writable(settings.text("out"), settings);
     Made made = made_target(settings);
     if (settings.has("band")) {
-        const double part = settings.number("band", 0, 1);
+        const double part = settings.number("band");
         made.goal.lower = (1 - part) * made.goal.y;
         made.goal.upper = (1 + part) * made.goal.y;
     }
@@ -132,6 +116,23 @@ int target(const Words& words) {
     for (const auto& note : without_effect(settings))
         say(note);
     return report(made.goal, made.model, settings);
+}
+
+} // namespace
+
+Command target_command() {
+    return {"target",
+            "make target files for a design, or check one",
+            "(--formula F --to X | --genome G.json | --like SCAN.txt | --check T.csv) [--out T.csv] "
+            "[flags]",
+            "Makes target files for rugosa design, or checks one: reads it, and tests exactly whether any "
+            "profile could answer so. A file made here records the body, length and datum it is meant for. "
+            "Exit code 3 says that the target is out of reach.",
+            target_settings(),
+            {"target --formula \"0.3 + 0.8 * sqrt(p / 1.6e-4)\" --to 1.6e-4 --out target.csv",
+             "target --genome surface.json --quantity area --out area.csv",
+             "target --like scan.txt --unit um --band 0.02 --out target.csv", "target --check target.csv"},
+            target};
 }
 
 } // namespace app

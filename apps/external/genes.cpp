@@ -39,6 +39,41 @@ std::size_t count_from(const std::string& word, const std::string& where, double
 
 } // namespace
 
+namespace {
+
+Fields fields_of(OutsideSearch& search) {
+    return {
+        {{"variant", "",
+          "ga, nsga2, for numbers bipop-cma-es, ipop-cma-es or lshade [ga; of several objectives nsga2]"},
+         search.variant},
+        {{"pipeline", "", "search by this text, its objectives called f1, f2, ... (rugosa operators)"},
+         search.pipeline},
+        {ga::whole("evaluations", "10000", 1, "most that may be asked for").up_to(0x1p53),
+         search.evaluations},
+        {positive("seconds", "",
+                  "most wall time, of the whole search; alone, it takes the place of evaluations"),
+         search.seconds},
+        {seed_setting(), search.seed},
+    };
+}
+
+} // namespace
+
+std::vector<Setting> outside_settings() {
+    OutsideSearch usual;
+    return settings_of(fields_of(usual));
+}
+
+void take_search(const Settings& settings, OutsideSearch& search) {
+    if (settings.has("variant") && settings.has("pipeline"))
+        throw InputError("optimise: expected either " + settings.place("variant") + " or " +
+                         settings.place("pipeline"));
+    const bool unlimited = settings.has("seconds") && !settings.given("evaluations");
+    take(settings, fields_of(search));
+    if (unlimited)
+        search.evaluations = std::numeric_limits<long>::max();
+}
+
 std::vector<ga::Variable> range_of(const Genes& genes) {
     std::vector<ga::Variable> range;
     for (const Genes::Part& part : genes.parts)

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "apps/prompt/settings.hpp"
 #include "ga/problem/problem.hpp"
 #include "ga/text/parser.hpp"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,24 @@ struct Genes {
     /// Whether every gene is a real number.
     bool all_real() const;
 };
+
+/// What is asked of a search whose genomes are evaluated outside, and what came of it beside the best.
+struct OutsideSearch {
+    Genes genes = {};
+    std::string variant = {}, pipeline = {}; ///< one of them, or none for ga or, of several objectives, nsga2
+    std::uint64_t seed = 1;
+    long evaluations = std::numeric_limits<long>::max();      ///< at most
+    double seconds = std::numeric_limits<double>::infinity(); ///< at most, from the call on
+
+    std::string searched = {};           ///< the pipeline as it was run
+    long spent = 0;                      ///< evaluations
+    std::string stopped = {};            ///< why it ended before its pipeline; empty when it did not
+    std::vector<std::string> notes = {}; ///< the engine's remarks
+};
+/// Its parameters that the program and Python share: variant, pipeline, evaluations, seconds and seed.
+std::vector<Setting> outside_settings();
+/// Reads them. Seconds alone take the place of evaluations. Throws rough::InputError.
+void take_search(const Settings& settings, OutsideSearch& search);
 
 /// The range of every number, half a unit more on both sides of a whole one; none of other kinds.
 std::vector<ga::Variable> range_of(const Genes& genes);

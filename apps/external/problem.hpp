@@ -86,6 +86,28 @@ namespace ga {
 template <Problem P>
 Registry<P> whole_vocabulary(); // text/whole_vocabulary.hpp, which brings Eigen and NLopt
 }
+
+namespace app {
+
+/// The variant that a search runs: the given one, "pipeline" for a text, or what suits the objectives.
+inline std::string variant_of(const OutsideSearch& search, std::size_t objectives) {
+    return !search.variant.empty()    ? search.variant
+           : !search.pipeline.empty() ? "pipeline"
+           : objectives > 1           ? "nsga2"
+                                      : "ga";
+}
+
+/// What a search runs, by the words of `registry`. Throws ga::UsageError on a text that cannot work.
+template <class P>
+ga::Stage<P> stage_of(const OutsideSearch& search, std::size_t objectives,
+                      ga::Registry<P> registry = ga::whole_vocabulary<P>()) {
+    ga::Parser<P> parser(std::move(registry), outside_variants(search.genes, objectives));
+    return search.pipeline.empty() ? parser.variant(variant_of(search, objectives))
+                                   : parser.parse(search.pipeline);
+}
+
+} // namespace app
+
 GA_PIPELINES_ELSEWHERE(app::OutsideProblem<std::vector<double>>)
 GA_PIPELINES_ELSEWHERE(app::OutsideProblem<std::vector<bool>>)
 GA_PIPELINES_ELSEWHERE(app::OutsideProblem<ga::Permutation>)

@@ -9,6 +9,12 @@ _rugosa_variants() { # of rugosa design, as the list of operators has them
     "$1" operators 2>/dev/null | sed -n '/^variants$/,/^$/s/^  \([a-z0-9-]*\) = .*/\1/p'
 }
 
+_rugosa_choices() { # the words that a flag takes, as the help page lists them
+    local flag=$1
+    shift
+    "$@" --help 2>/dev/null | tr -s ' \n' ' ' | sed -n "s/.* $flag X \([^[]*\).*/\1/p" | sed 's/ --.*//' | sed -n 's/.*; one of //p' | tr -d ,
+}
+
 _rugosa() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     local command=("${COMP_WORDS[0]}") word
@@ -20,13 +26,9 @@ _rugosa() {
     done
     COMPREPLY=()
     case $previous in
-    --kernel) COMPREPLY=($(compgen -W "free periodic strip" -- "$current")) ;;
-    --solver) COMPREPLY=($(compgen -W "auto nested nnls polonsky-keer active-set" -- "$current")) ;;
-    --detrend) COMPREPLY=($(compgen -W "none mean line parabola cubic quartic arc" -- "$current")) ;;
     --unit) COMPREPLY=($(compgen -W "m mm um nm A in" -- "$current")) ;;
-    --quantity) COMPREPLY=($(compgen -W "stiffness interface_stiffness area area-displacement load" -- "$current")) ;;
-    --pictures) COMPREPLY=($(compgen -W "on off" -- "$current")) ;;
     --variant) [[ " ${command[*]} " == *" optimise "* ]] && COMPREPLY=($(compgen -W "ga nsga2 bipop-cma-es ipop-cma-es lshade" -- "$current")) || COMPREPLY=($(compgen -W "$(_rugosa_variants "${COMP_WORDS[0]}")" -- "$current")) ;;
+    --*) COMPREPLY=($(compgen -W "$(_rugosa_choices "$previous" "${command[@]}")" -- "$current")) ;;
     esac
     [ ${#COMPREPLY[@]} -gt 0 ] && return
     if [[ $current == -* ]]; then

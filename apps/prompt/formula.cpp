@@ -1,5 +1,4 @@
-#include "apps/prompt/formula.hpp"
-
+#include "apps/prompt/goals.hpp"
 #include "domain/errors.hpp"
 
 #include <charconv>
@@ -12,7 +11,7 @@ namespace {
 
 using Function = std::function<double(double)>;
 
-/// Recursive descent: sum := product {(+|-) product}; product := power {(*|/) power}; power := [-] atom [^
+/// Recursive descent: sum := product {(+|-) product}; product := power {(*|/) power}; power := {-|+} atom [^
 /// power].
 class Reader {
   public:
@@ -31,27 +30,20 @@ class Reader {
     }
 
   private:
-    Function sum() {
-        Function left = product();
-        while (next() == '+' || next() == '-') {
+    /// Operands of `next_level` with one of two signs between, from the left.
+    Function chain(const char* signs, Function (Reader::*next_level)()) {
+        Function left = (this->*next_level)();
+        while (next() == signs[0] || next() == signs[1]) {
             const char sign = text_[at_++];
-            left = [a = std::move(left), b = product(), sign](double x) {
-                return sign == '+' ? a(x) + b(x) : a(x) - b(x);
+            left = [a = std::move(left), b = (this->*next_level)(), sign](double x) {
+                const double y = b(x);
+                return sign == '+' ? a(x) + y : sign == '-' ? a(x) - y : sign == '*' ? a(x) * y : a(x) / y;
             };
         }
         return left;
     }
-
-    Function product() {
-        Function left = power();
-        while (next() == '*' || next() == '/') {
-            const char sign = text_[at_++];
-            left = [a = std::move(left), b = power(), sign](double x) {
-                return sign == '*' ? a(x) * b(x) : a(x) / b(x);
-            };
-        }
-        return left;
-    }
+    Function sum() { return chain("+-", &Reader::product); }
+    Function product() { return chain("*/", &Reader::power); }
 
     Function power() {
         if (++depth_ > deepest)

@@ -39,11 +39,22 @@ void expect_same_model(const rough::Target& goal, const rough::Model& model) {
 
 } // namespace
 
+Setting resistivity_setting() {
+    return positive(
+        "resistivity", "",
+        "rho1 + rho2 of a conductance target, C = 2 K_i/(E* (rho1 + rho2)) of the interface stiffness K_i");
+}
+
+Setting max_pressure_setting() {
+    return ga::number("max-pressure", "", ga::above_zero, 1e100,
+                      "rescale every genome to this mean pressure at full approach (Eq. 11), MPa "
+                      "[amplitude is a gene]");
+}
+
 rough::Target goal_from(const Settings& settings, const std::string& file, const rough::Model& model) {
     rough::TargetScales scales{.nominal_area = model.grid.is_2d() ? model.grid.nominal_area() : 0};
     if (settings.has("resistivity")) // C = 2 K_i/(E* (rho1 + rho2))
-        scales.conductance_to_stiffness =
-            0.5 * model.body.effective_modulus * settings.positive("resistivity");
+        scales.conductance_to_stiffness = 0.5 * model.body.effective_modulus * settings.number("resistivity");
     rough::Target goal = placing(settings, "", [&] { return rough::read_target(file, scales); });
     expect_same_model(goal, model);
     return goal;

@@ -9,11 +9,11 @@
 #include "domain/profile/filter.hpp"
 #include "domain/scan/source.hpp"
 #include "domain/scan/unit.hpp"
+#include "domain/text/words.hpp"
 
 #include <algorithm>
 #include <iomanip>
-#include <limits>
-#include <sstream>
+#include <map>
 
 namespace app {
 
@@ -31,9 +31,8 @@ std::string plain(double value) {
 
 /// The material that is named; null if none is.
 const rough::Material* material_from(const Settings& settings, const std::string& prefix = "") {
-    return settings.has(prefix + "material")
-               ? &rough::materials()[settings.one_of(prefix + "material", rough::material_names())]
-               : nullptr;
+    return settings.has(prefix + "material") ? &rough::materials()[settings.choice(prefix + "material")]
+                                             : nullptr;
 }
 
 } // namespace
@@ -58,82 +57,122 @@ double elastic_limit(const Settings& settings, const rough::Body& body) {
     return material ? material->hardness : rough::largest_elastic_pressure * body.effective_modulus;
 }
 
-std::vector<Setting> model_settings(const std::string& prefix) {
+namespace {
+
+/// What the flags of a model set: E* follows from E and nu.
+struct ModelParameters {
+    rough::Model model = {};
+    double modulus = rough::Model().body.effective_modulus, poisson = 0;
+    std::string material = {};
+};
+
+Fields fields_of(ModelParameters& of) {
+    auto& [grid, body, loading, contact, accuracy] = of.model;
     const rough::Model usual;
-    std::string known;
-    for (const std::string& name : rough::material_names())
-        known += (known.empty() ? "" : ", ") + name;
-    std::vector<Setting> settings{
-        {prefix + "nodes", "",
-         "nodes of the grid, 2 to 1e7 [" + std::to_string(usual.grid.nodes) + "; a scan: its points]"},
-        {prefix + "length", "",
-         "length L of the profile, mm [" + plain(usual.grid.length) +
-             "; a scan, or a genome made for one: its own]"},
-        {prefix + "kernel", name_of(usual.body.kernel), "elastic body: free, periodic or strip"},
-        {prefix + "datum", "", "distance d at which the free half-plane's displacement is zero, mm [L]"},
-        {prefix + "strip-width", "", "width W of the strip, mm [L/511]"},
-        {prefix + "material", "",
-         "gives E, nu and the hardness beyond which contact warns; modulus and poisson replace its values: " +
-             known},
-        {prefix + "modulus", plain(usual.body.effective_modulus), "Young's modulus E, MPa"},
-        {prefix + "poisson", "0", "Poisson's ratio nu; E* = E/(1 - nu^2)"},
-        {prefix + "steps", std::to_string(usual.loading.steps), "load steps n_t, at least 2"},
-        {prefix + "reach", "", "largest displacement over the profile's range [1; periodic: 0.95]"},
-        {prefix + "solver", name_of(usual.contact.solver),
-         "contact solver: auto, nested, nnls, polonsky-keer or active-set"},
-        {prefix + "tolerance", plain(usual.contact.tolerance), "relative tolerance of the iterative solvers"},
+    return {
+        {Setting(ga::whole("nodes", "", 2,
+                           "nodes of the grid, 2 to 1e7 [" + std::to_string(usual.grid.nodes) +
+                               "; a scan: its points]")
+                     .up_to(1e7))
+             .several('x'),
+         grid.nodes},
+        {positive("length", "",
+                  "length L of the profile, mm [" + plain(usual.grid.length) +
+                      "; a scan, or a genome made for one: its own]")
+             .several('x'),
+         grid.length},
+        {Setting("kernel", name_of(usual.body.kernel), "elastic body").of(rough::kernel_names()),
+         body.kernel},
+        {positive("datum", "", "distance d at which the free half-plane's displacement is zero, mm [L]"),
+         body.datum},
+        {positive("strip-width", "", "width W of the strip, mm [L/511]"), body.strip_width},
+        {Setting("material", "",
+                 "gives E, nu and the hardness beyond which contact warns; modulus and poisson replace its "
+                 "values")
+             .of(rough::material_names()),
+         of.material},
+        {positive("modulus", plain(usual.body.effective_modulus), "Young's modulus E, MPa"), of.modulus},
+        {ga::number("poisson", "0", -0.999999, 0.5, "Poisson's ratio nu; E* = E/(1 - nu^2)"), of.poisson},
+        {ga::whole("steps", std::to_string(usual.loading.steps), 2, "load steps n_t, at least 2").up_to(1e6),
+         loading.steps},
+        {ga::number("reach", "", ga::above_zero, 1,
+                    "largest displacement over the profile's range [1; periodic: 0.95]"),
+         loading.reach},
+        {Setting("solver", name_of(usual.contact.solver), "contact solver").of(rough::solver_names()),
+         contact.solver},
+        {ga::number("tolerance", plain(usual.contact.tolerance), 1e-15, 0.1,
+                    "relative tolerance of the iterative solvers"),
+         contact.tolerance},
     };
-    for (Setting& setting : settings)
-        setting.group = "The model: grid, elastic body, load steps, solver";
-    return settings;
+}
+
+Fields fields_of(rough::ScanOptions& options) {
+    return {
+        {{"unit", "",
+          "unit of a scan's columns whose header names none, e.g. um, or mm,um for x and heights [mm]"},
+         options.unit},
+        {positive("spacing", "", "distance of the points of a scan with one column, in that unit")
+             .several('x'),
+         options.spacing},
+        {ga::whole("row", "", 1, "row of an areal map to take, 1 the first (of a text matrix with --spacing)")
+             .up_to(1e7),
+         options.row},
+        {Setting("detrend", "line", "form taken off a scan's heights").of(rough::detrend_names()),
+         options.detrend},
+        {Setting("outliers", "keep", "what is done to a scan's outliers, remove: interpolate")
+             .of({"keep", "remove"}),
+         options.remove_outliers},
+        {positive("lambda-s", "",
+                  "cut-off of the filter that takes off shorter waves (ISO 16610-21), mm [none]"),
+         options.lambda_s},
+        {positive("lambda-c", "",
+                  "cut-off of the filter that takes off longer waves (ISO 16610-21), mm [none]"),
+         options.lambda_c},
+        {Setting("fill", "", "replace a scan's missing heights by linear interpolation", true), options.fill},
+    };
+}
+
+} // namespace
+
+std::vector<Setting> model_settings(const std::string& prefix) {
+    ModelParameters usual;
+    return settings_of(fields_of(usual), prefix, "The model: grid, elastic body, load steps, solver");
 }
 
 Setting accuracy_setting(const std::string& prefix, const std::string& against) {
-    return {prefix + "accuracy", "",
-            "largest relative error allowed of a response, above 0 to 1, against " + against +
-                " [none: every response is solved throughout]"};
+    return ga::number(prefix + "accuracy", "", ga::above_zero, 1,
+                      "largest relative error allowed of a response, above 0 to 1, against " + against +
+                          " [none: every response is solved throughout]");
 }
 
 double accuracy_from(const Settings& settings, const std::string& prefix) {
-    return settings.has(prefix + "accuracy")
-               ? settings.number(prefix + "accuracy", std::numeric_limits<double>::min(), 1)
-               : 0;
+    double accuracy = 0;
+    settings.take(prefix + "accuracy", accuracy);
+    return accuracy;
 }
 
-rough::Index nodes_from(const Settings& settings, rough::Index otherwise, const std::string& prefix,
-                        rough::Index least) {
-    const std::string name = prefix + "nodes";
-    return settings.has(name) ? settings.whole(name, least, 10000000) : otherwise;
+rough::Index nodes_from(const Settings& settings, rough::Index otherwise) {
+    settings.take("nodes", otherwise);
+    return otherwise;
 }
 
 rough::Kernel kernel_from(const Settings& settings, const std::string& prefix) {
-    return static_cast<rough::Kernel>(settings.one_of(prefix + "kernel", rough::kernel_names()));
+    return static_cast<rough::Kernel>(settings.choice(prefix + "kernel"));
 }
 
-rough::Model model_on(rough::Grid grid, const Settings& settings, const std::string& prefix) {
-    grid.nodes = nodes_from(settings, grid.nodes, prefix);
-    if (settings.has(prefix + "length"))
-        grid.length = settings.positive(prefix + "length");
-    rough::Model model;
-    model.grid = grid;
-    model.body.kernel = kernel_from(settings, prefix);
-    const rough::Material* material = material_from(settings, prefix);
-    const auto is_given = [&](const char* name) { return !material || settings.given(prefix + name); };
-    model.body.effective_modulus = rough::effective_modulus(
-        is_given("modulus") ? settings.positive(prefix + "modulus") : material->modulus,
-        is_given("poisson") ? settings.number(prefix + "poisson", -0.999999, 0.5) : material->poissons);
-    if (settings.has(prefix + "datum"))
-        model.body.datum = settings.positive(prefix + "datum");
-    if (settings.has(prefix + "strip-width"))
-        model.body.strip_width = settings.positive(prefix + "strip-width");
-    model.loading.steps = static_cast<int>(settings.whole(prefix + "steps", 2, 1000000));
-    if (settings.has(prefix + "reach"))
-        model.loading.reach = settings.number(prefix + "reach", std::numeric_limits<double>::min(), 1);
-    model.contact.solver =
-        static_cast<rough::Solver>(settings.one_of(prefix + "solver", rough::solver_names()));
-    model.contact.tolerance = settings.number(prefix + "tolerance", 1e-15, 0.1);
+rough::Model model_on(const rough::Grid& grid, const Settings& settings, const std::string& prefix) {
+    ModelParameters given;
+    given.model.grid = grid;
+    take(settings, fields_of(given), prefix);
+    if (const rough::Material* material = material_from(settings, prefix)) {
+        if (!settings.given(prefix + "modulus"))
+            given.modulus = material->modulus;
+        if (!settings.given(prefix + "poisson"))
+            given.poisson = material->poissons;
+    }
+    given.model.body.effective_modulus = rough::effective_modulus(given.modulus, given.poisson);
     return placing(settings, prefix, [&] {
-        const rough::Model whole = completed(model);
+        const rough::Model whole = completed(given.model);
         validate(whole);
         return whole;
     });
@@ -147,11 +186,27 @@ rough::Model model_from(const Settings& settings, const rough::Source& source, c
     return model_on(source.grid(kernel_from(settings, prefix) == rough::Kernel::periodic), settings, prefix);
 }
 
+namespace {
+
+Fields loading_fields(rough::Model& model) {
+    return {{ga::number("to-pressure", "", ga::above_zero, 1e100,
+                        "mean pressure of the last load step, MPa, in place of --reach"),
+             model.loading.to_pressure},
+            {Setting(ga::number("pressures", "", ga::above_zero, 1e100,
+                                "mean pressures of the load steps, MPa, as P1,P2,…, in place of --reach "
+                                "and --steps"))
+                 .several(),
+             model.loading.pressures},
+            {ga::number("hardness", "", ga::above_zero, 1e100,
+                        "largest pressure that a node bears, MPa; nodes at it sink in [none]"),
+             model.body.hardness}};
+}
+
+} // namespace
+
 std::vector<Setting> loading_settings() {
-    return {{"to-pressure", "", "mean pressure of the last load step, MPa, in place of --reach"},
-            {"pressures", "",
-             "mean pressures of the load steps, MPa, as P1,P2,…, in place of --reach and --steps"},
-            {"hardness", "", "largest pressure that a node bears, MPa; nodes at it sink in [none]"}};
+    rough::Model usual;
+    return settings_of(loading_fields(usual));
 }
 
 rough::Model loaded(rough::Model model, const Settings& settings) {
@@ -161,72 +216,41 @@ rough::Model loaded(rough::Model model, const Settings& settings) {
                                 "pressures");
     if (settings.given("pressures") && settings.given("steps"))
         throw rough::InputError(settings.place("steps") + ": given with pressures, expected one of them");
-    if (settings.has("to-pressure"))
-        model.loading.to_pressure = settings.pressure("to-pressure");
-    if (settings.has("pressures")) {
-        model.loading.pressures = settings.numbers("pressures", std::numeric_limits<double>::min(), 1e100);
-        const auto& all = model.loading.pressures;
-        if (std::adjacent_find(all.begin(), all.end(), std::greater_equal<>()) != all.end())
-            throw rough::InputError(settings.place("pressures") + ": " + settings.text("pressures") +
-                                    " given, expected positive increasing numbers with commas between, MPa");
-        model.loading.steps = static_cast<int>(model.loading.pressures.size());
-    }
-    if (settings.has("hardness"))
-        model.body.hardness = settings.pressure("hardness");
+    take(settings, loading_fields(model));
+    const auto& all = model.loading.pressures;
+    if (std::adjacent_find(all.begin(), all.end(), std::greater_equal<>()) != all.end())
+        throw rough::InputError(settings.place("pressures") + ": " + settings.text("pressures") +
+                                " given, expected positive increasing numbers with commas between, MPa");
+    if (!all.empty())
+        model.loading.steps = static_cast<int>(all.size());
     return model;
 }
 
 std::vector<Setting> scan_settings(const std::string& prefix) {
-    std::vector<Setting> settings{
-        {prefix + "unit", "",
-         "unit of a scan's columns whose header names none, e.g. um, or mm,um for x and heights [mm]"},
-        {prefix + "spacing", "", "distance of the points of a scan with one column, in that unit"},
-        {prefix + "row", "", "row of an areal map to take, 1 the first (of a text matrix with --spacing)"},
-        {prefix + "detrend", "line",
-         "form taken off a scan's heights: none, mean, line, parabola, cubic, quartic or arc"},
-        {prefix + "outliers", "keep", "what is done to a scan's outliers: keep, or remove and interpolate"},
-        {prefix + "lambda-s", "",
-         "cut-off of the filter that takes off shorter waves (ISO 16610-21), mm [none]"},
-        {prefix + "lambda-c", "",
-         "cut-off of the filter that takes off longer waves (ISO 16610-21), mm [none]"},
-        {prefix + "fill", "", "replace a scan's missing heights by linear interpolation", true},
-    };
-    for (Setting& setting : settings)
-        setting.group = "How a scan is read";
-    return settings;
+    rough::ScanOptions usual;
+    return settings_of(fields_of(usual), prefix, "How a scan is read");
 }
 
 Setting resolution_setting() {
-    return {
-        "resolution", "auto",
-        "band of K and A over the heights as measured and interpolated 4 times: auto (up to 2e6 interpolated "
-        "nodes of a map, 1e7 of a line), on or off",
-        false, "How a scan is read"};
+    Setting setting =
+        Setting("resolution", "auto",
+                "band of K and A over the heights as measured and interpolated 4 times; auto: up to "
+                "2e6 interpolated nodes of a map, 1e7 of a line")
+            .of(rough::resolution_names());
+    setting.group = "How a scan is read";
+    return setting;
 }
 
 rough::Resolution resolution_from(const Settings& settings) {
-    return static_cast<rough::Resolution>(settings.one_of("resolution", rough::resolution_names()));
+    return static_cast<rough::Resolution>(settings.choice("resolution"));
 }
 
 rough::Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
                         const std::string& prefix) {
     rough::ScanOptions options;
-    options.unit = settings.text(prefix + "unit");
-    std::istringstream units(options.unit);
-    for (std::string unit; std::getline(units, unit, ',');)
+    take(settings, fields_of(options), prefix);
+    for (const std::string& unit : rough::listed(options.unit))
         rough::length_unit_named(unit, settings.place(prefix + "unit"));
-    if (settings.has(prefix + "spacing"))
-        options.spacing = settings.positive(prefix + "spacing");
-    if (settings.has(prefix + "row"))
-        options.row = settings.whole(prefix + "row", 1, 10000000);
-    options.detrend =
-        rough::detrend_named(settings.text(prefix + "detrend"), settings.place(prefix + "detrend"));
-    options.remove_outliers = settings.one_of(prefix + "outliers", {"keep", "remove"}) == 1;
-    if (settings.has(prefix + "lambda-s"))
-        options.lambda_s = settings.positive(prefix + "lambda-s");
-    if (settings.has(prefix + "lambda-c"))
-        options.lambda_c = settings.positive(prefix + "lambda-c");
-    options.fill = settings.is_on(prefix + "fill");
     options.nodes = nodes;
     return placing(settings, prefix, [&] { return rough::open_scan(file, options); });
 }
@@ -240,27 +264,6 @@ rough::Source source_from(const Settings& settings, rough::Index nodes, const st
 
 namespace {
 
-/// Of "AxB", x first, both; of "A", it twice.
-std::pair<std::string, std::string> pair_of(const std::string& text) {
-    const std::size_t by = text.find('x');
-    return by == std::string::npos ? std::pair(text, text)
-                                   : std::pair(text.substr(0, by), text.substr(by + 1));
-}
-
-/// The settings along x, or along y.
-Settings along(const Settings& settings, const std::string& prefix, bool x) {
-    std::map<std::string, std::string> values;
-    for (const char* key : {"nodes", "length", "spacing"})
-        if (const std::string name = prefix + key; settings.knows(name) && settings.has(name)) {
-            const auto [first, second] = pair_of(settings.text(name));
-            values[name] = x ? first : second;
-            if (values[name].empty())
-                throw rough::InputError(settings.place(name) + ": '" + settings.text(name) +
-                                        "' given, expected two numbers with an x between, as in 64x48");
-        }
-    return settings.with(values);
-}
-
 /// Throws if one of these keys, which only a profile has, or its kernel is given.
 void expect_of_areas(const Settings& settings, const std::string& prefix,
                      const std::vector<const char*>& keys) {
@@ -273,14 +276,31 @@ void expect_of_areas(const Settings& settings, const std::string& prefix,
                                 ": strip given with an area, expected free or periodic");
 }
 
-/// The model along x with the rows and the width of that along y.
-rough::Model crossed(rough::Model model, const rough::Grid& across, const Settings& settings,
-                     const std::string& prefix) {
-    model.grid.rows = across.nodes;
-    model.grid.width = across.length;
-    if (static_cast<double>(model.grid.nodes) * static_cast<double>(model.grid.rows) > 1e7)
-        throw rough::InputError(settings.place(prefix + "nodes") + ": '" + settings.text(prefix + "nodes") +
+/// The settings with the first number of each pair, those along x.
+Settings along_x(const Settings& settings, const std::string& prefix) {
+    std::map<std::string, std::string> values;
+    for (const char* key : {"nodes", "length"})
+        if (const std::string name = prefix + key; settings.has(name))
+            values[name] = settings.words(name).front();
+    return settings.with(values);
+}
+
+/// A grid along x with the rows and the width of --nodes and --length, or of `usual`.
+rough::Grid crossed(rough::Grid grid, const rough::Grid& usual, const Settings& settings,
+                    const std::string& prefix) {
+    const std::string nodes = prefix + "nodes", length = prefix + "length";
+    grid.rows = settings.has(nodes) ? static_cast<rough::Index>(settings.numbers(nodes).back()) : usual.nodes;
+    grid.width = settings.has(length) ? settings.numbers(length).back() : usual.length;
+    if (static_cast<double>(grid.nodes) * static_cast<double>(grid.rows) > 1e7)
+        throw rough::InputError(settings.place(nodes) + ": '" + settings.text(nodes) +
                                 "' given, expected at most 1e7 in all");
+    return grid;
+}
+
+/// The model of an area on a grid that --nodes and --length may change.
+rough::Model area_model_on(const rough::Grid& grid, const Settings& settings, const std::string& prefix) {
+    rough::Model model = model_on(grid, along_x(settings, prefix), prefix);
+    model.grid = crossed(model.grid, grid, settings, prefix);
     return model;
 }
 
@@ -300,12 +320,12 @@ rough::Map surface_from(const Settings& settings, const std::string& flag) {
                                     " of a map, expected none: it is for profiles");
     rough::MapLayout layout{settings.text("unit")};
     if (settings.has("spacing")) {
-        layout.spacing = along(settings, "", true).positive("spacing");
-        layout.row_spacing = along(settings, "", false).positive("spacing");
+        layout.spacing = settings.numbers("spacing").front();
+        layout.row_spacing = settings.numbers("spacing").back();
     }
     if (!layout.unit.empty())
         rough::length_unit_named(layout.unit, settings.place("unit"));
-    const rough::Detrend form = rough::detrend_named(settings.text("detrend"), settings.place("detrend"));
+    const auto form = static_cast<rough::Detrend>(settings.choice("detrend"));
     rough::Map map = placing(settings, "", [&] { return rough::read_map(settings.text(flag), layout); });
     rough::Profile& surface = map.heights;
     surface.heights = placing(settings, "", [&] { return detrended(surface, form); });
@@ -317,10 +337,10 @@ rough::Map surface_from(const Settings& settings, const std::string& flag) {
                                                   : "its form taken off: " + name_of(form));
     for (const bool is_long : {false, true})
         if (const char* name = is_long ? "lambda-c" : "lambda-s"; settings.has(name)) {
-            const Eigen::VectorXd passed = low_passed(surface, settings.positive(name));
+            const Eigen::VectorXd passed = low_passed(surface, settings.number(name));
             surface.heights = is_long ? (surface.heights - passed).eval() : passed;
             map.account += std::string(", waves ") + (is_long ? "over " : "under ") +
-                           readable(settings.positive(name)) + " mm taken off";
+                           readable(settings.number(name)) + " mm taken off";
         }
     return map;
 }
@@ -352,8 +372,7 @@ rough::Model surface_model_from(const Settings& settings, const std::string& pre
     if (!asks_for_area(settings, prefix))
         return model_from(settings, prefix);
     expect_of_areas(settings, prefix, {"datum", "strip-width", "accuracy"});
-    return crossed(model_from(along(settings, prefix, true), prefix),
-                   model_from(along(settings, prefix, false), prefix).grid, settings, prefix);
+    return area_model_on({}, settings, prefix);
 }
 
 std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
@@ -367,19 +386,15 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
                : "";
 }
 
-rough::Map sampled_from(const Settings& settings, bool wraps, rough::Index least) {
+rough::Map sampled_from(const Settings& settings, bool wraps) {
     expect_none(settings, scan_settings(), "given with a genome, expected with --surface only");
     const rough::Source source = rough::open_genome(settings.text("genome"));
-    const auto side = [&](bool x) {
-        const Settings own = along(settings, "", x);
-        rough::Model model;
-        model.grid = source.grid(wraps);
-        model.grid.nodes = nodes_from(own, model.grid.nodes, "", least);
-        if (own.has("length"))
-            model.grid.length = own.positive("length");
-        return model;
-    };
-    const rough::Grid grid = crossed(side(true), side(false).grid, settings, "").grid;
+    const rough::Grid usual = source.grid(wraps);
+    rough::Grid grid = usual;
+    const Settings x = along_x(settings, "");
+    x.take("nodes", grid.nodes);
+    x.take("length", grid.length);
+    grid = crossed(grid, usual, settings, "");
     const std::string note = fit_note(*source.genome, grid);
     return {sample(*source.genome, grid), source.name + ": " + std::to_string(grid.nodes) + " x " +
                                               std::to_string(grid.rows) + " nodes on " +
@@ -389,7 +404,6 @@ rough::Map sampled_from(const Settings& settings, bool wraps, rough::Index least
 
 AreaScene area_from(const Settings& settings, const std::string& map) {
     expect_of_areas(settings, "", {"profile", "friction", "datum", "strip-width"});
-    const Settings x = along(settings, "", true), y = along(settings, "", false);
     AreaScene scene;
     if (settings.knows(map) && settings.has(map)) {
         rough::Map read = surface_from(settings, map);
@@ -401,7 +415,8 @@ AreaScene area_from(const Settings& settings, const std::string& map) {
     } else {
         expect_none(settings, scan_settings(), "given with a genome, expected with --surface only");
         const rough::Source source = rough::open_genome(settings.text("genome"));
-        scene.model = crossed(model_from(x, source), model_from(y, source).grid, settings, "");
+        scene.model =
+            area_model_on(source.grid(kernel_from(settings) == rough::Kernel::periodic), settings, "");
         scene.map = sample(*source.genome, scene.model.grid);
         if (const std::string note = fit_note(*source.genome, scene.model.grid); !note.empty())
             scene.notes.push_back(note);

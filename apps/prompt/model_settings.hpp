@@ -29,18 +29,17 @@ std::vector<Setting> model_settings(const std::string& prefix = "");
 /// How exactly a search or a curve must know a genome's response, for commands that can take less:
 /// --accuracy. `against` says what the response is compared with.
 Setting accuracy_setting(const std::string& prefix = "", const std::string& against = "the model's own");
-/// 0 where none is asked for. Throws rough::InputError on one that is not more than 0 and at most 1.
+/// 0 where none is asked for.
 double accuracy_from(const Settings& settings, const std::string& prefix = "");
 
-/// --nodes, from `least` to 1e7, or what stands for it where it is not given.
-rough::Index nodes_from(const Settings& settings, rough::Index otherwise, const std::string& prefix = "",
-                        rough::Index least = 2);
+/// --nodes, or what stands for it where it is not given.
+rough::Index nodes_from(const Settings& settings, rough::Index otherwise);
 
 rough::Kernel kernel_from(const Settings& settings, const std::string& prefix = "");
 
 /// The model on a grid that --nodes and --length may change, complete. Throws rough::InputError if it has no
 /// solution.
-rough::Model model_on(rough::Grid grid, const Settings& settings, const std::string& prefix = "");
+rough::Model model_on(const rough::Grid& grid, const Settings& settings, const std::string& prefix = "");
 /// The model they describe, complete. Throws rough::InputError where it has no solution.
 rough::Model model_from(const Settings& settings, const std::string& prefix = "");
 /// The same for what brings its own grid along: nodes and length default to that.
@@ -92,8 +91,8 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid);
 /// --lambda-s and --lambda-c say.
 rough::Map surface_from(const Settings& settings, const std::string& flag = "surface");
 
-/// The heights of --genome on the area of --nodes and --length, which wraps or not; the least nodes a side.
-rough::Map sampled_from(const Settings& settings, bool wraps, rough::Index least);
+/// The heights of --genome on the area of --nodes and --length, which wraps or not.
+rough::Map sampled_from(const Settings& settings, bool wraps);
 
 /// An area as the settings give it, and what it is pressed on.
 struct AreaScene {

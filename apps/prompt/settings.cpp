@@ -47,14 +47,25 @@ po::options_description options_of(const std::vector<Setting>& known, const std:
     return options;
 }
 
-std::map<std::string, std::string> values_of(const po::parsed_options& parsed) {
+/// Those whose values are lines may be given several times.
+bool repeats(const std::vector<Setting>& known, const std::string& name) {
+    return std::any_of(known.begin(), known.end(), [&](const Setting& setting) {
+        return setting.name == name && setting.between == '\n';
+    });
+}
+
+std::map<std::string, std::string> values_of(const po::parsed_options& parsed,
+                                             const std::vector<Setting>& known) {
     std::map<std::string, std::string> values;
     for (const auto& option : parsed.options) {
         const std::string value = option.value.empty() ? "on" : option.value.front();
         if (value.empty())
             throw InputError("--" + option.string_key + ": \"\" given, expected a value");
-        if (!values.emplace(option.string_key, value).second)
+        const auto [before, is_first] = values.emplace(option.string_key, value);
+        if (!is_first && !repeats(known, option.string_key))
             throw InputError("--" + option.string_key + ": given twice, expected once");
+        if (!is_first)
+            before->second += "\n" + value;
     }
     return values;
 }
@@ -113,6 +124,54 @@ std::string key_suggestion(const std::string& name, const std::vector<std::strin
 
 } // namespace
 
+Setting::Setting(std::string called, std::string otherwise, std::string line, bool switched)
+    : name(std::move(called)), fallback(std::move(otherwise)), meaning(std::move(line)), is_switch(switched) {
+}
+
+Setting::Setting(const ga::Parameter& parameter)
+    : Setting(parameter.name, parameter.standard.value_or(""), parameter.meaning) {
+    takes = parameter;
+}
+
+Setting Setting::several(char parts) const {
+    Setting copy = *this;
+    copy.between = parts;
+    return copy;
+}
+
+Setting Setting::of(std::vector<std::string> words) const {
+    Setting copy = *this;
+    copy.choices = std::move(words);
+    for (const std::string& word : copy.choices)
+        copy.meaning += (word == copy.choices.front() ? "; one of " : ", ") + word;
+    return copy;
+}
+
+Setting seed_setting() { return ga::whole("seed", "1", 0, "seed of the random numbers").up_to(0x1p53); }
+Setting threads_setting() { return ga::whole("threads", "0", 0, "threads; 0 takes all").up_to(1024); }
+Setting force_setting() { return {"force", "", "write over an existing result", true}; }
+Setting pictures_setting() {
+    return Setting("pictures", "on", "off leaves out the page and its pictures").of({"on", "off"});
+}
+Setting positive(const std::string& name, const std::string& fallback, const std::string& meaning) {
+    return ga::number(name, fallback, ga::above_zero, ga::no_limit, meaning);
+}
+
+std::vector<Setting> settings_of(const Fields& fields, const std::string& prefix, const std::string& group) {
+    std::vector<Setting> all;
+    for (const Field& field : fields) {
+        all.push_back(field.setting);
+        all.back().name = prefix + field.setting.name;
+        all.back().group = group;
+    }
+    return all;
+}
+
+void take(const Settings& settings, const Fields& fields, const std::string& prefix) {
+    for (const Field& field : fields)
+        field.take(settings, prefix + field.setting.name);
+}
+
 std::string keyword(std::string name) {
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
@@ -123,6 +182,21 @@ Settings::Settings(std::string source, std::vector<Setting> known, std::map<std:
     : source_(std::move(source)), given_(std::move(given)), lines_(std::move(lines)) {
     for (auto& setting : known)
         known_.emplace(setting.name, setting);
+    for (const auto& [name, value] : given_)
+        check(name);
+}
+
+/// A name that is not known is another's to refuse.
+void Settings::check(const std::string& name) const {
+    const auto setting = known_.find(name);
+    if (setting == known_.end() || text(name).empty())
+        return;
+    if (setting->second.is_switch)
+        is_on(name);
+    else if (!setting->second.choices.empty())
+        choice(name);
+    else if (!setting->second.takes.is_text())
+        numbers(name);
 }
 
 std::string Settings::place(const std::string& name) const {
@@ -148,40 +222,55 @@ bool Settings::is_on(const std::string& name) const {
     throw InputError(place(name) + ": \"" + value + "\" given, expected on or off");
 }
 
-double Settings::number(const std::string& name, double from, double to) const {
-    const double value = rough::number_from(text(name), place(name));
-    if (value < from || value > to)
-        throw InputError(place(name) + ": " + text(name) + " given, expected a number " +
-                         (from == std::numeric_limits<double>::min() ? "above 0 and up to "
-                                                                     : "from " + ga::number(from) + " to ") +
-                         ga::number(to));
+double Settings::number_in(const std::string& name, const std::string& word,
+                           const ga::Parameter& range) const {
+    const double value = rough::number_from(word, place(name));
+    if (!range.is_text() && !range.allows(value))
+        throw InputError(place(name) + ": " + word + " given, expected " + range.expected(true));
     return value;
 }
 
-std::vector<double> Settings::numbers(const std::string& name, double from, double to) const {
+double Settings::number(const std::string& name) const {
+    return number_in(name, text(name), known_.at(name).takes);
+}
+
+std::vector<double> Settings::numbers(const std::string& name) const {
     std::vector<double> all;
-    for (const std::string& word : rough::listed(text(name)))
-        all.push_back(with({{name, word}}).number(name, from, to));
+    const auto given = words(name);
+    if (known_.at(name).between == 'x' && given.size() > 2)
+        throw InputError(place(name) + ": '" + text(name) +
+                         "' given, expected two numbers with an x between, as in 64x48");
+    for (const std::string& word : given)
+        all.push_back(number_in(name, word, known_.at(name).takes));
     return all;
 }
 
-double Settings::positive(const std::string& name) const {
-    const double value = rough::number_from(text(name), place(name));
-    if (value <= 0)
-        throw InputError(place(name) + ": " + text(name) + " given, expected a number greater than 0");
-    return value;
+std::vector<std::string> Settings::words(const std::string& name) const {
+    const char between = known_.at(name).between;
+    if (between == ',')
+        return rough::listed(text(name));
+    std::vector<std::string> all;
+    std::istringstream in(text(name) + between);
+    for (std::string word; std::getline(in, word, between);)
+        all.push_back(word);
+    return all;
 }
 
-double Settings::pressure(const std::string& name) const {
-    return number(name, std::numeric_limits<double>::min(), 1e100);
+std::size_t Settings::choice(const std::string& name) const { return one_of(name, known_.at(name).choices); }
+
+double Settings::number(const std::string& name, double from, double to) const {
+    return number_in(name, text(name), ga::number(name, {}, from, to, {}));
 }
+
+double Settings::positive(const std::string& name) const {
+    return number(name, ga::above_zero, ga::no_limit);
+}
+
+double Settings::pressure(const std::string& name) const { return number(name, ga::above_zero, 1e100); }
 
 long Settings::whole(const std::string& name, long from, long to) const {
-    const double value = rough::number_from(text(name), place(name));
-    if (value != std::floor(value) || value < static_cast<double>(from) || value > static_cast<double>(to))
-        throw InputError(place(name) + ": " + text(name) + " given, expected a whole number from " +
-                         std::to_string(from) + " to " + std::to_string(to));
-    return static_cast<long>(value);
+    return static_cast<long>(number_in(
+        name, text(name), ga::whole(name, {}, static_cast<double>(from), {}).up_to(static_cast<double>(to))));
 }
 
 std::uint64_t Settings::seed(const std::string& name) const {
@@ -236,14 +325,21 @@ std::vector<std::pair<std::string, std::string>> Settings::texts_under(const std
     return texts;
 }
 
-Settings read_command_line(const std::vector<std::string>& words, const std::vector<Setting>& known,
+Settings read_command_line(const std::vector<std::string>& given, const std::vector<Setting>& known,
                            const std::vector<std::string>& positional) {
+    std::vector<std::string> words = given;
+    for (const Setting& setting : known)
+        for (std::size_t i = 0; i < words.size(); ++i)
+            if (!setting.alone.empty() && words[i] == "--" + setting.name &&
+                (i + 1 == words.size() || words[i + 1].starts_with("--")))
+                words[i] += "=" + setting.alone;
     po::options_description with_words = options_of(known);
     with_words.add_options()(too_many, po::value<std::string>());
     po::positional_options_description places;
     for (const auto& name : positional)
-        places.add(name.c_str(), 1);
-    places.add(too_many, -1);
+        places.add(name.c_str(), repeats(known, name) ? -1 : 1);
+    if (positional.empty() || !repeats(known, positional.back()))
+        places.add(too_many, -1);
     namespace style = po::command_line_style;
     try {
         const auto parsed =
@@ -257,7 +353,7 @@ Settings read_command_line(const std::vector<std::string>& words, const std::vec
                 throw InputError(
                     "'" + option.value.front() + "' given, expected " +
                     (positional.empty() ? "flags only" : "one " + positional.front() + " beside the flags"));
-        return {"", known, values_of(parsed)};
+        return {"", known, values_of(parsed, known)};
     } catch (const po::unknown_option& error) {
         std::string name = error.get_option_name();
         name.erase(0, name.find_first_not_of('-'));
@@ -340,8 +436,9 @@ std::string described(const std::vector<Setting>& known) {
     rough::PlainStream out;
     for (const std::string& group : groups) {
         std::vector<Setting> members;
-        std::copy_if(known.begin(), known.end(), std::back_inserter(members),
-                     [&](const Setting& setting) { return setting.group == group; });
+        std::copy_if(known.begin(), known.end(), std::back_inserter(members), [&](const Setting& setting) {
+            return setting.group == group && !setting.meaning.empty();
+        });
         const std::string heading = group.empty() ? "Flags" : group;
         out << (group == groups.front() ? "" : "\n") << options_of(members, heading);
     }

@@ -2,29 +2,53 @@
 
 #include "domain/errors.hpp"
 #include "ga/base/errors.hpp"
+#include "ga/pipeline/parameters.hpp"
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace app {
 
-/// A named value that a user may set, as a flag of a command or a key of an experiment.
+/// A parameter that a user may set: a flag of a command, a key of an experiment, a keyword of Python.
 struct Setting {
     std::string name;       ///< flag without its dashes, or section.key
     std::string fallback;   ///< what it is if not given; "" is nothing
-    std::string meaning;    ///< one line, with the unit
+    std::string meaning;    ///< one line, with the unit; "" leaves it out of the help page
     bool is_switch = false; ///< a flag without a value
     std::string group = {}; ///< heading in the help page; "" for the command's own
+    /// What may be given, which is checked when settings are read: any words, or a number in a range.
+    ga::Parameter takes = ga::word_list({}, {});
+    std::vector<std::string> choices = {}; ///< one of these words, where there are any
+    std::string alone = {};                ///< what a flag without a value stands for; "": it needs one
+    char between = 0; ///< parts several values: ',', 'x' of a pair along x and y, a line's end; 0: one value
+
+    Setting(std::string name, std::string fallback, std::string meaning, bool is_switch = false);
+    Setting(const ga::Parameter& parameter); ///< one that ga::number or ga::whole describes
+    /// The same with several values, so parted.
+    Setting several(char between = ',') const;
+    /// The same for these words alone.
+    Setting of(std::vector<std::string> words) const;
 };
+
+///@{
+/// Parameters that several commands have, and a number above 0.
+Setting seed_setting();
+Setting threads_setting();
+Setting force_setting();
+Setting pictures_setting();
+Setting positive(const std::string& name, const std::string& fallback, const std::string& meaning);
+///@}
 
 /// A setting's name as Python has it: strip_width.
 std::string keyword(std::string name);
 
-/// Values by name. Every reader throws rough::InputError naming the setting, what was given and what was
-/// expected.
+/// Values by name. The constructor and every reader throw rough::InputError naming the setting, what was
+/// given and what was expected.
 class Settings {
   public:
     static constexpr const char* keywords = "()";
@@ -38,9 +62,30 @@ class Settings {
     bool has(const std::string& name) const { return !text(name).empty(); }
     const std::string& text(const std::string& name) const;
     bool is_on(const std::string& name) const;
+    double number(const std::string& name) const;
+    /// Of a setting with several values.
+    std::vector<double> numbers(const std::string& name) const;
+    std::vector<std::string> words(const std::string& name) const;
+    /// The place of its word among the setting's choices.
+    std::size_t choice(const std::string& name) const;
+    /// Sets a value to what stands for the setting, if anything does; an enumeration, or a bool that is no
+    /// switch, by the place among the setting's choices.
+    template <class Value>
+    void take(const std::string& name, Value& value) const {
+        if (!has(name))
+            return;
+        if constexpr (std::is_same_v<Value, bool>)
+            value = known_.at(name).is_switch ? is_on(name) : choice(name) > 0;
+        else if constexpr (std::is_same_v<Value, std::string>)
+            value = text(name);
+        else if constexpr (std::is_same_v<Value, std::vector<double>>)
+            value = numbers(name);
+        else if constexpr (std::is_enum_v<Value>)
+            value = static_cast<Value>(choice(name));
+        else
+            value = static_cast<Value>(number(name));
+    }
     double number(const std::string& name, double from, double to) const;
-    /// Numbers with commas between.
-    std::vector<double> numbers(const std::string& name, double from, double to) const;
     double positive(const std::string& name) const;
     /// A pressure (MPa) whose squares fit double precision.
     double pressure(const std::string& name) const;
@@ -69,6 +114,9 @@ class Settings {
 
   private:
     std::filesystem::path beside(const std::string& name, const std::string& word) const;
+    /// The number that a word is. Throws rough::InputError on one that the setting's range does not hold.
+    double number_in(const std::string& name, const std::string& word, const ga::Parameter& range) const;
+    void check(const std::string& name) const;
 
     std::string source_;
     std::map<std::string, Setting> known_;
@@ -76,8 +124,26 @@ class Settings {
     std::map<std::string, int> lines_; ///< of the file
 };
 
+/// A parameter with the place of its value: where the set-up of a command keeps it.
+struct Field {
+    Setting setting;
+    std::function<void(const Settings&, const std::string& name)> take; ///< into the value
+
+    template <class Value>
+    Field(Setting described, Value& value)
+        : setting(std::move(described)),
+          take([&value](const Settings& settings, const std::string& name) { settings.take(name, value); }) {}
+};
+using Fields = std::vector<Field>;
+/// Their settings, each name behind `prefix`, under a heading of the help page.
+std::vector<Setting> settings_of(const Fields& fields, const std::string& prefix = "",
+                                 const std::string& group = "");
+/// Sets the values of those that were given, or that have a fallback.
+void take(const Settings& settings, const Fields& fields, const std::string& prefix = "");
+
 /// Reads a command line. Throws rough::InputError on an unknown flag (with the nearest name), an empty value
-/// or a word too many.
+/// or a word too many. `positional` names settings that need no flag; one with several values takes all
+/// words.
 Settings read_command_line(const std::vector<std::string>& words, const std::vector<Setting>& known,
                            const std::vector<std::string>& positional = {});
 

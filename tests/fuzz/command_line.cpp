@@ -1,4 +1,4 @@
-#include "apps/commands/design/settings.hpp"
+#include "apps/commands/design/run.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "tests/fuzz/reader.hpp"
 

@@ -1,4 +1,4 @@
-#include "apps/prompt/formula.hpp"
+#include "apps/prompt/goals.hpp"
 
 #include "tests/fuzz/reader.hpp"
 

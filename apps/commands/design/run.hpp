@@ -1,16 +1,22 @@
 #pragma once
 
+#include "apps/prompt/settings.hpp"
 #include "apps/report/record.hpp"
+#include "domain/accuracy/resolution.hpp"
 #include "domain/design/morph.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/design/trust.hpp"
 #include "domain/target/out_of_reach.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// What `rugosa design` was asked for and what it found, as its result file and page read it.
+/// What a design was asked for and what it found, as the program and Python read it, and its files.
 namespace app {
 
 struct Fact {
@@ -66,5 +72,40 @@ struct DesignRun {
     double seconds = 0;
     Origin origin;
 };
+
+/// The parameters of a search that the program and Python share: what is looked for beside the target, how,
+/// how long, under which model.
+std::vector<Setting> search_settings();
+/// With those of the program alone: target or scan, production, files.
+std::vector<Setting> design_settings();
+
+/// What the settings ask for, with the exact tests of what is out of reach done. Throws rough::InputError.
+DesignRun design_from(const Settings& settings);
+/// The same for targets and a model from elsewhere, which `take_targets` fills in.
+DesignRun design_from(const Settings& settings,
+                      const std::function<void(const Settings&, DesignRun&)>& take_targets);
+
+/// Sets a set-up's targets and model to what a measured surface's own response, under its model `own`, asks
+/// for; with a resolution as a band.
+void like_surface(const rough::Profile& surface, const rough::Model& own, const std::string& name,
+                  const Settings& settings, rough::DesignSetup& setup,
+                  rough::Resolution resolution = rough::Resolution::off);
+
+/// Whether what was asked for was found and verified, within the limits, and no target is out of reach.
+bool is_found(const DesignRun& run);
+/// Of a run whose answer was found, and verified where there was time.
+Summary summary_of(const DesignRun& run);
+/// Quantities that were not asked for, how far the answer is off from the scan's at most.
+std::vector<std::pair<std::string, double>> off_unasked(const DesignRun& run);
+/// `summary` of result.json.
+nlohmann::json summary_json(const DesignRun& run);
+
+/// Writes result.json, and tolerance.csv if the tolerance is known.
+void write_design_result(const DesignRun& run, const std::filesystem::path& folder);
+/// Writes answer.csv, the answer's own curve, and genome.json.
+void write_design_tables(const DesignRun& run, const std::filesystem::path& folder);
+/// Writes the tables that the page's figures draw: curves.csv, points.csv, heights-drawn.csv or map.csv, and
+/// front.csv or made.csv.
+void write_design_drawings(const DesignRun& run, const std::filesystem::path& folder);
 
 } // namespace app

@@ -1,5 +1,4 @@
-#include "apps/commands/design/settings.hpp"
-
+#include "apps/commands/design/run.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/units.hpp"
@@ -24,132 +23,150 @@ std::vector<rough::Target> goals_from(const Settings& settings, const rough::Mod
     for (const std::string& file : rough::listed(settings.text("target")))
         goals.push_back(goal_from(settings, file, model));
     if (settings.has("weights")) {
-        const auto weights = rough::listed(settings.text("weights"));
+        const auto weights = settings.numbers("weights");
         if (weights.size() != goals.size())
             throw rough::InputError("--weights: " + std::to_string(weights.size()) + " given, expected " +
                                     std::to_string(goals.size()) + ", one a target");
-        double largest = 0;
-        for (std::size_t i = 0; i < goals.size(); ++i) {
-            goals[i].weight = rough::number_from(weights[i], "--weights");
-            if (!(goals[i].weight > 0))
-                throw rough::InputError("--weights: " + weights[i] +
-                                        " given, expected numbers greater than 0");
-            largest = std::max(largest, goals[i].weight);
-        }
-        for (rough::Target& goal : goals)
-            goal.weight /= largest;
+        for (std::size_t i = 0; i < goals.size(); ++i)
+            goals[i].weight = weights[i] / *std::max_element(weights.begin(), weights.end());
     }
     return goals;
 }
 
-/// --NAME-from and --NAME-to, each between `least` and `greatest`.
-void take_range(const Settings& settings, const std::string& name, double& from, double& to, double least,
-                double greatest) {
+/// The shared parameters of a design, where its set-up and its options keep them.
+Fields fields_of(rough::DesignSetup& setup) {
+    const rough::GeneBounds usual;
+    rough::GeneBounds& bounds = setup.bounds;
+    rough::MakingLimits& limits = setup.limits;
+    return {
+        {max_pressure_setting(), setup.max_pressure},
+        {ga::number(
+             "reach-similarity", "", -1, 1,
+             "the similarity that an answer must have at its worst, which the variants default and like "
+             "begin anew for; exit 3 if none has [0.99]"),
+         setup.required_similarity},
+        {ga::whole("ridges", "", 1,
+                   "ridges of each chromosome of drawn genomes [1; an area, their directions: 8]")
+             .up_to(64),
+         setup.ridges},
+        {positive("shortest-wave", "", "shortest wave that can be made, mm [8 node distances]"),
+         limits.shortest_wave},
+        {positive("max-slope", "", "largest slope that can be made"), limits.max_slope},
+        {positive("max-height", "", "largest height range, mm"), limits.max_height},
+        {positive("min-radius", "", "smallest radius of curvature, mm"), limits.min_radius},
+        {ga::number("hurst-from", "", ga::above_zero, 10, "least H [" + brief(usual.H_from, 15) + "]"),
+         bounds.H_from},
+        {ga::number("hurst-to", "", ga::above_zero, 10, "largest H [" + brief(usual.H_to, 15) + "]"),
+         bounds.H_to},
+        {ga::number("gamma-from", "", 1.001, 100, "least gamma [" + brief(usual.gamma_from, 15) + "]"),
+         bounds.gamma_from},
+        {ga::number("gamma-to", "", 1.001, 100, "largest gamma [" + brief(usual.gamma_to, 15) + "]"),
+         bounds.gamma_to},
+        {ga::number("lambda-from", "", 1e-12, 1e12, "least longest wave of a series, mm [L/4]"),
+         bounds.lambda_from},
+        {ga::number("lambda-to", "", 1e-12, 1e12, "largest longest wave of a series, mm [4 L]"),
+         bounds.lambda_to},
+        {positive(
+             "noise", "",
+             "rms of the height noise under which 95 % of the draws must hold, mm: a profile is searched for "
+             "under it, an area verified under it [none]"),
+         setup.errors.noise},
+        {positive("noise-length", "", "correlation length of height noise, mm [L/60]"),
+         setup.errors.noise_length},
+        {positive("tilt", "",
+                  "height over the length that the answer may be tilted by, mm, as --noise [none]"),
+         setup.errors.tilt},
+    };
+}
+
+Fields fields_of(rough::SearchOptions& options) {
+    return {
+        {positive("seconds", "",
+                  "wall time of the whole design; an area that there is no time to verify is said to be "
+                  "not verified [until the pipeline ends]"),
+         options.seconds},
+        {ga::whole("evaluations", "", 1, "end after so many curves and gradients [when the pipeline ends]")
+             .up_to(1e9),
+         options.evaluations},
+        {ga::whole("alternatives", "", 1,
+                   "different answers to return [" + std::to_string(rough::SearchOptions().alternatives) +
+                       "; of an area, where each is verified at length: 1]")
+             .up_to(100),
+         options.alternatives},
+        {seed_setting(), options.seed},
+        {threads_setting(), options.threads},
+    };
+}
+
+Fields fields_of(rough::TrustOptions& options) {
+    return {
+        {positive("hardness", "",
+                  "hardness that no node bears more than, MPa, to verify the answer under [none]"),
+         options.hardness},
+    };
+}
+
+/// Throws where a gene's least value is above its largest.
+void expect_in_order(const Settings& settings, const rough::GeneBounds& bounds) {
     const auto shown = [&](const std::string& flag, double value) {
-        return "--" + flag + ": " +
+        return settings.place(flag) + ": " +
                (settings.has(flag) ? settings.text(flag) + " given" : readable(value, 6) + " by itself");
     };
-    for (const auto& [flag, value] : {std::pair(name + "-from", &from), std::pair(name + "-to", &to)})
-        if (settings.has(flag))
-            *value = settings.number(flag, least, greatest);
-    if (from > to)
-        throw rough::InputError(shown(name + "-from", from) + ", " + shown(name + "-to", to) +
-                                ", expected from no greater than to");
-}
-
-void take_bounds(const Settings& settings, rough::DesignSetup& setup) {
-    rough::GeneBounds& bounds = setup.bounds;
-    take_range(settings, "hurst", bounds.H_from, bounds.H_to, std::numeric_limits<double>::min(), 10);
-    take_range(settings, "gamma", bounds.gamma_from, bounds.gamma_to, 1.001, 100);
-    bounds = completed(bounds, setup.model.grid.length);
-    take_range(settings, "lambda", bounds.lambda_from, bounds.lambda_to, 1e-12, 1e12);
-    rough::MakingLimits& limits = setup.limits;
-    for (const auto& [name, limit] :
-         {std::pair("shortest-wave", &limits.shortest_wave), std::pair("max-slope", &limits.max_slope),
-          std::pair("max-height", &limits.max_height), std::pair("min-radius", &limits.min_radius)})
-        if (settings.has(name))
-            *limit = settings.positive(name);
-    setup = placing(settings, "", [&] { return completed(setup); });
-}
-
-void take_errors(const Settings& settings, rough::DesignSetup& setup) {
-    rough::MakingErrors& errors = setup.errors;
-    for (const auto& [name, value] : {std::pair("noise", &errors.noise), std::pair("tilt", &errors.tilt)})
-        if (settings.has(name))
-            *value = settings.positive(name);
-    const rough::Grid& grid = setup.model.grid;
-    if (settings.has("noise-length"))
-        errors.noise_length =
-            settings.number("noise-length", std::min(grid.widest_spacing(), grid.length / 60), grid.length);
+    for (const auto& [gene, from, to] : {std::tuple("hurst", bounds.H_from, bounds.H_to),
+                                         {"gamma", bounds.gamma_from, bounds.gamma_to},
+                                         {"lambda", bounds.lambda_from, bounds.lambda_to}})
+        if (from > to)
+            throw rough::InputError(shown(gene + std::string("-from"), from) + ", " +
+                                    shown(gene + std::string("-to"), to) +
+                                    ", expected from no greater than to");
 }
 
 } // namespace
 
-std::vector<Setting> design_settings() {
-    const rough::GeneBounds usual;
+std::vector<Setting> search_settings() {
+    rough::DesignSetup setup;
+    rough::SearchOptions options;
+    rough::TrustOptions trust;
     const std::vector<Setting> settings{
-        {"target", "", "target file (CSV); several with commas between"},
-        {"weights", "", "how much each target counts, with commas between [1 each]"},
-        {"like", "",
-         "measured profile whose own response is the target, or with --spacing DXxDY a map, a text matrix"},
-        {"quantity", "both",
-         "of the scan's response: both (stiffness and contact area), stiffness, area or "
-         "interface_stiffness"},
-        {"points", "20", "points of the target that --like gives"},
-        {"resistivity", "",
-         "rho1 + rho2 of a conductance target, C = 2 K_i/(E* (rho1 + rho2)) of the interface stiffness K_i"},
-        {"max-pressure", "",
-         "rescale every genome to this mean pressure at full approach (Eq. 11), MPa [amplitude is a gene]"},
+        Setting("quantity", "both", "of the scan's response, both: stiffness and contact area")
+            .of(rough::names_of_likeness()),
+        ga::whole("points", "20", 2, "points of the target that --like gives").up_to(1e5),
         {"database", "", "genome database whose stored curves nearest to the target the search begins from"},
-        {"from", "",
-         "genome (JSON) of a surface in production: the least change of --control brings it back to the "
-         "target"},
-        {"control", "", "the chromosomes of --from whose phases may move, SERIES:CHROMOSOME, e.g. 1:3,1:5"},
-        {"largest-change", "0.05", "largest change of such a phase, as a share of a turn, up to 0.5"},
         {"variant", "",
          "how to search: a named pipeline (rugosa operators) [default; on an area maps; with --database "
          "in-line; for a scan's contact area like; with --noise or --tilt made]"},
         {"pipeline", "", "how to search: a pipeline as text, in place of a variant"},
-        {"seconds", "",
-         "wall time of the whole program; an area that there is no time to verify is said to be not verified "
-         "[until the pipeline ends]"},
-        {"reach-similarity", "",
-         "the similarity that an answer must have at its worst, which the variants default and like begin "
-         "anew "
-         "for; exit 3 if none has [0.99]"},
-        {"evaluations", "", "end after so many curves and gradients [when the pipeline ends]"},
-        {"alternatives", "",
-         "different answers to return [" + std::to_string(rough::SearchOptions().alternatives) +
-             "; of an area, where each is verified at length: 1]"},
-        {"out", "", "folder for the results [out/design, or out/design-2 and on]"},
-        {"force", "", "write over an existing result", true},
-        {"resume", "",
-         "continue the design in the folder given by --out that was interrupted, killed or out of time",
-         true},
-        {"pictures", "on", "off leaves out the report"},
-        {"seed", "1", "seed of the random numbers"},
-        {"threads", "0", "threads; 0 takes all"},
-        {"ridges", "", "ridges of each chromosome of drawn genomes [1; an area, their directions: 8]"},
-        {"shortest-wave", "", "shortest wave that can be made, mm [8 node distances]"},
-        {"max-slope", "", "largest slope that can be made"},
-        {"max-height", "", "largest height range, mm"},
-        {"min-radius", "", "smallest radius of curvature, mm"},
-        {"hurst-from", "", "least H [" + brief(usual.H_from, 15) + "]"},
-        {"hurst-to", "", "largest H [" + brief(usual.H_to, 15) + "]"},
-        {"gamma-from", "", "least gamma [" + brief(usual.gamma_from, 15) + "]"},
-        {"gamma-to", "", "largest gamma [" + brief(usual.gamma_to, 15) + "]"},
-        {"lambda-from", "", "least longest wave of a series, mm [L/4]"},
-        {"lambda-to", "", "largest longest wave of a series, mm [4 L]"},
-        {"noise", "",
-         "rms of the height noise under which 95 % of the draws must hold, mm: a profile is searched for "
-         "under "
-         "it, an area verified under it [none]"},
-        {"noise-length", "", "correlation length of height noise, mm [L/60]"},
-        {"tilt", "", "height over the length that the answer may be tilted by, mm, as --noise [none]"},
-        {"hardness", "", "hardness that no node bears more than, MPa, to verify the answer under [none]"},
     };
-    return joined(
-        {settings, scan_settings(), {resolution_setting()}, model_settings(), {accuracy_setting()}});
+    return joined({settings,
+                   settings_of(fields_of(options)),
+                   settings_of(fields_of(setup)),
+                   settings_of(fields_of(trust)),
+                   model_settings(),
+                   {accuracy_setting()}});
+}
+
+std::vector<Setting> design_settings() {
+    const std::vector<Setting> settings{
+        {"target", "", "target file (CSV); several with commas between"},
+        positive("weights", "", "how much each target counts, with commas between [1 each]").several(),
+        {"like", "",
+         "measured profile whose own response is the target, or with --spacing DXxDY a map, a text matrix"},
+        resistivity_setting(),
+        {"from", "",
+         "genome (JSON) of a surface in production: the least change of --control brings it back to the "
+         "target"},
+        {"control", "", "the chromosomes of --from whose phases may move, SERIES:CHROMOSOME, e.g. 1:3,1:5"},
+        ga::number("largest-change", "0.05", ga::above_zero, 0.5,
+                   "largest change of such a phase, as a share of a turn, up to 0.5"),
+        {"out", "", "folder for the results [out/design, or out/design-2 and on]"},
+        force_setting(),
+        Setting("resume", "",
+                "continue the design in the folder given by --out that was interrupted, killed or out of "
+                "time",
+                true),
+        pictures_setting(),
+    };
+    return joined({settings, search_settings(), scan_settings(), {resolution_setting()}});
 }
 
 namespace {
@@ -169,7 +186,7 @@ std::optional<Production> production_from(const Settings& settings) {
     Production from{settings.text("from"), rough::read_genome(settings.text("from")), {}, 0};
     from.control =
         placing(settings, "", [&] { return rough::chromosomes_from(settings.text("control"), from.genome); });
-    from.largest_change = settings.number("largest-change", std::numeric_limits<double>::min(), 0.5);
+    from.largest_change = settings.number("largest-change");
     return from;
 }
 
@@ -180,34 +197,21 @@ std::vector<std::string> names_of(const ga::Variants& variants) {
     return names;
 }
 
-} // namespace
-
-DesignRun design_from(const Settings& settings) {
+/// What --target or --like asks for, and the model.
+void take_targets(const Settings& settings, DesignRun& run) {
     if (settings.has("target") == settings.has("like"))
         throw rough::InputError("design: expected either --target or --like");
-    DesignRun run;
-    run.from = production_from(settings);
     rough::DesignSetup& setup = run.setup;
+    run.from = production_from(settings);
     if (run.from)
         setup.phases = rough::PhaseReach{0, 2 * std::numbers::pi * run.from->largest_change};
-    if (settings.has("max-pressure"))
-        setup.max_pressure = settings.pressure("max-pressure");
-    if (settings.has("ridges"))
-        setup.ridges = static_cast<int>(settings.whole("ridges", 1, 64));
     const bool area = asks_for_area(settings);
-    for (const char* name : {"database", "from"})
-        if (area && settings.has(name))
-            throw rough::InputError(settings.place(name) +
-                                    ": given with an area, expected none: it is for profiles alone");
-    const auto likeness = [&] {
-        return rough::likeness_named(
-            rough::names_of_likeness()[settings.one_of("quantity", rough::names_of_likeness())]);
-    };
-    const long points = settings.whole("points", 2, 100000);
+    if (area && run.from)
+        throw rough::InputError("--from: given with an area, expected none: it is for profiles alone");
     if (settings.has("like") && area) {
         const AreaScene scene = area_from(settings, "like");
         run.accounts = scene.notes;
-        setup = like(setup, scene.map, scene.model, settings.text("like"), likeness(), points, 0,
+        like_surface(scene.map, scene.model, settings.text("like"), settings, setup,
                      // A map's band would take most of the time.
                      settings.given("resolution") ? resolution_from(settings) : rough::Resolution::off);
     } else if (settings.has("like")) {
@@ -215,8 +219,7 @@ DesignRun design_from(const Settings& settings) {
         run.accounts.push_back(scan.account);
         rough::Model own = model_from(settings, scan);
         own.grid.nodes = scan.measured.nodes();
-        setup = like(setup, scan.on(own.grid), own, scan.name, likeness(), points, nodes_from(settings, 0),
-                     resolution_from(settings));
+        like_surface(scan.on(own.grid), own, scan.name, settings, setup, resolution_from(settings));
     } else {
         expect_none(
             settings,
@@ -228,49 +231,66 @@ DesignRun design_from(const Settings& settings) {
         if (area && setup.model.body.kernel == rough::Kernel::free)
             run.accounts.emplace_back(no_datum_note);
     }
-    for (const rough::Target& goal : setup.targets)
-        if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
-            throw rough::InputError("--max-pressure: " + settings.text("max-pressure") +
-                                    " MPa given, expected at least the last pressure of " + goal.name + ", " +
-                                    readable(goal.last(), 6) + " MPa");
     for (const auto& note : without_effect(settings, rough::listed(settings.text("target"))))
         run.accounts.push_back(note);
     for (const auto& note : carried_notes(setup.targets, setup.model))
         run.accounts.push_back(note);
-    take_errors(settings, setup);
-    take_bounds(settings, setup);
+}
+
+} // namespace
+
+void like_surface(const rough::Profile& surface, const rough::Model& own, const std::string& name,
+                  const Settings& settings, rough::DesignSetup& setup, rough::Resolution resolution) {
+    setup = like(setup, surface, own, name, rough::likeness_named(settings.text("quantity")),
+                 static_cast<rough::Index>(settings.number("points")),
+                 surface.is_2d() ? 0 : nodes_from(settings, 0), resolution);
+}
+
+DesignRun design_from(const Settings& settings) { return design_from(settings, take_targets); }
+
+DesignRun design_from(const Settings& settings,
+                      const std::function<void(const Settings&, DesignRun&)>& take_targets) {
+    DesignRun run;
+    rough::DesignSetup& setup = run.setup;
+    take(settings, fields_of(setup));
+    take_targets(settings, run);
+    const rough::Grid& grid = setup.model.grid;
+    if (grid.is_2d() && settings.has("database"))
+        throw rough::InputError(settings.place("database") +
+                                ": given with an area, expected none: it is for profiles alone");
+    for (const rough::Target& goal : setup.targets)
+        if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
+            throw rough::InputError(settings.place("max-pressure") + ": " + settings.text("max-pressure") +
+                                    " MPa given, expected at least the last pressure of " + goal.name + ", " +
+                                    readable(goal.last(), 6) + " MPa");
+    if (settings.has("noise-length"))
+        settings.number("noise-length", std::min(grid.widest_spacing(), grid.length / 60), grid.length);
+    setup.bounds = completed(setup.bounds, grid.length);
+    expect_in_order(settings, setup.bounds);
+    setup = placing(settings, "", [&] { return completed(setup); });
     for (const char* limit : {"shortest-wave", "max-slope", "max-height", "min-radius"})
         run.limits_given = run.limits_given || settings.has(limit);
     run.searched = setup;
     run.searched.model.accuracy = accuracy_from(settings);
 
     if (settings.given("variant") && settings.given("pipeline"))
-        throw rough::InputError("design: expected either --variant or --pipeline");
+        throw rough::InputError("design: expected either " + settings.place("variant") + " or " +
+                                settings.place("pipeline"));
     rough::SearchOptions& options = run.options;
     options.pipeline = settings.has("variant")    ? settings.text("variant")
                        : settings.has("pipeline") ? settings.text("pipeline")
                                                   : usual_variant(setup, settings.has("database"));
     if (settings.has("variant") && !rough::design_variants().count(options.pipeline))
-        throw rough::InputError("--variant: unknown variant '" + options.pipeline + "'" +
+        throw rough::InputError(settings.place("variant") + ": unknown variant '" + options.pipeline + "'" +
                                 ga::suggestion(options.pipeline, names_of(rough::design_variants())));
-    options.seed = settings.seed("seed");
-    options.threads = settings.threads("threads");
-    if (settings.has("alternatives"))
-        options.alternatives = static_cast<std::size_t>(settings.whole("alternatives", 1, 100));
-    else if (area)
+    if (grid.is_2d())
         options.alternatives = 1;
-    if (settings.has("seconds"))
-        options.seconds = settings.positive("seconds");
-    if (settings.has("reach-similarity"))
-        setup.required_similarity = run.searched.required_similarity =
-            settings.number("reach-similarity", -1, 1);
-    if (settings.has("evaluations"))
-        options.evaluations = settings.whole("evaluations", 1, 1'000'000'000);
+    take(settings, fields_of(options));
+    run.searched.required_similarity = setup.required_similarity;
 
+    take(settings, fields_of(run.trust_options));
     run.tolerance_options = {
         .seed = options.seed, .threads = options.threads, .fixed_draws = settings.has("evaluations")};
-    if (settings.has("hardness"))
-        run.trust_options.hardness = settings.positive("hardness");
     run.trust_options.seed = options.seed;
     run.trust_options.threads = options.threads;
     if (run.from)
@@ -291,6 +311,8 @@ DesignRun design_from(const Settings& settings) {
         setup, settings.has("reach-similarity") ? setup.required_similarity : rough::exact_enough);
     run.out_of_reach = beyond.reasons;
     run.bound = beyond.bound;
+    if (!run.out_of_reach.empty())
+        options.evaluations = std::min(options.evaluations, rough::enough_for_the_nearest);
     return run;
 }
 

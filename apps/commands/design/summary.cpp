@@ -1,5 +1,4 @@
-#include "apps/commands/design/summary.hpp"
-
+#include "apps/commands/design/run.hpp"
 #include "apps/report/units.hpp"
 #include "domain/contact/names.hpp"
 
@@ -56,6 +55,11 @@ double verified_under(const DesignRun& run) {
                                    [](const rough::Check& check) { return check.decides; }))
         return own;
     return std::isnan(run.trust->under) ? -HUGE_VAL : std::min(own, run.trust->under);
+}
+
+/// A line in production compares like with like: the model, grid and load steps of its target.
+double verified_of(const DesignRun& run) {
+    return run.morphed ? run.found.best.similarity : verified_under(run);
 }
 
 bool is_verified(const DesignRun& run) { return !asks_under(run) || (run.trust && run.trust->all_decided); }
@@ -370,12 +374,15 @@ std::vector<std::pair<std::string, double>> off_unasked(const DesignRun& run) {
     return all;
 }
 
+bool is_found(const DesignRun& run) {
+    return verified_of(run) >= run.setup.required_similarity && is_verified(run) &&
+           run.out_of_reach.empty() && run.found.best.within_limits;
+}
+
 Summary summary_of(const DesignRun& run) {
     Summary summary;
-    // A line in production compares like with like: the model, grid and load steps of its target.
-    summary.verified = run.morphed ? run.found.best.similarity : verified_under(run);
-    summary.found = summary.verified >= run.setup.required_similarity && is_verified(run) &&
-                    run.out_of_reach.empty() && run.found.best.within_limits;
+    summary.verified = verified_of(run);
+    summary.found = is_found(run);
     summary.verdict = verdict_of(run, summary.verified);
     const auto add = [&](const char* key, const char* name, const std::string& text) {
         if (!text.empty())

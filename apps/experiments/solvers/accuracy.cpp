@@ -80,8 +80,7 @@ void add_savings(AccuracyRun& run, SavingRow row, const rough::Genome& genome, c
 /// Random surfaces of each kind on each body under each load.
 void try_accuracies(AccuracyRun& run, const Settings& settings, const Conditions& conditions) {
     const long samples = settings.whole("accuracy.surfaces", 1, 1000);
-    const std::vector<double> accuracies =
-        settings.numbers("accuracy.accuracies", std::numeric_limits<double>::min(), 1);
+    const std::vector<double> accuracies = settings.numbers("accuracy.accuracies");
     if (accuracies.empty())
         throw rough::InputError(settings.place("accuracy.accuracies") +
                                 ": none given, expected numbers with commas between");
@@ -169,8 +168,9 @@ Experiment accuracy_experiment() {
     return {.kind = "accuracy",
             .summary = "what accuracy costs, and what is gained by modelling no more than an answer needs",
             .settings = joined(
-                {{{"accuracy.accuracies", "3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4",
-                   "accuracies to try, separated by commas"},
+                {{Setting(ga::number("accuracy.accuracies", "3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4",
+                                     ga::above_zero, 1, "accuracies to try, separated by commas"))
+                      .several(),
                   {"accuracy.surfaces", "5", "random surfaces of each kind"},
                   {"accuracy.smooth-H", "1.4", "H of the smooth surfaces"},
                   {"accuracy.rough-H", "0.6", "H of the rough ones"},

@@ -1,5 +1,4 @@
 #include "apps/prompt/model_settings.hpp"
-#include "apps/python/module/curve.hpp"
 #include "apps/python/module/python.hpp"
 #include "domain/response/interface.hpp"
 #include "domain/response/partial_slip.hpp"

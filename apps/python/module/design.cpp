@@ -1,4 +1,5 @@
-#include "apps/python/module/curve.hpp"
+#include "apps/commands/design/run.hpp"
+#include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
 
 #include <cmath>
@@ -6,25 +7,15 @@
 namespace rugosa::python {
 
 using rough::Answer;
-using rough::DesignSetup;
-using rough::SearchOptions;
 
 namespace {
 
 /// What a design was asked and what it found.
 struct Design {
-    DesignSetup setup;
-    rough::SearchResult found;
-    rough::Unreachable beyond;
+    app::DesignRun run; ///< its tolerance is found when it is first read
     Curve curve;
-    bool interrupted = false;
-    rough::ToleranceOptions tolerance_options = {};
-    std::optional<rough::Tolerance> tolerance = {}; ///< found when it is first read
 
-    bool is_found() const {
-        return found.best.lowest() >= setup.required_similarity && found.best.within_limits &&
-               beyond.reasons.empty();
-    }
+    const Answer& best() const { return run.found.best; }
 };
 
 /// None where it was not verified.
@@ -69,33 +60,6 @@ std::vector<rough::Target> targets_from(const std::optional<Eigen::VectorXd>& pr
     return targets;
 }
 
-void take_limits(Keywords& keywords, DesignSetup& setup) {
-    const auto take = [&](const char* name, double& value) { value = keywords.take(name, value); };
-    take("shortest_wave", setup.limits.shortest_wave);
-    take("max_slope", setup.limits.max_slope);
-    take("max_height", setup.limits.max_height);
-    take("min_radius", setup.limits.min_radius);
-    take("hurst_from", setup.bounds.H_from);
-    take("hurst_to", setup.bounds.H_to);
-    take("gamma_from", setup.bounds.gamma_from);
-    take("gamma_to", setup.bounds.gamma_to);
-    take("lambda_from", setup.bounds.lambda_from);
-    take("lambda_to", setup.bounds.lambda_to);
-}
-
-SearchOptions options_from(Keywords& keywords) {
-    SearchOptions options;
-    options.pipeline = keywords.take<std::string>("pipeline", "");
-    if (const auto variant = keywords.take<std::string>("variant"))
-        options.pipeline = *variant;
-    options.seed = keywords.take("seed", options.seed);
-    options.threads = keywords.take("threads", 0);
-    options.seconds = keywords.take("seconds", options.seconds);
-    options.evaluations = keywords.take("evaluations", options.evaluations);
-    options.alternatives = keywords.take("alternatives", options.alternatives);
-    return options;
-}
-
 /// Tells a Python callable of each stage: progress(path, generation, evaluations, best).
 ga::Observer<rough::Genome> observer(const py::object& progress, Callback& callback) {
     return [progress, &callback, best = -HUGE_VAL](const ga::Event<rough::Genome>& event) mutable {
@@ -106,66 +70,69 @@ ga::Observer<rough::Genome> observer(const py::object& progress, Callback& callb
     };
 }
 
+/// Parameters of the program's design that trust() has.
+const std::vector<std::string> of_trust{"hardness"};
+
 Design designed(const std::optional<Eigen::VectorXd>& pressure,
                 const std::optional<Eigen::VectorXd>& stiffness, const py::kwargs& given) {
     Keywords keywords(given, "design");
-    Design design;
-    DesignSetup& setup = design.setup;
-    setup.targets = targets_from(pressure, stiffness, keywords);
-    setup.max_pressure = keywords.take<double>("max_pressure");
-    const auto required = keywords.take<double>("reach_similarity");
-    setup.required_similarity = required.value_or(setup.required_similarity);
-    take_limits(keywords, setup);
-    SearchOptions options = options_from(keywords);
-    if (const auto starts = keywords.take<std::vector<rough::Genome>>("starts"))
-        options.starts = *starts;
+    const std::vector<rough::Target> targets = targets_from(pressure, stiffness, keywords);
+    const auto starts = keywords.take<std::vector<rough::Genome>>("starts");
     const py::object progress = keywords.take<py::object>("progress", py::none());
     const auto like = keywords.take<py::object>("like");
     const Spacing spacing = keywords.take<OneOrTwo<double>>("spacing");
-    if (like) {
-        if (!setup.targets.empty())
-            throw py::type_error("design: like given with a target, expected one of them");
-        const rough::Profile profile = surface_from(*like, spacing, "design: like");
-        const rough::Index nodes = profile.is_2d() ? 0 : keywords.take<rough::Index>("nodes", 0);
-        setup = rough::like(setup, profile, model_from(keywords, profile), "like",
-                            rough::likeness_named(keywords.take<std::string>("quantity", "both")), 20, nodes);
-    } else {
-        setup.model = model_from(keywords);
-    }
-    setup.errors = {keywords.take("noise", 0.0), keywords.take("noise_length", 0.0),
-                    keywords.take("tilt", 0.0)};
-    design.tolerance_options = {.seed = options.seed, .threads = options.threads};
-    keywords.expect_none_left();
-    if (setup.targets.empty())
+    if (like && !targets.empty())
+        throw py::type_error("design: like given with a target, expected one of them");
+    if (!like && targets.empty())
         throw py::type_error("design: expected target_pressure and target_stiffness, target= or like=");
-    design.beyond = rough::unreachable(setup, required.value_or(rough::exact_enough));
-    if (!design.beyond.reasons.empty())
-        options.evaluations = std::min(options.evaluations, rough::enough_for_the_nearest);
+    std::optional<rough::Profile> surface;
+    std::vector<std::string> unknown = of_trust;
+    if (like)
+        surface = surface_from(*like, spacing, "design: like");
+    for (const char* each : {"quantity", "points"})
+        if (!like)
+            unknown.emplace_back(each);
+    for (const char* each : {"length", "nodes"})
+        if (surface && (surface->is_2d() || each[0] == 'l'))
+            unknown.emplace_back(each);
+    const app::Settings settings = keywords.settings(app::search_settings(), unknown);
+    keywords.expect_none_left();
+    Design design;
+    app::DesignRun& run = design.run;
+    run = app::design_from(settings, [&](const app::Settings&, app::DesignRun& begun) {
+        if (surface)
+            return like_surface(*surface, model_of(*surface, settings.with({{"nodes", ""}})), "like",
+                                settings, begun.setup);
+        begun.setup.targets = targets;
+        begun.setup.model = surface_model_from(settings);
+    });
+    if (starts)
+        run.options.starts = *starts;
     Interruptible interrupt;
-    options.stop = &interrupt.stop();
+    run.options.stop = &interrupt.stop();
     Callback callback(interrupt.stop());
     std::vector<ga::Observer<rough::Genome>> observers;
     if (!progress.is_none())
         observers.push_back(observer(progress, callback));
     {
         const py::gil_scoped_release unlocked;
-        design.found = search(setup, options, observers);
-        setup = exactly(design.found.setup);
-        design.curve.response = response_of(setup, design.found.best).responses.front();
+        run.found = search(run.searched, run.options, observers);
+        run.setup = rough::exactly(run.found.setup);
+        design.curve.response = response_of(run.setup, run.found.best).responses.front();
     }
     callback.rethrow();
-    design.interrupted = interrupt.asked();
+    run.interrupted = interrupt.asked();
     return design;
 }
 
 /// As `tolerance` of result.json, without units in the names.
 py::dict tolerance_of(Design& design) {
-    if (!design.tolerance) {
+    if (!design.run.tolerance) {
         const py::gil_scoped_release unlocked;
-        design.tolerance =
-            rough::tolerance_of(design.setup, design.found.best.genome, design.tolerance_options);
+        design.run.tolerance =
+            rough::tolerance_of(design.run.setup, design.best().genome, design.run.tolerance_options);
     }
-    const rough::Tolerance& tolerance = *design.tolerance;
+    const rough::Tolerance& tolerance = *design.run.tolerance;
     py::list levels, curve;
     for (const rough::ToleranceLevel& level : tolerance.levels)
         levels.append(py::dict(py::arg("similarity") = level.similarity,
@@ -183,8 +150,8 @@ py::dict tolerance_of(Design& design) {
 
 py::dict trust_of(const Design& design, double noise, double tilt, double hardness, std::uint64_t seed,
                   int threads) {
-    rough::TrustOptions options;
-    rough::DesignSetup setup = design.setup;
+    rough::TrustOptions options = design.run.trust_options;
+    rough::DesignSetup setup = design.run.setup;
     setup.errors.noise = noise;
     setup.errors.tilt = tilt;
     options.hardness = hardness;
@@ -193,7 +160,7 @@ py::dict trust_of(const Design& design, double noise, double tilt, double hardne
     rough::Trust trust;
     {
         const py::gil_scoped_release unlocked;
-        trust = trust_in(setup, design.found.best.genome, options);
+        trust = trust_in(setup, design.best().genome, options);
     }
     py::dict all, checks, kernels;
     for (const rough::Check& check : trust.checks)
@@ -231,10 +198,10 @@ void add_design(py::module_& module) {
         .def_readonly("within_limits", &Answer::within_limits, "It holds every limit of making.");
     py::class_<Design>(module, "Design", "What design() found.")
         .def_property_readonly(
-            "genome", [](const Design& d) -> const rough::Genome& { return d.found.best.genome; }, inside)
+            "genome", [](const Design& d) -> const rough::Genome& { return d.best().genome; }, inside)
         .def_property_readonly(
             "profile",
-            [](const Design& d) { return as_python(sample(d.found.best.genome, d.setup.model.grid)); },
+            [](const Design& d) { return as_python(sample(d.best().genome, d.run.setup.model.grid)); },
             "Its heights on the grid of the design: a Profile, or a Surface.")
         .def_property_readonly(
             "heights",
@@ -244,38 +211,41 @@ void add_design(py::module_& module) {
             "spacing",
             [](const py::object& self) -> py::object { return self.attr("profile").attr("spacing"); },
             "Distance of the nodes, mm; of an area along x and y.")
-        .def_property_readonly("similarity", [](const Design& d) { return d.found.best.similarity; })
+        .def_property_readonly("similarity", [](const Design& d) { return d.best().similarity; })
         .def_property_readonly("similarity_refined",
-                               [](const Design& d) { return if_verified(d.found.best.similarity_refined); })
+                               [](const Design& d) { return if_verified(d.best().similarity_refined); })
         .def_property_readonly("similarity_worst",
-                               [](const Design& d) { return if_verified(d.found.best.similarity_worst); })
-        .def_property_readonly("found", &Design::is_found,
-                               "similarity_worst is what was asked for, 0.99 by default.")
+                               [](const Design& d) { return if_verified(d.best().similarity_worst); })
         .def_property_readonly(
-            "bound", [](const Design& d) { return d.beyond.bound; },
+            "found", [](const Design& d) { return is_found(d.run); },
+            "similarity_worst is what was asked for, 0.99 by default.")
+        .def_property_readonly(
+            "bound", [](const Design& d) { return d.run.bound; },
             "No profile whatever has a higher similarity.")
         .def_property_readonly(
             "out_of_reach",
             [](const Design& d) {
                 std::vector<std::string> reasons;
-                for (const auto& reason : d.beyond.reasons)
+                for (const auto& reason : d.run.out_of_reach)
                     reasons.push_back(reason.verdict());
                 return reasons;
             },
             "Why no profile can answer exactly; empty where one may.")
         .def_property_readonly(
             "alternatives",
-            [](const Design& d) -> const std::vector<Answer>& { return d.found.alternatives; },
+            [](const Design& d) -> const std::vector<Answer>& { return d.run.found.alternatives; },
             "Different answers, the best first.")
-        .def_property_readonly("targets", [](const Design& d) { return d.setup.targets; })
+        .def_property_readonly("targets", [](const Design& d) { return d.run.setup.targets; })
         .def_readonly("curve", &Design::curve, "The answer's own response.")
-        .def_readonly("interrupted", &Design::interrupted,
-                      "Ctrl-C ended the search; this is the best so far.")
-        .def_property_readonly("evaluations", [](const Design& d) { return d.found.counters.evaluations; })
-        .def_property_readonly("pipeline", [](const Design& d) { return d.found.pipeline; })
-        .def_property_readonly("notes", [](const Design& d) { return d.found.notes; })
         .def_property_readonly(
-            "stopped", [](const Design& d) { return d.found.stopped; },
+            "interrupted", [](const Design& d) { return d.run.interrupted; },
+            "Ctrl-C ended the search; this is the best so far.")
+        .def_property_readonly("evaluations",
+                               [](const Design& d) { return d.run.found.counters.evaluations; })
+        .def_property_readonly("pipeline", [](const Design& d) { return d.run.found.pipeline; })
+        .def_property_readonly("notes", [](const Design& d) { return d.run.found.notes; })
+        .def_property_readonly(
+            "stopped", [](const Design& d) { return d.run.found.stopped; },
             "Why the search ended before its pipeline; empty when it did not.")
         .def_property_readonly(
             "tolerance", &tolerance_of,
@@ -289,26 +259,25 @@ void add_design(py::module_& module) {
             "(mm rms) or a tilt (mm over the length) and on other bodies; a dictionary of similarities and "
             "flags.")
         .def("__repr__", [](const Design& d) {
-            return d.found.best.is_verified()
-                       ? "<rugosa.Design, " + std::string(d.is_found() ? "found" : "not found") +
-                             ": similarity " + rough::line_of(d.found.best.lowest()) + " at worst>"
-                       : "<rugosa.Design, not verified: similarity " +
-                             rough::line_of(d.found.best.similarity) + " as designed>";
+            return d.best().is_verified()
+                       ? "<rugosa.Design, " + std::string(is_found(d.run) ? "found" : "not found") +
+                             ": similarity " + rough::line_of(d.best().lowest()) + " at worst>"
+                       : "<rugosa.Design, not verified: similarity " + rough::line_of(d.best().similarity) +
+                             " as designed>";
         });
     module.def(
         "design", &designed, py::arg("target_pressure") = py::none(),
         py::arg("target_stiffness") = py::none(),
-        "Finds a rough profile that answers as a target asks.\n\n"
-        "target_pressure (MPa) with target_stiffness (MPa/mm), target_interface_stiffness or\n"
-        "target_contact_fraction; or target=Target, list of Targets or file; or like=Profile, whose own\n"
-        "stiffness and contact area are the targets (quantity='both'). Keywords as the program's flags: "
-        "max_pressure, variant, pipeline,\n"
-        "seconds, evaluations, seed, threads, reach_similarity, alternatives, shortest_wave,\n"
-        "max_slope, max_height, min_radius, hurst_from, hurst_to, gamma_from, gamma_to,\n"
-        "lambda_from, lambda_to, noise, noise_length, tilt, starts (Genomes), progress (a callable of path, "
-        "generations,\n"
-        "evaluations, best), and the model's as in contact() of a Genome. Ctrl-C ends the search with\n"
-        "the best so far. Returns a Design.");
+        documented(
+            "Finds a rough profile that answers as a target asks.\n\n"
+            "target_pressure (MPa) with target_stiffness (MPa/mm), target_interface_stiffness or\n"
+            "target_contact_fraction; or target=Target, list of Targets or file; or like=Profile, whose own\n"
+            "stiffness and contact area are the targets. Besides: starts (Genomes), progress (a callable of "
+            "path,\n"
+            "generations, evaluations, best). Ctrl-C ends the search with the best so far. Returns a "
+            "Design.\n",
+            app::search_settings(), of_trust)
+            .c_str());
 }
 
 } // namespace rugosa::python

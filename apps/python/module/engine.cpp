@@ -13,56 +13,48 @@ py::array array_of(const std::string& genes) {
 }
 
 /// real: bounds of every gene; bits and permutation: how many.
-void take_genes(Optimisation& asked, const std::optional<Eigen::VectorXd>& lower,
-                const std::optional<Eigen::VectorXd>& upper, std::size_t bits, std::size_t permutation) {
+Genes genes_from(Keywords& keywords) {
+    const auto lower = keywords.take<Eigen::VectorXd>("lower"),
+               upper = keywords.take<Eigen::VectorXd>("upper");
+    const auto bits = keywords.take<std::size_t>("bits", 0),
+               permutation = keywords.take<std::size_t>("permutation", 0);
     const bool real = lower || upper;
     if (real + (bits > 0) + (permutation > 0) != 1)
         throw rough::InputError("optimise: expected one of lower and upper, bits, permutation");
-    Genes& genes = asked.genes;
-    genes.kind = real ? Genes::Kind::numbers : bits > 0 ? Genes::Kind::bits : Genes::Kind::permutation;
-    genes.count = real ? 0 : bits + permutation;
     if (!real)
-        return;
+        return {bits > 0 ? Genes::Kind::bits : Genes::Kind::permutation, bits + permutation};
     if (!lower || !upper || lower->size() != upper->size() || lower->size() == 0 ||
         !(lower->array() < upper->array()).all() || !(*upper - *lower).allFinite())
         throw rough::InputError(
             "optimise: expected lower and upper of one length, each lower bound below its "
             "upper one and finite");
-    genes.count = static_cast<std::size_t>(lower->size());
-    for (std::size_t i = 0; i < genes.count; ++i) {
-        const auto gene = static_cast<Eigen::Index>(i);
-        asked.range.push_back({i, (*lower)[gene], (*upper)[gene]});
-    }
+    Genes genes{Genes::Kind::numbers, static_cast<std::size_t>(lower->size())};
+    for (Eigen::Index gene = 0; gene < lower->size(); ++gene)
+        genes.parts.push_back({1, (*lower)[gene], (*upper)[gene]});
+    return genes;
 }
 
-Optimisation asked_for(const py::object& problem, const std::optional<Eigen::VectorXd>& lower,
-                       const std::optional<Eigen::VectorXd>& upper, std::size_t bits, std::size_t permutation,
-                       const std::string& pipeline, const std::string& variant, const py::object& minimise,
-                       std::size_t objectives, long evaluations, double seconds, std::uint64_t seed,
-                       std::vector<py::object> operators, std::vector<py::object> observers) {
+Optimisation asked_for(const py::object& problem, const py::kwargs& given) {
+    Keywords keywords(given, "optimise");
     Optimisation asked;
-    take_genes(asked, lower, upper, bits, permutation);
+    asked.genes = genes_from(keywords);
+    asked.problem = problem;
+    const auto objectives = keywords.take<std::size_t>("objectives", 1);
     if (objectives == 0 || objectives > 1000)
         throw rough::InputError("optimise: " + std::to_string(objectives) +
                                 " objectives given, expected 1 to 1000");
-    asked.minimise = py::isinstance<py::bool_>(minimise)
-                         ? std::vector<bool>(objectives, minimise.cast<bool>())
-                         : minimise.cast<std::vector<bool>>();
+    const auto less = keywords.take<std::variant<bool, std::vector<bool>>>("minimise", false);
+    const bool* all = std::get_if<bool>(&less);
+    asked.minimise = all ? std::vector<bool>(objectives, *all) : std::get<1>(less);
     if (asked.minimise.size() != objectives)
         throw rough::InputError("optimise: minimise of " + std::to_string(asked.minimise.size()) +
                                 " objectives given, expected " + std::to_string(objectives));
     asked.record.minimise = asked.minimise;
-    asked.problem = problem;
-    asked.pipeline = pipeline;
-    asked.variant = !variant.empty()    ? variant
-                    : !pipeline.empty() ? "pipeline"
-                    : objectives > 1    ? "nsga2"
-                                        : "ga";
-    asked.evaluations = evaluations;
-    asked.seconds = seconds;
-    asked.seed = seed;
-    asked.operators = std::move(operators);
-    asked.observers = std::move(observers);
+    take_search(keywords.settings(app::outside_settings()), asked);
+    asked.operators = keywords.take<std::vector<py::object>>("operators", {});
+    asked.observers = keywords.take<std::vector<py::object>>("observers", {});
+    keywords.expect_none_left();
+    asked.variant = app::variant_of(asked, objectives);
     return asked;
 }
 
@@ -83,36 +75,6 @@ struct Search {
         engine = by_kind(asked, [this](auto genome) { return asking<decltype(genome)>(asked); });
     }
 };
-
-///@{
-/// Functions of asked_for's arguments: the search carried out, and one that asks.
-template <class... Words>
-auto optimised(Optimisation (*read)(const py::object&, Words...)) {
-    return [read](const py::object& problem, Words... words) {
-        Optimisation asked = read(problem, std::forward<Words>(words)...);
-        by_kind(asked, [&](auto genome) { optimise<decltype(genome)>(asked); });
-        return asked;
-    };
-}
-template <class... Words>
-auto searching(Optimisation (*read)(const py::object&, Words...)) {
-    return [read](Words... words) {
-        return std::make_unique<Search>(read(py::none(), std::forward<Words>(words)...));
-    };
-}
-///@}
-
-/// Adds a function whose keywords are asked_for's.
-template <class Function, class... First>
-void add(py::module_& module, const char* name, Function function, const char* doc, First... first) {
-    module.def(name, function, first..., py::kw_only(), py::arg("lower") = py::none(),
-               py::arg("upper") = py::none(), py::arg("bits") = 0, py::arg("permutation") = 0,
-               py::arg("pipeline") = "", py::arg("variant") = "", py::arg("minimise") = false,
-               py::arg("objectives") = 1, py::arg("evaluations") = 10000,
-               py::arg("seconds") = std::numeric_limits<double>::infinity(), py::arg("seed") = 1,
-               py::arg("operators") = std::vector<py::object>(),
-               py::arg("observers") = std::vector<py::object>(), doc);
-}
 
 } // namespace
 
@@ -165,7 +127,9 @@ void add_engine(py::module_& module) {
                 return s.asked;
             },
             "Ends the search and returns what it found: an Optimisation.");
-    add(module, "search", searching(&asked_for),
+    module.def(
+        "search",
+        [](const py::kwargs& given) { return std::make_unique<Search>(asked_for(py::none(), given)); },
         "The search of optimise() in a loop of one's own; keywords as there.\n\n"
         ">>> import rugosa\n"
         ">>> search = rugosa.search(lower=[-5, -5], upper=[5, 5], minimise=True, evaluations=2000)\n"
@@ -173,24 +137,36 @@ void add_engine(py::module_& module) {
         "...     search.tell((genes**2).sum(axis=1))\n"
         ">>> search.result().objectives[0] < 1e-3\n"
         "True\n");
-    add(module, "optimise", optimised(&asked_for),
-        "Runs a genetic algorithm on a problem of one's own.\n\n"
-        "problem: a function of genes, or an object with evaluate(genes) or evaluate_batch(genes of many, a\n"
-        "row each), and perhaps gradient(genes). evaluate returns a number, `objectives` many, or (numbers,\n"
-        "violation), a violation (a number, or one per constraint) above 0 for a constraint that is broken.\n"
-        "genes: real between lower and upper, `bits` many, or a `permutation` of 0 .. n-1. minimise: for all "
-        "objectives, or one bool each.\n"
-        "pipeline: text (rugosa operators lists the stages; objectives are called f1, f2, ...).\n"
-        "operators: objects with a name, which is a stage of the pipeline, called with (genes, fitness,\n"
-        "random) of the population; they return new genes, or positions of those who stay. observers: "
-        "called\n"
-        "with a dictionary after every stage. The same seed gives the same result, bit for bit.\n\n"
-        ">>> import rugosa\n"
-        ">>> found = rugosa.optimise(lambda x: float((x**2).sum()), lower=[-5, -5], upper=[5, 5],\n"
-        "...                         minimise=True, evaluations=2000)\n"
-        ">>> found.objectives[0] < 1e-3\n"
-        "True\n",
-        py::arg("problem"));
+    module.def(
+        "optimise",
+        [](const py::object& problem, const py::kwargs& given) {
+            Optimisation asked = asked_for(problem, given);
+            by_kind(asked, [&](auto genome) { optimise<decltype(genome)>(asked); });
+            return asked;
+        },
+        py::arg("problem"),
+        documented(
+            "Runs a genetic algorithm on a problem of one's own.\n\n"
+            "problem: a function of genes, or an object with evaluate(genes) or evaluate_batch(genes of "
+            "many, a\n"
+            "row each), and perhaps gradient(genes). evaluate returns a number, `objectives` many, or "
+            "(numbers,\n"
+            "violation), a violation (a number, or one per constraint) above 0 for a constraint that is "
+            "broken.\n"
+            "genes: real between lower and upper, `bits` many, or a `permutation` of 0 .. n-1. minimise: for "
+            "all "
+            "objectives, or one bool each.\n"
+            "operators: objects with a name, which is a stage of the pipeline, called with (genes, fitness,\n"
+            "random) of the population; they return new genes, or positions of those who stay. observers: "
+            "called\n"
+            "with a dictionary after every stage. The same seed gives the same result, bit for bit.\n\n"
+            ">>> import rugosa\n"
+            ">>> found = rugosa.optimise(lambda x: float((x**2).sum()), lower=[-5, -5], upper=[5, 5],\n"
+            "...                         minimise=True, evaluations=2000)\n"
+            ">>> found.objectives[0] < 1e-3\n"
+            "True\n",
+            app::outside_settings())
+            .c_str());
 }
 
 } // namespace rugosa::python

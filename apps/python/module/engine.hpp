@@ -8,22 +8,13 @@
 namespace rugosa::python {
 
 /// A search on a problem that Python evaluates, and what came of it.
-struct Optimisation {
-    app::Genes genes;
-    std::vector<ga::Variable> range; ///< of real genes
+struct Optimisation : app::OutsideSearch {
     py::object problem;
     std::vector<py::object> operators, observers;
     std::vector<bool> minimise;
-    std::string variant, pipeline;
-    std::uint64_t seed = 1;
-    long evaluations = 0;
-    double seconds = 0;
 
     app::BestKnown record; ///< of every answer
     py::array population;  ///< genes of the pipeline's answer, individuals x genes
-    long spent = 0;
-    std::string searched, stopped;
-    std::vector<std::string> notes;
     bool interrupted = false;
 };
 

@@ -68,7 +68,7 @@ app::Settings Keywords::settings(const std::vector<app::Setting>& known,
         const std::string keyword = app::keyword(setting.name);
         if (std::find(but.begin(), but.end(), keyword) == but.end())
             if (const auto value = take<py::object>(keyword))
-                given[setting.name] = text_of(*value, keyword == "pressures" ? "," : "x");
+                given[setting.name] = text_of(*value, setting.between == ',' ? "," : "x");
     }
     return {app::Settings::keywords, known, given};
 }
@@ -91,10 +91,13 @@ const std::vector<app::Setting>& response_settings() {
     return all;
 }
 
-std::string documented(std::string text, const std::vector<app::Setting>& settings) {
+std::string documented(std::string text, const std::vector<app::Setting>& settings,
+                       const std::vector<std::string>& but) {
     for (const app::Setting& setting : settings)
-        text += "\n" + app::keyword(setting.name) + ": " + setting.meaning +
-                (setting.fallback.empty() ? "" : " [" + setting.fallback + "]");
+        if (const std::string keyword = app::keyword(setting.name);
+            std::find(but.begin(), but.end(), keyword) == but.end())
+            text += "\n" + keyword + ": " + setting.meaning +
+                    (setting.fallback.empty() ? "" : " [" + setting.fallback + "]");
     return text;
 }
 

@@ -64,8 +64,8 @@ struct RealProblem : app::OutsideProblem<std::vector<double>> {
     Callback* callback;
 
     RealProblem(const Optimisation& asked, Callback& call)
-        : app::OutsideProblem<std::vector<double>>(asked.genes.count, asked.range, asked.minimise),
-          object(&asked.problem), has_gradient(py::hasattr(*object, "gradient")), callback(&call) {}
+        : app::OutsideProblem<std::vector<double>>(asked.genes, asked.minimise), object(&asked.problem),
+          has_gradient(py::hasattr(*object, "gradient")), callback(&call) {}
 
     /// Of the objective that `refine` climbs.
     std::vector<double> gradient(const Genome& genome, const std::string&) const {
@@ -85,7 +85,7 @@ struct RealProblem : app::OutsideProblem<std::vector<double>> {
 /// The problem as the engine takes it.
 template <class G>
 app::OutsideProblem<G> problem_of(const Optimisation& asked, Callback&, G) {
-    return {asked.genes.count, asked.range, asked.minimise};
+    return {asked.genes, asked.minimise};
 }
 inline RealProblem problem_of(const Optimisation& asked, Callback& callback, std::vector<double>) {
     return {asked, callback};
@@ -222,8 +222,7 @@ struct Prepared {
             const auto name = each.attr("name").template cast<std::string>();
             registry.add(name, "yours", "written in Python", PythonOperator{{}, &each, name, &callback});
         }
-        ga::Parser<P> parser(std::move(registry), app::outside_variants(asked.genes, asked.minimise.size()));
-        return asked.pipeline.empty() ? parser.variant(asked.variant) : parser.parse(asked.pipeline);
+        return app::stage_of(asked, asked.minimise.size(), std::move(registry));
     }
 
     std::vector<ga::Observer<G>> observers() {

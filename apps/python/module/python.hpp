@@ -77,6 +77,17 @@ std::pair<Number, Number> both(const OneOrTwo<Number>& given) {
 /// Distance of nodes, mm, where it is given.
 using Spacing = std::optional<OneOrTwo<double>>;
 
+/// A response as Python holds it, with what was asked for beside it.
+struct Curve {
+    rough::Response response;
+    Eigen::MatrixXd pressure_gradient;     ///< steps x heights or genes; empty unless asked for
+    Eigen::VectorXd displacement_gradient; ///< of the last step's displacement
+    Eigen::VectorXd smooth_fraction;       ///< contact fraction that has a gradient, and that; empty likewise
+    Eigen::MatrixXd fraction_gradient;
+    std::string account;        ///< within an accuracy, in words
+    rough::ResolutionBand band; ///< empty unless it was asked for and computed
+};
+
 /// Heights over an area; Python has them in two dimensions.
 struct Surface : rough::Profile {};
 
@@ -88,8 +99,9 @@ rough::Model model_from(Keywords& keywords, const rough::Profile& surface);
 
 /// How a response is computed: keywords of contact(), named like the program's flags.
 const std::vector<app::Setting>& response_settings();
-/// A docstring with a line for each setting that is a keyword.
-std::string documented(std::string text, const std::vector<app::Setting>& settings);
+/// A docstring with a line for each setting, but these keywords.
+std::string documented(std::string text, const std::vector<app::Setting>& settings,
+                       const std::vector<std::string>& but = {});
 
 /// Heights (mm) and their distance as a caller gives them: a Profile or Surface, or an array of one or two
 /// dimensions and a spacing.

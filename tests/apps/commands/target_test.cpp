@@ -1,4 +1,4 @@
-#include "apps/prompt/formula.hpp"
+#include "apps/prompt/goals.hpp"
 #include "domain/errors.hpp"
 #include "domain/target/target.hpp"
 #include "tests/apps/program.hpp"

@@ -37,7 +37,7 @@ std::map<std::string, std::string> left_by_commands(const std::locale& locale) {
               in("design"), "--pipeline", "sample 3 | score | refine lm 2 | best 1"}}) {
         for (const app::Command& command : app::commands())
             if (command.name == words[0])
-                CHECK(command.run({words.begin() + 1, words.end()}) != 2);
+                CHECK(run_with(command, {words.begin() + 1, words.end()}) != 2);
     }
     const std::regex measured("\"seconds\": [^\n]*");
     std::map<std::string, std::string> files;
