@@ -9,27 +9,10 @@
 /// genome_json.hpp's.)
 namespace rough {
 
-///@{
-/// As checkpoints hold it: undone by its counterpart; from_json throws nlohmann's exceptions on anything
-/// else.
-inline void to_json(nlohmann::json& j, const Chromosome& chromosome) {
-    j = {chromosome.n, chromosome.phases};
-}
-inline void from_json(const nlohmann::json& j, Chromosome& chromosome) {
-    chromosome = {j.at(0).get<int>(), j.at(1).get<std::vector<double>>()};
-}
-
-inline void to_json(nlohmann::json& j, const Series& series) {
-    j = {series.A, series.H, series.gamma, series.lambda, series.chromosomes};
-}
-inline void from_json(const nlohmann::json& j, Series& series) {
-    series = {j.at(0), j.at(1), j.at(2), j.at(3), j.at(4).get<std::vector<Chromosome>>()};
-}
-
-inline void to_json(nlohmann::json& j, const Genome& genome) { j = {genome.scale, genome.series}; }
-inline void from_json(const nlohmann::json& j, Genome& genome) {
-    genome = {j.at(0).get<double>(), j.at(1).get<std::vector<Series>>()};
-}
-///@}
+/// @cond
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Chromosome, n, phases)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Series, A, H, gamma, lambda, chromosomes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Genome, scale, series)
+/// @endcond
 
 } // namespace rough
