@@ -51,71 +51,61 @@ const Experiment& experiment_of(const std::filesystem::path& file,
     return experiments()[read_ini(file, any, overrides).one_of("experiment.kind", kinds)];
 }
 
-/// An experiment under its short name: the keys of its own section are flags.
-struct Short {
-    const Experiment& experiment;
-    std::map<std::string, std::string> key_of; ///< by flag
-    std::vector<Setting> flags;
-
-    explicit Short(const std::string& kind)
-        : experiment(*std::find_if(experiments().begin(), experiments().end(),
-                                   [&](const Experiment& one) { return one.kind == kind; })),
-          flags{{"out", "", "folder to write [out/" + kind + "]"}, force_setting()} {
-        if (experiment.takes_file) {
-            flags.push_back({"experiment", "", "an .ini file of this kind (may be given without the flag)"});
-            for (Setting common : {seed_setting(), threads_setting()}) {
-                key_of[common.name] = "experiment." + common.name;
-                common.fallback = "";
-                common.meaning += " [the file's, or as without one]";
-                flags.push_back(common);
-            }
+/// Runs an experiment under its short name: the keys of its own section are flags.
+int run_by_name(const Experiment& experiment, const Settings& given, const std::string& line) {
+    const std::string& kind = experiment.kind;
+    std::map<std::string, std::string> values;
+    std::vector<std::string> overrides;
+    for (const std::string& flag : given.names_under(""))
+        if (flag != "out" && flag != "force" && flag != "experiment") {
+            const bool is_common = flag == "seed" || flag == "threads";
+            const std::string key = (is_common ? "experiment." : kind + ".") + flag;
+            values[key] = given.text(flag);
+            overrides.push_back(key + "=" + given.text(flag));
         }
-        for (const Setting& key : experiment.settings)
-            if (key.name.starts_with(kind + ".")) {
-                flags.push_back(key);
-                flags.back().name = key.name.substr(kind.size() + 1);
-                key_of[flags.back().name] = key.name;
-            }
-    }
-
-    int run(const Settings& given, const std::string& line) const {
-        std::map<std::string, std::string> values;
-        std::vector<std::string> overrides;
-        for (const auto& [flag, key] : key_of)
-            if (given.given(flag)) {
-                values[key] = given.text(flag);
-                overrides.push_back(key + "=" + given.text(flag));
-            }
-        const std::string& kind = experiment.kind;
-        Request request{.command = line,
-                        .out = given.text("out"),
-                        .name = kind,
-                        .inputs = given.files(),
-                        .page = experiment.takes_file ? "report.html" : kind + ".html",
-                        .force = given.is_on("force")};
-        if (!experiment.takes_file || !given.has("experiment"))
-            return carry_out(experiment, Settings("", experiment.all_settings(), values), request);
-        const Settings settings = read_ini(given.text("experiment"), experiment.all_settings(), overrides);
-        if (settings.text("experiment.kind") != kind)
-            throw rough::InputError(settings.place("experiment.kind") + ": " +
-                                    settings.text("experiment.kind") + " given, expected " + kind);
-        for (const auto& input : settings.files())
-            request.inputs.push_back(input);
-        return carry_out(experiment, settings, request);
-    }
-};
+    Request request{.command = line,
+                    .out = given.text("out"),
+                    .name = kind,
+                    .inputs = given.files(),
+                    .page = experiment.takes_file ? "report.html" : kind + ".html",
+                    .force = given.is_on("force")};
+    if (!experiment.takes_file || !given.has("experiment"))
+        return carry_out(experiment, Settings("", experiment.all_settings(), values), request);
+    const Settings settings = read_ini(given.text("experiment"), experiment.all_settings(), overrides);
+    if (settings.text("experiment.kind") != kind)
+        throw rough::InputError(settings.place("experiment.kind") + ": " + settings.text("experiment.kind") +
+                                " given, expected " + kind);
+    for (const auto& input : settings.files())
+        request.inputs.push_back(input);
+    return carry_out(experiment, settings, request);
+}
 
 Command short_command(const std::string& kind, const std::string& summary) {
-    const Short of(kind);
-    const bool takes_file = of.experiment.takes_file;
-    return {kind,
-            summary,
-            std::string(takes_file ? "[FILE.ini] " : "") + "[--out DIR] [flags]",
-            of.experiment.summary,
-            of.flags,
-            of.experiment.examples,
-            [of](const Settings& given, const std::string& line) { return of.run(given, line); },
-            takes_file ? Words{"experiment"} : Words{}};
+    const Experiment& experiment = *std::find_if(experiments().begin(), experiments().end(),
+                                                 [&](const Experiment& one) { return one.kind == kind; });
+    std::vector<Setting> flags{{"out", "", "folder to write [out/" + kind + "]"}, force_setting()};
+    if (experiment.takes_file) {
+        flags.push_back({"experiment", "", "an .ini file of this kind (may be given without the flag)"});
+        for (Setting common : {seed_setting(), threads_setting()}) {
+            common.fallback = "";
+            common.meaning += " [the file's, or as without one]";
+            flags.push_back(common);
+        }
+    }
+    for (Setting key : experiment.settings)
+        if (key.name.starts_with(kind + ".")) {
+            key.name.erase(0, kind.size() + 1);
+            flags.push_back(key);
+        }
+    return {
+        kind,
+        summary,
+        std::string(experiment.takes_file ? "[FILE.ini] " : "") + "[--out DIR] [flags]",
+        experiment.summary,
+        flags,
+        experiment.examples,
+        [&](const Settings& given, const std::string& line) { return run_by_name(experiment, given, line); },
+        experiment.takes_file ? Words{"experiment"} : Words{}};
 }
 
 int run(const Settings& flags, const std::string& line) {
