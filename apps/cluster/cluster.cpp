@@ -1,6 +1,5 @@
 #include "apps/cluster/cluster.hpp"
 
-#include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/build.hpp"

@@ -3,7 +3,6 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/csv.hpp"
-#include "apps/report/drawn.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/render.hpp"
 #include "apps/report/result.hpp"

@@ -2,7 +2,6 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/prompt/goals.hpp"
-#include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"

@@ -2,7 +2,6 @@
 #include "apps/commands/optimise/children.hpp"
 #include "apps/external/genes.hpp"
 #include "apps/external/problem.hpp"
-#include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"

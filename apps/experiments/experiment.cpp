@@ -1,6 +1,5 @@
 #include "apps/experiments/experiment.hpp"
 
-#include "apps/prompt/interrupt.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/render.hpp"

@@ -1,6 +1,5 @@
 #include "apps/prompt/terminal.hpp"
 
-#include "apps/prompt/interrupt.hpp"
 #include "domain/errors.hpp"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "domain/response/interface.hpp"
 #include "domain/text/words.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -110,6 +111,115 @@ std::string csv(const rough::Response& response, const std::vector<std::string>&
     header.insert(header.end(), further.begin(), further.end());
     all.insert(all.end(), columns.begin(), columns.end());
     return csv(header, all);
+}
+
+using rough::Index;
+
+std::vector<Index> rows_to_draw(const Eigen::VectorXd& x, const std::vector<Eigen::VectorXd>& lines,
+                                bool logarithmic) {
+    constexpr Index max_rows = 4000;
+    std::vector<Index> rows;
+    if (x.size() <= max_rows) {
+        for (Index i = 0; i < x.size(); ++i)
+            rows.push_back(i);
+        return rows;
+    }
+    const double places = 0.5 * max_rows / static_cast<double>(lines.size());
+    const auto along = [&](Index i) { return logarithmic ? std::log(x[i]) : x[i]; };
+    const double from = along(0), length = along(x.size() - 1) - from;
+    const auto place = [&](Index i) { return std::floor((along(i) - from) / length * (places - 1)); };
+    for (Index begin = 0, end = 0; begin < x.size(); begin = end) {
+        for (end = begin + 1; end < x.size() && place(end) == place(begin);)
+            ++end;
+        std::vector<Index> extremes;
+        for (const Eigen::VectorXd& line : lines)
+            for (const double sign : {1, -1}) {
+                Index at = 0;
+                (sign * line.segment(begin, end - begin)).minCoeff(&at);
+                extremes.push_back(begin + at);
+            }
+        std::sort(extremes.begin(), extremes.end());
+        rows.insert(rows.end(), extremes.begin(), std::unique(extremes.begin(), extremes.end()));
+    }
+    return rows;
+}
+
+std::string drawn_csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns,
+                      bool logarithmic) {
+    const auto rows = rows_to_draw(columns[0], {columns.begin() + 1, columns.end()}, logarithmic);
+    std::vector<Eigen::VectorXd> drawn;
+    for (const Eigen::VectorXd& column : columns)
+        drawn.emplace_back(column(rows));
+    return csv(header, drawn);
+}
+
+std::string drawn_rows(const std::string& word, const std::vector<Eigen::VectorXd>& columns) {
+    const std::string rows = drawn_csv(std::vector<std::string>(columns.size()), columns);
+    std::string text;
+    for (std::size_t begin = rows.find('\n') + 1, end; begin < rows.size(); begin = end + 1) {
+        end = rows.find('\n', begin);
+        text += word + "," + rows.substr(begin, end + 1 - begin);
+    }
+    return text;
+}
+
+Eigen::VectorXd positions(const rough::Profile& profile) {
+    return profile.spacing *
+           Eigen::VectorXd::LinSpaced(profile.nodes(), 0, static_cast<double>(profile.nodes() - 1));
+}
+
+std::string heights_csv(const rough::Profile& profile) {
+    return drawn_csv({"x_mm", "height_mm"},
+                     {positions(profile), profile.heights.array() - profile.heights.mean()});
+}
+
+std::string map_csv(const rough::Profile& map, const std::vector<std::string>& names,
+                    const std::vector<Eigen::VectorXd>& values) {
+    constexpr Index max_places = 256;
+    const auto [columns, rows] = map.shape();
+    const Index every = (std::max(columns, rows) + max_places - 1) / max_places;
+    rough::PlainStream out;
+    out.precision(6);
+    out << "x_mm,y_mm";
+    for (const std::string& name : names)
+        out << "," << name;
+    const auto middle = [](Index begin, Index count) {
+        return static_cast<double>(begin) + 0.5 * static_cast<double>(count - 1);
+    };
+    for (Index j = 0; j < rows; j += every)
+        for (Index i = 0; i < columns; i += every) {
+            // Places are even, also the last ones, which may stand for fewer nodes.
+            out << "\n" << map.spacing * middle(i, every) << "," << map.row_spacing * middle(j, every);
+            for (const Eigen::VectorXd& value : values) {
+                const auto nodes = value.reshaped(columns, rows)
+                                       .block(i, j, std::min(every, columns - i), std::min(every, rows - j))
+                                       .array();
+                const auto finite = nodes.isFinite();
+                out << ",";
+                if (finite.any())
+                    out << finite.select(nodes, 0).sum() / static_cast<double>(finite.count());
+            }
+        }
+    out << "\n";
+    return out.str();
+}
+
+Eigen::VectorXd below_highest(const rough::Profile& surface) {
+    return surface.heights.array() - surface.heights.maxCoeff();
+}
+
+std::string bearing_csv(const Eigen::VectorXd& heights) {
+    constexpr Index max_rows = 1001;
+    Eigen::VectorXd z = heights;
+    std::sort(z.begin(), z.end(), std::greater<>());
+    const Index count = std::min(max_rows, z.size());
+    Eigen::VectorXd share(count), level(count);
+    for (Index i = 0; i < count; ++i) {
+        const Index at = count > 1 ? i * (z.size() - 1) / (count - 1) : 0;
+        share[i] = (static_cast<double>(at) + 0.5) / static_cast<double>(z.size());
+        level[i] = z[at];
+    }
+    return csv({"material_ratio", "height_mm"}, {share, level});
 }
 
 } // namespace app

@@ -1,6 +1,5 @@
-#include "apps/report/figure.hpp"
-
 #include "apps/external/process.hpp"
+#include "apps/report/render.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 

@@ -2,7 +2,6 @@
 
 #include "apps/report/builtin.hpp"
 #include "apps/report/csv.hpp"
-#include "apps/report/figure.hpp"
 #include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"

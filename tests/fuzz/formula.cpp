@@ -1,5 +1,4 @@
 #include "apps/prompt/goals.hpp"
-
 #include "tests/fuzz/reader.hpp"
 
 FUZZ(formula) {

@@ -1,7 +1,6 @@
 #include "apps/commands/design/run.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/csv.hpp"
-#include "apps/report/drawn.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
 #include "apps/report/surface.hpp"

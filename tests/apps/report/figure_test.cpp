@@ -1,5 +1,5 @@
 #include "apps/report/builtin.hpp"
-#include "apps/report/figure.hpp"
+#include "apps/report/render.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "tests/folder.hpp"

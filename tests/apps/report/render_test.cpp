@@ -1,4 +1,4 @@
-#include "apps/report/drawn.hpp"
+#include "apps/report/csv.hpp"
 #include "apps/report/render.hpp"
 #include "domain/errors.hpp"
 #include "tests/apps/found.hpp"
