@@ -44,7 +44,7 @@ const Experiment& experiment_of(const std::filesystem::path& file,
     for (const Experiment& experiment : experiments()) {
         kinds.push_back(experiment.kind);
         for (const Setting& setting : experiment.all_settings()) {
-            any.push_back(setting);
+            any.push_back({setting.name, setting.fallback, ""}); // one name may take other values elsewhere
             any.push_back({setting.name.substr(0, setting.name.find('.')) + ".*", "", ""});
         }
     }

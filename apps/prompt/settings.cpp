@@ -394,8 +394,11 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
     return settings;
 }
 
-Settings Settings::with(const std::map<std::string, std::string>& values) const {
+Settings Settings::with(const std::map<std::string, std::string>& values,
+                        const std::vector<Setting>& described) const {
     Settings changed = *this;
+    for (const Setting& setting : described)
+        changed.known_.insert_or_assign(setting.name, setting);
     for (const auto& [name, value] : values)
         if (value.empty())
             changed.given_.erase(name);

@@ -104,8 +104,9 @@ class Settings {
     /// "--nodes", of a call in Python "nodes", "paper.ini:12: model.nodes" or, where no line of the file
     /// gives it, "paper.ini: model.nodes"; for messages.
     std::string place(const std::string& name) const;
-    /// The same with some values changed; "" takes one away.
-    Settings with(const std::map<std::string, std::string>& values) const;
+    /// The same with some values changed; "" takes one away. Some settings may be described anew.
+    Settings with(const std::map<std::string, std::string>& values,
+                  const std::vector<Setting>& described = {}) const;
     /// The names given whose beginning is `prefix`, without it, in alphabetical order.
     std::vector<std::string> names_under(const std::string& prefix) const;
     /// The same names with what stands for them, as those of variants with their pipelines; "" takes one

@@ -91,7 +91,8 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
     for (const std::string& nodes : grids)
         for (const std::filesystem::path& path : target_files(settings, "targets.files")) {
             RaceTarget target;
-            target.setup.model = surface_model_from(settings.with({{"model.nodes", nodes}}), "model.");
+            target.setup.model = surface_model_from(
+                settings.with({{"model.nodes", nodes}}, model_settings("model.")), "model.");
             target.setup.model.accuracy = accuracy_from(settings, "model.");
             if (settings.has("database.ridges"))
                 target.setup.ridges = static_cast<int>(settings.whole("database.ridges", 1, 64));
@@ -207,7 +208,11 @@ std::vector<Setting> variants_settings() {
         {"database.ridges", "", "ridges of each chromosome [1; an area, their directions: 8]"},
         {"variants.*", "", "a way to search: a named variant or a pipeline as text"},
     };
-    return joined({settings, model_settings("model."), {accuracy_setting("model.")}});
+    std::vector<Setting> model = model_settings("model.");
+    for (Setting& setting : model)
+        if (setting.name == "model.nodes") // of several grids, with commas between
+            setting.takes = ga::word_list({}, {});
+    return joined({settings, model, {accuracy_setting("model.")}});
 }
 
 /// Runs each pipeline from each seed on each target.
