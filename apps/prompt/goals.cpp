@@ -11,9 +11,13 @@ namespace app {
 
 namespace {
 
-const std::map<std::string, std::string> flag_of{{"kernel", "kernel"},   {"length_mm", "length"},
-                                                 {"width_mm", "length"}, {"effective_modulus_MPa", "modulus"},
-                                                 {"datum_mm", "datum"},  {"strip_width_mm", "strip-width"}};
+const std::map<std::string, std::string> flag_of{{"kernel", "kernel"},
+                                                 {"length_mm", "length"},
+                                                 {"width_mm", "length"},
+                                                 {"effective_modulus_MPa", "modulus"},
+                                                 {"layers", "layer"},
+                                                 {"datum_mm", "datum"},
+                                                 {"strip_width_mm", "strip-width"}};
 
 /// Names all that differs, and the flags with which nothing would.
 void expect_same_model(const rough::Target& goal, const rough::Model& model) {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <map>
+#include <sstream>
 
 namespace app {
 
@@ -63,8 +64,29 @@ namespace {
 struct ModelParameters {
     rough::Model model = {};
     double modulus = rough::Model().body.effective_modulus, poisson = 0;
-    std::string material = {};
+    std::string material = {}, layers = {};
 };
+
+/// The layers that --layer describes, T or T:E:NU each, one after another.
+std::vector<rough::Layer> layers_from(const std::string& text, const std::string& place) {
+    std::vector<rough::Layer> layers;
+    std::string all = text;
+    std::replace(all.begin(), all.end(), '\n', ',');
+    for (const std::string& word : rough::listed(all)) {
+        std::vector<double> numbers;
+        std::istringstream parts(word);
+        for (std::string part; std::getline(parts, part, ':');)
+            numbers.push_back(rough::number_from(part, place));
+        if (numbers.size() != 1 && numbers.size() != 3)
+            throw rough::InputError(place + ": \"" + word +
+                                    "\" given, expected a thickness T (mm), or T:E:NU");
+        layers.push_back(
+            {numbers[0], numbers.size() == 3 ? numbers[1] : 0, numbers.size() == 3 ? numbers[2] : 0});
+        if (numbers.size() == 3 && !(numbers[1] > 0))
+            throw rough::InputError(place + ": \"" + word + "\" given, expected a modulus above 0");
+    }
+    return layers;
+}
 
 Fields fields_of(ModelParameters& of) {
     auto& [grid, body, loading, contact, accuracy] = of.model;
@@ -93,6 +115,15 @@ Fields fields_of(ModelParameters& of) {
          of.material},
         {positive("modulus", plain(usual.body.effective_modulus), "Young's modulus E, MPa"), of.modulus},
         {ga::number("poisson", "0", -0.999999, 0.5, "Poisson's ratio nu; E* = E/(1 - nu^2)"), of.poisson},
+        {Setting("layer", "",
+                 "a layer of the periodic body, T (mm) or T:E:NU, bonded to what follows; repeated, the top "
+                 "one first "
+                 "[none]")
+             .several('\n'),
+         of.layers},
+        {Setting("base", "elastic", "what bears the layers, elastic: the half-space of modulus and poisson")
+             .of({"elastic", "rigid"}),
+         body.layering.rigid_base},
         {ga::whole("steps", std::to_string(usual.loading.steps), 2, "load steps n_t, at least 2").up_to(1e6),
          loading.steps},
         {ga::number("reach", "", ga::above_zero, 1,
@@ -171,6 +202,9 @@ rough::Model model_on(const rough::Grid& grid, const Settings& settings, const s
             given.poisson = material->poissons;
     }
     given.model.body.effective_modulus = rough::effective_modulus(given.modulus, given.poisson);
+    rough::Layering& layering = given.model.body.layering;
+    layering.layers = layers_from(given.layers, settings.place(prefix + "layer"));
+    layering.poissons_ratio = given.poisson;
     return placing(settings, prefix, [&] {
         const rough::Model whole = completed(given.model);
         validate(whole);

@@ -128,6 +128,14 @@ json model_json(const rough::Model& model) {
         result["datum_mm"] = model.body.datum;
     if (model.body.kernel == rough::Kernel::strip)
         result["strip_width_mm"] = model.body.strip_width;
+    if (const rough::Layering& layering = model.body.layering; !layering.layers.empty()) {
+        result["layers"] = json::array();
+        for (const rough::Layer& layer : layering.layers)
+            result["layers"].push_back({{"thickness_mm", layer.thickness},
+                                        {"modulus_MPa", layer.modulus},
+                                        {"poissons_ratio", layer.poissons_ratio}});
+        result["base"] = layering.rigid_base ? "rigid" : "elastic";
+    }
     return result;
 }
 

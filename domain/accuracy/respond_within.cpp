@@ -91,9 +91,10 @@ double cost(double nodes, double fraction, double rows) {
 
 /// The set-up with a solver's tolerance that takes no more than its share of an accuracy, 0: none.
 Model tolerant(Model model, double accuracy) {
-    if (accuracy > 0 && model.body.yields())
-        throw InputError("accuracy: given with a hardness, expected one of them: the bounds that an "
-                         "accuracy rests on do not hold where pressures are held");
+    if (accuracy > 0 && (model.body.yields() || !model.body.layering.layers.empty()))
+        throw InputError(
+            "accuracy: given with a hardness or layers, expected one of them: the bounds that an "
+            "accuracy rests on do not hold where pressures are held, or under layers");
     const auto steps = static_cast<double>(
         std::max(model.loading.pressures.size(), static_cast<std::size_t>(model.loading.steps)));
     if (accuracy > 0)

@@ -12,8 +12,8 @@ namespace {
 /// P' at the displacements, 0 where there is no approach, infinite beyond full contact.
 Eigen::VectorXd pressures_at(const Profile& profile, const Body& body,
                              const std::vector<double>& displacements, const ContactOptions& options) {
-    const double full = body.kernel == Kernel::periodic ? displacement_range(profile, body.kernel)
-                                                        : std::numeric_limits<double>::infinity();
+    const double full = body.relative_to_mean() ? displacement_range(profile, body.kernel)
+                                                : std::numeric_limits<double>::infinity();
     std::vector<double> within;
     for (const double displacement : displacements)
         if (displacement > 0 && displacement <= full)

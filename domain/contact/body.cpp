@@ -21,6 +21,11 @@ Body completed(Body body, double length) {
         body.datum = length;
     if (body.kernel == Kernel::strip && body.strip_width == 0)
         body.strip_width = length / 511;
+    for (Layer& layer : body.layering.layers)
+        if (layer.modulus == 0) {
+            layer.poissons_ratio = body.layering.poissons_ratio;
+            layer.modulus = body.effective_modulus * (1 - layer.poissons_ratio * layer.poissons_ratio);
+        }
     return body;
 }
 
@@ -36,6 +41,20 @@ void validate(const Body& body, Index nodes, double spacing) {
                      " mm, (L + spacing)/4: nearer, the free half-plane has no unique solution");
     if (body.kernel == Kernel::strip && !is_positive(body.strip_width))
         refuse_value("strip width", body.strip_width, " mm given, expected a positive finite length");
+    const Layering& layering = body.layering;
+    if (!layering.layers.empty() && body.kernel != Kernel::periodic)
+        throw InputError("given on a body that is not periodic, expected --kernel periodic", "layer");
+    if (layering.rigid_base && layering.layers.empty())
+        throw InputError("rigid given without layers, expected --layer THICKNESS", "base");
+    for (const Layer& layer : layering.layers) {
+        if (!is_positive(layer.thickness))
+            refuse_value("layer", layer.thickness, " mm given, expected a positive finite thickness");
+        if (!is_positive(layer.modulus))
+            refuse_value("layer", layer.modulus, " MPa given as modulus, expected a positive finite number");
+        if (!(layer.poissons_ratio > -1 && layer.poissons_ratio <= 0.5))
+            refuse_value("layer", layer.poissons_ratio,
+                         " given as Poisson's ratio, expected more than -1 and at most 0.5");
+    }
 }
 
 } // namespace rough

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "domain/contact/layers.hpp"
 #include "domain/numerics/grid.hpp"
 
 #include <limits>
@@ -23,7 +24,11 @@ struct Body {
     /// p_H, MPa: no node bears more; those that would are held at it and sink in. Amplitude is no free factor
     /// then, contact sets are not known to be nested, and no bound that rests on either holds.
     double hardness = std::numeric_limits<double>::infinity();
+    /// Periodic only; thicknesses in mm. Contact sets are then not known to be nested.
+    Layering layering = {};
 
+    /// Whether displacements are relative to the mean plane, so that none exceeds that of full contact.
+    bool relative_to_mean() const { return kernel == Kernel::periodic && !layering.carries_mean(); }
     bool yields() const { return hardness < std::numeric_limits<double>::infinity(); } ///< has a hardness
 };
 
@@ -34,7 +39,8 @@ double effective_modulus(double youngs_modulus, double poissons_ratio);
 Body completed(Body body, double length);
 
 /// Throws InputError on a completed body that has no solution for a profile of so many nodes this far apart
-/// (mm): a modulus or strip width that is not positive, a datum at or under (L + spacing)/4.
+/// (mm): a modulus or strip width that is not positive, a datum at or under (L + spacing)/4, layers on
+/// another kernel than the periodic one or without a thickness or modulus, a rigid base without layers.
 void validate(const Body& body, Index nodes, double spacing);
 
 } // namespace rough

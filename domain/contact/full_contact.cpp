@@ -68,8 +68,10 @@ double full_contact_stiffness(Index nodes, double spacing, const Body& body) {
 }
 
 double full_contact_stiffness(const Profile& surface, const Body& given) {
-    if (given.kernel == Kernel::periodic)
-        return std::numeric_limits<double>::infinity();
+    if (given.kernel == Kernel::periodic) { // on a rigid base 1/C0
+        const double modulus = given.effective_modulus;
+        return modulus / mean_compliance(completed(given, 0).layering, modulus);
+    }
     Profile flat = surface;
     flat.heights.setZero();
     const double length = profile_length(flat, given.kernel);

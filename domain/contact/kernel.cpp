@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -51,17 +52,44 @@ double datum_limit(const Profile& profile) {
     return profile.spacing * static_cast<double>(profile.nodes()) / 4;
 }
 
-Eigen::VectorXd periodic_spectrum(Index nodes) {
-    Eigen::VectorXd spectrum(nodes / 2 + 1);
-    spectrum[0] = 0;
-    for (Index k = 1; k < spectrum.size(); ++k) // S_k = 2/(E* q_k), q_k = 2 pi k/L
-        spectrum[k] = static_cast<double>(nodes) / (pi * static_cast<double>(k));
-    return spectrum;
+namespace {
+
+/// The last two that were made of other keys by this thread: a search asks for the same again and again, or
+/// for a fine and a coarse grid's in turn.
+template <class Key, class Make>
+Eigen::VectorXd remembered(const Key& key, Make make) {
+    struct Known {
+        std::optional<Key> of;
+        Eigen::VectorXd values;
+    };
+    thread_local Known last, before;
+    if (last.of != key) {
+        std::swap(last, before);
+        if (last.of != key)
+            last = {key, make()};
+    }
+    return last.values;
+}
+
+} // namespace
+
+Eigen::VectorXd periodic_spectrum(Index nodes, const Layering& layering) {
+    return remembered(std::pair(nodes, layering), [&] {
+        Eigen::VectorXd spectrum(nodes / 2 + 1);
+        spectrum[0] = mean_compliance(layering, 1);
+        for (Index k = 1; k < spectrum.size(); ++k) { // S_k = 2/(E* q_k), q_k = 2 pi k/L
+            spectrum[k] = static_cast<double>(nodes) / (pi * static_cast<double>(k));
+            if (!layering.layers.empty())
+                spectrum[k] *= relative_compliance(layering, 1, 2 / spectrum[k]);
+        }
+        return spectrum;
+    });
 }
 
 namespace {
 
-Eigen::VectorXd computed_column(Kernel kernel, Index nodes, double datum, double strip_width) {
+Eigen::VectorXd computed_column(Kernel kernel, Index nodes, double datum, double strip_width,
+                                const Layering& layering) {
     Eigen::VectorXd column(nodes);
     switch (kernel) {
     case Kernel::free: {
@@ -75,7 +103,7 @@ Eigen::VectorXd computed_column(Kernel kernel, Index nodes, double datum, double
         break;
     }
     case Kernel::periodic: {
-        FourierOperator transform = FourierOperator::circulant(nodes, periodic_spectrum(nodes));
+        FourierOperator transform = FourierOperator::circulant(nodes, periodic_spectrum(nodes, layering));
         std::fill_n(transform.input(), nodes, 0.0);
         transform.input()[0] = 1;
         const double* row = transform.apply();
@@ -93,20 +121,10 @@ Eigen::VectorXd computed_column(Kernel kernel, Index nodes, double datum, double
 
 } // namespace
 
-Eigen::VectorXd influence_column(Kernel kernel, Index nodes, double datum, double strip_width) {
-    // A search asks for the same one again and again, or for a fine and a coarse grid's in turn.
-    struct Known {
-        std::tuple<Kernel, Index, double, double> of;
-        Eigen::VectorXd column;
-    };
-    thread_local Known last, before;
-    const std::tuple asked(kernel, nodes, datum, strip_width);
-    if (last.column.size() == 0 || last.of != asked) {
-        std::swap(last, before);
-        if (last.column.size() == 0 || last.of != asked)
-            last = {asked, computed_column(kernel, nodes, datum, strip_width)};
-    }
-    return last.column;
+Eigen::VectorXd influence_column(Kernel kernel, Index nodes, double datum, double strip_width,
+                                 const Layering& layering) {
+    return remembered(std::tuple(kernel, nodes, datum, strip_width, layering),
+                      [&] { return computed_column(kernel, nodes, datum, strip_width, layering); });
 }
 
 namespace {
@@ -137,10 +155,12 @@ double cell_potential(double x, double y, double b) {
     return b * sum;
 }
 
-Eigen::VectorXd computed_area_column(Kernel kernel, Extent shape, double row_spacing) {
+Eigen::VectorXd computed_area_column(Kernel kernel, Extent shape, double row_spacing,
+                                     const Layering& layering) {
     Eigen::VectorXd column(shape.nodes());
     if (kernel == Kernel::periodic) {
-        FourierOperator transform = FourierOperator::circulant(shape, area_spectrum(shape, row_spacing));
+        FourierOperator transform =
+            FourierOperator::circulant(shape, area_spectrum(shape, row_spacing, layering));
         std::fill_n(transform.input(), shape.nodes(), 0.0);
         transform.input()[0] = 1;
         const double* table = transform.apply();
@@ -164,29 +184,55 @@ Eigen::VectorXd computed_area_column(Kernel kernel, Extent shape, double row_spa
 
 } // namespace
 
-Eigen::VectorXd area_spectrum(Extent shape, double row_spacing) {
-    const Index half = shape.columns / 2 + 1;
-    Eigen::VectorXd spectrum(half * shape.rows);
-    for (Index j = 0; j < shape.rows; ++j)
-        for (Index i = 0; i < half; ++i) { // 2/|q|, q = 2 pi (k_x/L_x, k_y/L_y)
-            const double x = static_cast<double>(i) / static_cast<double>(shape.columns);
-            const double y = static_cast<double>(std::min(j, shape.rows - j)) /
-                             (row_spacing * static_cast<double>(shape.rows));
-            spectrum[j * half + i] = i == 0 && j == 0 ? 0 : 1 / (std::numbers::pi * std::sqrt(x * x + y * y));
-        }
-    return spectrum;
+Eigen::VectorXd area_spectrum(Extent shape, double row_spacing, const Layering& layering) {
+    return remembered(std::tuple(shape.columns, shape.rows, row_spacing, layering), [&] {
+        const Index half = shape.columns / 2 + 1;
+        Eigen::VectorXd spectrum(half * shape.rows);
+        for (Index j = 0; j < shape.rows; ++j)
+            for (Index i = 0; i < half; ++i) { // 2/|q|, q = 2 pi (k_x/L_x, k_y/L_y)
+                const double x = static_cast<double>(i) / static_cast<double>(shape.columns);
+                const double y = static_cast<double>(std::min(j, shape.rows - j)) /
+                                 (row_spacing * static_cast<double>(shape.rows));
+                double& value = spectrum[j * half + i];
+                value = i == 0 && j == 0 ? mean_compliance(layering, 1)
+                                         : 1 / (std::numbers::pi * std::sqrt(x * x + y * y));
+                if (!layering.layers.empty() && i + j > 0)
+                    value *= relative_compliance(layering, 1, 2 / value);
+            }
+        return spectrum;
+    });
 }
 
-Eigen::VectorXd area_influence_column(Kernel kernel, Extent shape, double row_spacing) {
-    struct Known {
-        std::tuple<Kernel, Index, Index, double> of;
-        Eigen::VectorXd column;
-    };
-    thread_local Known last;
-    const std::tuple asked(kernel, shape.columns, shape.rows, row_spacing);
-    if (last.column.size() == 0 || last.of != asked)
-        last = {asked, computed_area_column(kernel, shape, row_spacing)};
-    return last.column;
+Eigen::VectorXd area_influence_column(Kernel kernel, Extent shape, double row_spacing,
+                                      const Layering& layering) {
+    return remembered(std::tuple(kernel, shape.columns, shape.rows, row_spacing, layering),
+                      [&] { return computed_area_column(kernel, shape, row_spacing, layering); });
+}
+
+bool contact_sets_nest(Extent shape, double row_spacing, const Layering& layering) {
+    if (layering.layers.empty())
+        return true;
+    constexpr double rounding = 1e-9; // of the diagonal
+    const Eigen::VectorXd found =
+        remembered(std::tuple(shape.columns, shape.rows, row_spacing, layering, 0), [&] {
+            Eigen::ArrayXd stiffness = 1 / (row_spacing > 0 ? area_spectrum(shape, row_spacing, layering)
+                                                            : periodic_spectrum(shape.columns, layering))
+                                               .array();
+            if (!layering.carries_mean())
+                stiffness[0] = 0;
+            FourierOperator inverse = FourierOperator::circulant(shape, stiffness.matrix());
+            std::fill_n(inverse.input(), shape.nodes(), 0.0);
+            inverse.input()[0] = 1;
+            const Eigen::Map<const Eigen::VectorXd> column(inverse.apply(), shape.nodes());
+            return Eigen::VectorXd::Constant(1, column.tail(shape.nodes() - 1).maxCoeff() / column[0]);
+        });
+    return found[0] <= rounding;
+}
+
+bool contact_sets_nest(const Body& body, const Grid& grid) {
+    return contact_sets_nest(
+        grid.shape(), grid.is_2d() ? grid.row_spacing() / grid.spacing() : 0,
+        in_units(completed(body, grid.length).layering, grid.spacing(), body.effective_modulus));
 }
 
 } // namespace rough

@@ -245,7 +245,7 @@ double first_guess(ContactProblem problem, const ContactOptions& options) {
 ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profile, const Body& body,
                              const std::vector<double>& pressures, const ContactOptions& options) {
     const Eigen::VectorXd deviation =
-        body.kernel == Kernel::periodic && body.yields() ? full_contact_pressure(problem) : Eigen::VectorXd();
+        body.relative_to_mean() && body.yields() ? full_contact_pressure(problem) : Eigen::VectorXd();
     std::vector<std::optional<StepSolution>> flat(pressures.size());
     std::vector<double> displacements;
     const double guess = std::min(first_guess(problem, options), largest_displacement(profile, body));
@@ -300,7 +300,7 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
     if (pressures.empty())
         return {};
     const ContactProblem problem = make_problem_at(profile, body, pressures);
-    if (body.kernel == Kernel::periodic && !body.yields())
+    if (body.relative_to_mean() && !body.yields())
         check_full_contact(pressures.back(), profile, body);
     SolverChoice choice = chosen(problem, options);
     if (takes_loads(choice.solver, problem)) {

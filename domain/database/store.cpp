@@ -214,6 +214,10 @@ GenomeStore::~GenomeStore() = default;
 const std::filesystem::path& GenomeStore::file() const { return sqlite_->file(); }
 
 GenomeStore GenomeStore::create(const std::filesystem::path& file, const DatabaseSetup& setup) {
+    if (!setup.model.body.layering.layers.empty())
+        throw InputError(file.string() +
+                         ": a body with layers given, expected a half-space: databases scale its "
+                         "responses to other lengths");
     validate(setup.law);
     const Fields wanted = fields(setup);
     Sqlite sqlite(file, Sqlite::Access::create);

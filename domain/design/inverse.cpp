@@ -18,10 +18,12 @@ Eigen::MatrixXd influence_in_order(const Profile& surface, const Body& given, co
     const Body body = completed(given, profile_length(surface, given.kernel));
     const Index nodes = surface.nodes(), columns = surface.shape().columns;
     const double spacing = surface.spacing;
+    const Layering layering = in_units(body.layering, spacing, body.effective_modulus);
     const Eigen::VectorXd column =
         (surface.is_2d()
-             ? area_influence_column(body.kernel, surface.shape(), surface.row_spacing / spacing)
-             : influence_column(body.kernel, nodes, body.datum / spacing, body.strip_width / spacing)) *
+             ? area_influence_column(body.kernel, surface.shape(), surface.row_spacing / spacing, layering)
+             : influence_column(body.kernel, nodes, body.datum / spacing, body.strip_width / spacing,
+                                layering)) *
         (spacing / body.effective_modulus);
     Eigen::ArrayX<Index> x(nodes), y(nodes);
     for (Index i = 0; i < nodes; ++i) {
@@ -47,8 +49,8 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
                                const Advance& advance, double last_pressure, double last_displacement) {
     const Index nodes = surface.nodes();
     const Eigen::MatrixXd H = influence_in_order(surface, body, order);
-    // The periodic body's H is singular on all nodes: the last node never joins.
-    const Index most = body.kernel == Kernel::periodic ? nodes - 1 : nodes;
+    // The periodic half-space's H is singular on all nodes: the last node never joins.
+    const Index most = body.relative_to_mean() ? nodes - 1 : nodes;
     const Eigen::LLT<Eigen::MatrixXd> factor(H.topLeftCorner(most, most));
     if (factor.info() != Eigen::Success)
         throw InputError("inverse contact: the influence matrix is not positive definite; expected a datum "

@@ -43,6 +43,7 @@ DesignSetup in_final_amplitude(const DesignSetup& setup) {
 
 Model with_kernel(Model model, Kernel kernel) {
     model.body.kernel = kernel;
+    model.body.layering = {};
     model.loading.reach = std::min(model.loading.reach, completed(Loading(), kernel).reach);
     return completed(model);
 }

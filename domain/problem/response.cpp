@@ -87,8 +87,7 @@ DesignResponse scored(const DesignSetup& setup, std::vector<Response> pressed) {
 }
 
 bool may_pass_full_contact(const Loading& loading, const Body& body) {
-    return body.kernel == Kernel::periodic && !body.yields() &&
-           loading.to_displacement + loading.to_pressure > 0;
+    return body.relative_to_mean() && !body.yields() && loading.to_displacement + loading.to_pressure > 0;
 }
 
 Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model) {
@@ -107,7 +106,7 @@ void continue_beyond_full_contact(const DesignSetup& setup, const Target& target
                                   CurveJacobian* jacobian) {
     const Body& body = setup.model.body;
     constexpr double rounding = 1e-6; // of a load that is found by iteration
-    if (setup.max_pressure || body.kernel != Kernel::periodic || body.yields() ||
+    if (setup.max_pressure || !body.relative_to_mean() || body.yields() ||
         curve.to >= (1 - rounding) * target.last())
         return;
     const Index points = curve.x.size();

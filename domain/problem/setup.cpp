@@ -1,5 +1,6 @@
 #include "domain/problem/setup.hpp"
 
+#include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
 #include "domain/target/recorded.hpp"
 #include "domain/target/similarity.hpp"
@@ -107,7 +108,7 @@ DesignSetup as_reported(DesignSetup searched) {
     if (!setup.model.grid.is_2d() && nodes <= exactly_reported)
         contact.tolerance = std::min(contact.tolerance, reported_tolerance);
     if (!setup.model.grid.is_2d() && nodes <= factored && contact.solver == Solver::automatic &&
-        !setup.model.body.yields())
+        !setup.model.body.yields() && contact_sets_nest(setup.model.body, setup.model.grid))
         contact.solver = Solver::nested;
     return setup;
 }

@@ -39,7 +39,9 @@ namespace rough {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DesignOutcome, scale, misfits, excess, genome)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Grid, nodes, length, wraps, from, rows, width)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Body, kernel, effective_modulus, datum, strip_width, hardness)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Layer, thickness, modulus, poissons_ratio)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Layering, layers, rigid_base, poissons_ratio)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Body, kernel, effective_modulus, datum, strip_width, hardness, layering)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Loading, steps, reach, to_pressure, to_displacement, pressures)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ContactOptions, solver, tolerance, states, memory_limit)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Model, grid, body, loading, contact, accuracy)

@@ -29,6 +29,13 @@ Fields fields(const Model& given) {
         all.emplace_back("datum_mm", field_text(body.datum));
     if (body.kernel == Kernel::strip)
         all.emplace_back("strip_width_mm", field_text(body.strip_width));
+    if (!body.layering.layers.empty()) {
+        std::string layers;
+        for (const Layer& layer : body.layering.layers)
+            layers += field_text(layer.thickness) + ":" + field_text(layer.modulus) + ":" +
+                      field_text(layer.poissons_ratio) + " ";
+        all.emplace_back("layers", layers + (body.layering.rigid_base ? "rigid" : "elastic"));
+    }
     return all;
 }
 

@@ -1,5 +1,6 @@
 #include "domain/target/out_of_reach.hpp"
 
+#include "domain/contact/kernel.hpp"
 #include "domain/plain_stream.hpp"
 #include "domain/response/interface.hpp"
 
@@ -191,6 +192,8 @@ std::string OutOfReach::verdict() const {
 
 std::vector<OutOfReach> out_of_reach(const std::vector<Target>& targets, const Model& model,
                                      std::optional<double> max_pressure) {
+    if (!contact_sets_nest(model.body, completed(model).grid)) // stiffness may fall
+        return {};
     Load load{stiffness_limits(model), model.loading.steps, max_pressure.value_or(0)};
     for (const Target& target : targets)
         if (target.against_pressure())

@@ -11,12 +11,12 @@ namespace rough {
 
 namespace {
 
-constexpr const char* recorded_keys[] = {"kernel",   "length_mm",     "width_mm", "effective_modulus_MPa",
-                                         "datum_mm", "strip_width_mm"};
+constexpr const char* recorded_keys[] = {"kernel",   "length_mm",      "width_mm", "effective_modulus_MPa",
+                                         "datum_mm", "strip_width_mm", "layers"};
 
 bool same(const std::string& key, const std::string& left, const std::string& right,
           const std::string& file) {
-    if (key == "kernel")
+    if (key == "kernel" || key == "layers")
         return left == right;
     const double a = number_from(left, file + ": " + key), b = number_from(right, key);
     return std::abs(a - b) <= 1e-9 * std::abs(b);
@@ -24,7 +24,7 @@ bool same(const std::string& key, const std::string& left, const std::string& ri
 
 /// A number without the digits that only its last bit needs.
 std::string as_read(const std::string& key, const std::string& value) {
-    if (key == "kernel" || value.empty())
+    if (key == "kernel" || key == "layers" || value.empty())
         return value;
     char digits[32];
     std::snprintf(digits, sizeof digits, "%.15g", number_from(value, key));

@@ -85,7 +85,7 @@ class ActiveSet {
     /// tangent just below full contact.
     void find_tangent() {
         Index least = problem_.nodes();
-        if (problem_.is_2d() && problem_.kernel == Kernel::periodic &&
+        if (problem_.is_2d() && problem_.is_singular() &&
             static_cast<Index>(set_.nodes().size()) == problem_.nodes()) {
             load_.pressure.minCoeff(&least);
             set_.erase(least);

@@ -64,7 +64,7 @@ class CappedContact {
                 deepest = i;
         }
         // All nodes of a periodic profile together are a singular matrix; the lowest can wait.
-        if (problem_.kernel == Kernel::periodic && count == problem_.nodes())
+        if (problem_.is_singular() && count == problem_.nodes())
             free_.erase(deepest);
         free_.collect();
         return worst;

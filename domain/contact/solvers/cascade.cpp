@@ -18,6 +18,7 @@ ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node
                      .reshaped();
     coarse.datum = problem.datum / ratio;
     coarse.strip_width = problem.strip_width / ratio;
+    coarse.layering = in_units(problem.layering, ratio, 1);
     coarse.column = influence_on(coarse, coarse.shape);
     coarse.pressure_unit = problem.pressure_unit / ratio;
     coarse.elements = problem.elements / (problem.is_2d() ? ratio * ratio : ratio);

@@ -93,6 +93,9 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
     PlainStream reason;
     if (std::isfinite(problem.cap))
         return {Solver::active_set, "active-set: pressures are held at the hardness, contact is not nested"};
+    if (!problem.is_nested())
+        return {problem.is_2d() || problem.nodes() > always_nested ? Solver::active_set : Solver::nnls,
+                "under these layers contact sets need not be nested"};
     if (problem.nodes() <= always_nested || problem.steps() == 0 ||
         (problem.load.empty() && problem.approach.back() == 0)) {
         reason << "nested: up to " << always_nested << " nodes the factor is always the fastest";

@@ -40,7 +40,7 @@ void check_displacements(const Profile& profile, const Body& body, const std::ve
                    " mm, increasing finite values are expected");
         previous = displacement;
     }
-    if (body.kernel != Kernel::periodic)
+    if (!body.relative_to_mean())
         return;
     const double full = largest_displacement(profile, body);
     if (profile.heights.maxCoeff() == profile.heights.minCoeff())
@@ -56,7 +56,7 @@ void check_displacements(const Profile& profile, const Body& body, const std::ve
 } // namespace
 
 double largest_displacement(const Profile& profile, const Body& body) {
-    if (body.kernel != Kernel::periodic || body.yields()) // nodes at the hardness may sink in
+    if (!body.relative_to_mean() || body.yields()) // nodes at the hardness may sink in
         return std::numeric_limits<double>::infinity();
     const double highest = profile.heights.maxCoeff();
     return (highest - profile.heights.array()).mean(); // Delta_full = max Z - mean Z
@@ -78,6 +78,7 @@ ContactProblem make_problem(const Profile& profile, const Body& given,
     problem.kernel = body.kernel;
     problem.datum = body.datum / profile.spacing;
     problem.strip_width = body.strip_width / profile.spacing;
+    problem.layering = in_units(body.layering, profile.spacing, body.effective_modulus);
     problem.shape = profile.shape();
     problem.row_spacing = profile.row_spacing / profile.spacing;
     problem.column = influence_on(problem, problem.shape);
@@ -108,12 +109,14 @@ ContactProblem make_problem_at(const Profile& profile, const Body& body,
 
 Eigen::VectorXd influence_on(const ContactProblem& problem, Extent shape) {
     return problem.is_2d()
-               ? area_influence_column(problem.kernel, shape, problem.row_spacing)
-               : influence_column(problem.kernel, shape.nodes(), problem.datum, problem.strip_width);
+               ? area_influence_column(problem.kernel, shape, problem.row_spacing, problem.layering)
+               : influence_column(problem.kernel, shape.nodes(), problem.datum, problem.strip_width,
+                                  problem.layering);
 }
 
 Eigen::VectorXd spectrum_on(const ContactProblem& problem, Extent shape) {
-    return problem.is_2d() ? area_spectrum(shape, problem.row_spacing) : periodic_spectrum(shape.nodes());
+    return problem.is_2d() ? area_spectrum(shape, problem.row_spacing, problem.layering)
+                           : periodic_spectrum(shape.nodes(), problem.layering);
 }
 
 template <typename Operator>
@@ -168,9 +171,9 @@ void fail(const char* solver, const ContactProblem& problem, double approach, do
 }
 
 Eigen::VectorXd full_contact_pressure(const ContactProblem& problem) {
-    const Eigen::ArrayXd spectrum = spectrum_on(problem, problem.shape);
-    FourierOperator inverse =
-        FourierOperator::circulant(problem.shape, (spectrum > 0).select(1 / spectrum, 0).matrix());
+    Eigen::ArrayXd stiffness = 1 / spectrum_on(problem, problem.shape).array();
+    stiffness[0] = 0;
+    FourierOperator inverse = FourierOperator::circulant(problem.shape, stiffness.matrix());
     Eigen::VectorXd::Map(inverse.input(), problem.nodes()) = -problem.gap;
     return Eigen::VectorXd::Map(inverse.apply(), problem.nodes());
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "domain/contact/kernel.hpp"
 #include "domain/contact/solve.hpp"
 #include "domain/numerics/fourier.hpp"
 
@@ -16,6 +17,7 @@ struct ContactProblem {
     double row_spacing;           ///< delta_y of an area, in units of delta_x; 0: a line
     double datum;                 ///< d (free), in units of delta
     double strip_width;           ///< W (strip), in units of delta
+    Layering layering;            ///< of a periodic body, in units of delta and E*
     Eigen::VectorXd column;       ///< first column of H
     Eigen::VectorXd gap;          ///< g0_i = max Z - Z_i >= 0
     std::vector<double> approach; ///< displacements, increasing, the last one 1 (or all zero)
@@ -34,6 +36,10 @@ struct ContactProblem {
     /// Load steps to solve.
     std::size_t steps() const { return load.empty() ? approach.size() : load.size(); }
     bool is_2d() const { return row_spacing > 0; } ///< two dimensions
+    /// Whether contact sets only grow under load.
+    bool is_nested() const { return contact_sets_nest(shape, row_spacing, layering); }
+    /// Whether H of all nodes together is singular: displacements are relative to the mean plane.
+    bool is_singular() const { return kernel == Kernel::periodic && !layering.carries_mean(); }
     /// Only overlapping nodes can touch (strip, and free with d >= L).
     bool touches_only_overlapping;
 };

@@ -56,6 +56,32 @@ TEST_CASE("modulus and Poisson's ratio scale pressure and stiffness by E*") {
     }
 }
 
+TEST_CASE("layers of the body's own modulus change no curve, and a thin one on a rigid base is stiffer") {
+    const Folder folder;
+    folder.write("g.json", one_wave);
+    const auto pressed = [&](const std::string& flags) {
+        succeeded(rugosa(
+            "contact --genome g.json --out c.csv --force --kernel periodic --modulus 7 --poisson 0.3 " +
+                flags,
+            folder.path()));
+        return rows_of(folder / "c.csv");
+    };
+    const auto plain = pressed(""), same = pressed("--layer 0.1 --layer 0.2:7:0.3"),
+               listed = pressed("--layer 0.1,0.2:7:0.3"), thin = pressed("--layer 0.02 --base rigid");
+    for (std::size_t j = 0; j < plain.size(); ++j) {
+        CHECK(same[j][1] == Approx(plain[j][1]).epsilon(1e-10));
+        CHECK(listed[j] == same[j]);
+        CHECK(thin[j][1] > 2 * plain[j][1]);
+    }
+    for (const char* wrong :
+         {"--layer 0.1", "--kernel periodic --layer 0.1:7", "--kernel periodic --layer -1",
+          "--kernel periodic --layer 0.1:7:0.7", "--kernel periodic --base rigid"}) {
+        CAPTURE(wrong);
+        check_refused(rugosa(std::string("contact --genome g.json --out w.csv ") + wrong, folder.path()),
+                      "--");
+    }
+}
+
 TEST_CASE("the load may end at a pressure or stand at given ones") {
     const Folder folder;
     folder.write("g.json", one_wave);
