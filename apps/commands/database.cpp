@@ -214,7 +214,7 @@ int database_query(const Settings& settings, const std::string&) {
     const rough::GenomeStore store = rough::GenomeStore::open(settings.text("file"));
     // The file is scaled to the model of the flags.
     setup.model = any_given(settings, model_settings()) ? model_from(settings) : store.setup().model;
-    const auto answers = stored_answers(store, setup, best, settings.threads("threads"));
+    const auto answers = stored_answers(store, setup, best, settings.whole<int>("threads"));
     if (answers.empty())
         throw rough::InputError(store.file().string() + ": no stored curve reaches the end of the target, "
                                                         "expected a database with more genomes");

@@ -182,7 +182,7 @@ SearchByChildren search_from(const Settings& settings) {
 int optimise(const Settings& settings, const std::string& line) {
     const ga::Stopwatch clock;
     SearchByChildren asked = search_from(settings);
-    const int threads = ga::thread_count(settings.threads("threads"));
+    const int threads = ga::thread_count(settings.whole<int>("threads"));
     const double timeout = settings.number("timeout");
     const OutputFolder output(settings.text("out"), "optimise",
                               {{"result.json", "checkpoint.cbor", "checkpoint.cbor.before", "evaluate.log"},

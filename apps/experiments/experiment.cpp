@@ -23,8 +23,11 @@ std::vector<Setting> Experiment::all_settings() const {
     return joined(
         {{{"experiment.kind", "paper",
            "paper, variants, accuracy, chart, stability, compare, readings, features or statistical"},
-          {"experiment.seed", "1", "seed of the random numbers; with several runs a variant, the first seed"},
-          {"experiment.threads", "0", "threads, where no time is measured; 0 takes all"}},
+          ga::whole("experiment.seed", "1", 0,
+                    "seed of the random numbers; with several runs a variant, the first seed")
+              .up_to(0x1p53),
+          ga::whole("experiment.threads", "0", 0, "threads, where no time is measured; 0 takes all")
+              .up_to(1024)},
          settings});
 }
 
@@ -72,8 +75,8 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
     {
         Progress progress;
         const Origin origin{experiment.kind, RUGOSA_VERSION, request.command,
-                            settings.seed("experiment.seed"),
-                            ga::thread_count(settings.threads("experiment.threads"))};
+                            settings.whole<std::uint64_t>("experiment.seed"),
+                            ga::thread_count(settings.whole<int>("experiment.threads"))};
         found = experiment.run(
             settings, {origin, progress, interrupt.flag(), folder, request.resume, in_one(settings)});
         output.restored();

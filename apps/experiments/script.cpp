@@ -94,7 +94,7 @@ Experiment features_experiment() {
                   {"features.starts", "6000", "maximum number of starts"},
                   {"features.held-out", "128", "starts of the held-out check"},
                   {"targets.files", "", "target curves (CSV), separated by commas"},
-                  {"targets.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"}},
+                  pressure("targets.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa")},
                  model_settings("model.")}),
             .files = {"features.csv", "waves.csv", "heldout.csv", "best"},
             .run = [](const Settings& settings, const Conditions& conditions) {
@@ -103,27 +103,27 @@ Experiment features_experiment() {
 }
 
 Experiment readings_experiment() {
-    return {.kind = "readings",
-            .summary = "the paper's claims under every reading that its text allows",
-            .settings =
-                joined({{{"readings.quick", "off",
-                          "on tries one choice at a time and two databases: 3 minutes of processor time"},
-                         {"readings.databases", "20", "databases with other phases, tried under our reading"},
-                         {"readings.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"}},
-                        model_settings("model.")}),
-            .files = {"cells.csv", "claims.csv", "shares.csv", "readings.json", "targets"},
-            .run =
-                [](const Settings& settings, const Conditions& conditions) {
-                    expect_none(settings,
-                                {{"model.kernel", "", ""}, {"model.datum", "", ""}, {"model.reach", "", ""}},
-                                "given, expected none: the readings try several");
-                    model_from(settings, "model.");
-                    settings.one_of("readings.quick", {"off", "on"});
-                    settings.whole("readings.databases", 0, 1000);
-                    settings.pressure("readings.max-pressure");
-                    return findings_of_script(readings_experiment(), settings, conditions);
-                },
-            .resumes = true};
+    return {
+        .kind = "readings",
+        .summary = "the paper's claims under every reading that its text allows",
+        .settings = joined(
+            {{Setting("readings.quick", "off",
+                      "on tries one choice at a time and two databases: 3 minutes of processor time")
+                  .of({"off", "on"}),
+              ga::whole("readings.databases", "20", 0, "databases with other phases, tried under our reading")
+                  .up_to(1000),
+              pressure("readings.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa")},
+             model_settings("model.")}),
+        .files = {"cells.csv", "claims.csv", "shares.csv", "readings.json", "targets"},
+        .run =
+            [](const Settings& settings, const Conditions& conditions) {
+                expect_none(settings,
+                            {{"model.kernel", "", ""}, {"model.datum", "", ""}, {"model.reach", "", ""}},
+                            "given, expected none: the readings try several");
+                model_from(settings, "model.");
+                return findings_of_script(readings_experiment(), settings, conditions);
+            },
+        .resumes = true};
 }
 
 } // namespace app

@@ -157,6 +157,10 @@ Setting positive(const std::string& name, const std::string& fallback, const std
     return ga::number(name, fallback, ga::above_zero, ga::no_limit, meaning);
 }
 
+Setting pressure(const std::string& name, const std::string& fallback, const std::string& meaning) {
+    return ga::number(name, fallback, ga::above_zero, 1e100, meaning);
+}
+
 std::vector<Setting> settings_of(const Fields& fields, const std::string& prefix, const std::string& group) {
     std::vector<Setting> all;
     for (const Field& field : fields) {
@@ -257,27 +261,6 @@ std::vector<std::string> Settings::words(const std::string& name) const {
 }
 
 std::size_t Settings::choice(const std::string& name) const { return one_of(name, known_.at(name).choices); }
-
-double Settings::number(const std::string& name, double from, double to) const {
-    return number_in(name, text(name), ga::number(name, {}, from, to, {}));
-}
-
-double Settings::positive(const std::string& name) const {
-    return number(name, ga::above_zero, ga::no_limit);
-}
-
-double Settings::pressure(const std::string& name) const { return number(name, ga::above_zero, 1e100); }
-
-long Settings::whole(const std::string& name, long from, long to) const {
-    return static_cast<long>(number_in(
-        name, text(name), ga::whole(name, {}, static_cast<double>(from), {}).up_to(static_cast<double>(to))));
-}
-
-std::uint64_t Settings::seed(const std::string& name) const {
-    return static_cast<std::uint64_t>(whole(name, 0, 1L << 53));
-}
-
-int Settings::threads(const std::string& name) const { return static_cast<int>(whole(name, 0, 1024)); }
 
 std::filesystem::path Settings::beside(const std::string& name, const std::string& word) const {
     return lines_.count(name) ? std::filesystem::path(source_).parent_path() / word

@@ -42,6 +42,8 @@ Setting threads_setting();
 Setting force_setting();
 Setting pictures_setting();
 Setting positive(const std::string& name, const std::string& fallback, const std::string& meaning);
+/// A pressure (MPa) whose squares fit double precision.
+Setting pressure(const std::string& name, const std::string& fallback, const std::string& meaning);
 ///@}
 
 /// A setting's name as Python has it: strip_width.
@@ -85,13 +87,11 @@ class Settings {
         else
             value = static_cast<Value>(number(name));
     }
-    double number(const std::string& name, double from, double to) const;
-    double positive(const std::string& name) const;
-    /// A pressure (MPa) whose squares fit double precision.
-    double pressure(const std::string& name) const;
-    long whole(const std::string& name, long from, long to) const;
-    std::uint64_t seed(const std::string& name) const; ///< up to 2^53, which JSON holds exactly
-    int threads(const std::string& name) const;        ///< 0 for all
+    /// Of a setting that takes whole numbers.
+    template <class Whole = long>
+    Whole whole(const std::string& name) const {
+        return static_cast<Whole>(number(name));
+    }
     /// A file: as given on the command line, or beside the .ini that names it.
     std::filesystem::path path(const std::string& name) const { return beside(name, text(name)); }
     /// The same of several, with commas between.

@@ -11,8 +11,8 @@ FUZZ(command_line) {
     for (std::string word; std::getline(lines, word);)
         words.push_back(word);
     const app::Settings settings = app::read_command_line(words, app::design_settings());
-    settings.seed("seed");
-    settings.threads("threads");
+    settings.whole<std::uint64_t>("seed");
+    settings.whole<int>("threads");
     settings.is_on("force");
     app::model_from(settings);
 }

@@ -7,6 +7,6 @@ FUZZ(experiment) {
     static const std::vector<app::Setting> known = app::variants_experiment().all_settings();
     const app::Settings settings = app::read_ini(fuzz::as_file(bytes), known, {});
     app::model_from(settings, "model.");
-    settings.seed("experiment.seed");
+    settings.whole<std::uint64_t>("experiment.seed");
     settings.names_under("variants.");
 }

@@ -263,8 +263,12 @@ DesignRun design_from(const Settings& settings,
             throw rough::InputError(settings.place("max-pressure") + ": " + settings.text("max-pressure") +
                                     " MPa given, expected at least the last pressure of " + goal.name + ", " +
                                     readable(goal.last(), 6) + " MPa");
-    if (settings.has("noise-length"))
-        settings.number("noise-length", std::min(grid.widest_spacing(), grid.length / 60), grid.length);
+    const double least = std::min(grid.widest_spacing(), grid.length / 60);
+    if (const double length = setup.errors.noise_length;
+        settings.has("noise-length") && (length < least || length > grid.length))
+        throw rough::InputError(settings.place("noise-length") + ": " + settings.text("noise-length") +
+                                " given, expected a number from " + readable(least, 6) + " to " +
+                                readable(grid.length, 6));
     setup.bounds = completed(setup.bounds, grid.length);
     expect_in_order(settings, setup.bounds);
     setup = placing(settings, "", [&] { return completed(setup); });

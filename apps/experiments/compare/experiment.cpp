@@ -28,11 +28,12 @@ std::vector<Setting> compare_settings() {
          "NAME=PIPELINE with commas between, or names of usual ones, for every problem [by the kind of "
          "genome: "
          "sections real, fronts, bits, tours and surfaces of the file, or the usual ones]"},
-        {"compare.seeds", "", "runs of each variant on each problem [15]"},
+        ga::whole("compare.seeds", "", 1, "runs of each variant on each problem [15]").up_to(1000),
         {"compare.budget", "", "evaluations of a run: 20000, or 1e4*D of a genome of D genes [1e4*D]"},
-        {"compare.curves", "1000", "budget of a run on roughness: curves and gradients"},
+        ga::whole("compare.curves", "1000", 1, "budget of a run on roughness: curves and gradients")
+            .up_to(1e9),
         {"compare.target", "", "target curve (CSV) of roughness"},
-        {"compare.max-pressure", "", "of roughness: p_max of Eq. 11, MPa [amplitude is a gene]"},
+        pressure("compare.max-pressure", "", "of roughness: p_max of Eq. 11, MPa [amplitude is a gene]"),
         {"compare.coco", "", "write the runs on BBOB's functions to coco/, for cocopp and IOHanalyzer", true},
         {"compare.quick", "", "few problems, 5 seeds, 1e3*D evaluations, where nothing else is asked for",
          true}};
@@ -113,15 +114,14 @@ std::optional<rough::DesignSetup> roughness_from(const Settings& settings) {
     rough::DesignSetup setup;
     setup.model = model_from(settings, "model.");
     setup.targets = {rough::read_target(settings.path("compare.target"))};
-    if (settings.has("compare.max-pressure"))
-        setup.max_pressure = settings.pressure("compare.max-pressure");
+    settings.take("compare.max-pressure", setup.max_pressure);
     return placing(settings, "compare.", [&] { return completed(setup); });
 }
 
 Contest contest_from(const Settings& settings, const Origin& origin) {
     Contest contest;
     contest.origin = origin;
-    contest.seeds = settings.has("compare.seeds")     ? settings.whole("compare.seeds", 1, 1000)
+    contest.seeds = settings.has("compare.seeds")     ? settings.whole("compare.seeds")
                     : settings.is_on("compare.quick") ? 5
                                                       : 15;
     contest.budget = text_of(settings, "compare.budget", "1e4*D", "1e3*D");
@@ -137,7 +137,7 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
     for (Benchmark& problem : problems) {
         Bout bout;
         bout.variants = contestants_of(settings, problem.kind);
-        bout.budget = problem.kind == "surfaces" ? settings.whole("compare.curves", 1, 1000000000)
+        bout.budget = problem.kind == "surfaces" ? settings.whole("compare.curves")
                                                  : budget_from(settings, contest.budget, problem.genes);
         for (const auto& variant : bout.variants) {
             const std::string &name = variant.first, &text = variant.second;

@@ -164,9 +164,8 @@ class Paper {
     }
 
     void sweep(TargetRun& target) {
-        const double from = settings_.number("paper.sweep-from", 0.01, 1),
-                     to = settings_.number("paper.sweep-to", from, 1);
-        const long count = settings_.whole("paper.sweep-points", 0, 1000);
+        const double from = settings_.number("paper.sweep-from"), to = settings_.number("paper.sweep-to");
+        const long count = settings_.whole("paper.sweep-points");
         for (long i = 0; i < count; ++i) {
             const double fraction =
                 count > 1 ? from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1)

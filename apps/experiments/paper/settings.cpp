@@ -6,27 +6,34 @@
 
 #include <nlohmann/json.hpp>
 
-#include <limits>
 #include <numbers>
+#include <tuple>
 
 namespace app {
 
 namespace {
 
+/// The values of two keys that end in from and to.
+std::pair<double, double> range_from(const Settings& settings, const std::string& name) {
+    const double from = settings.number(name + "from"), to = settings.number(name + "to");
+    if (from > to)
+        throw rough::InputError(settings.place(name + "to") + ": " + settings.text(name + "to") +
+                                " given, expected a number from " + settings.text(name + "from"));
+    return {from, to};
+}
+
 rough::DatabaseLayout layout_from(const Settings& settings, const rough::Model& model) {
     rough::DatabaseLayout layout;
-    layout.pairs = static_cast<int>(settings.whole("database.pairs", 1, 100000));
-    layout.phase_columns = static_cast<int>(settings.whole("database.phase-columns", 1, 1000));
-    layout.H_from = settings.number("database.hurst-from", std::numeric_limits<double>::min(), 10);
-    layout.H_to = settings.number("database.hurst-to", layout.H_from, 10);
-    layout.gamma_from = settings.number("database.gamma-from", 1.01, 100);
-    layout.gamma_to = settings.number("database.gamma-to", layout.gamma_from, 100);
-    layout.A = settings.positive("database.A");
-    layout.with_first = settings.one_of("database.first-point", {"skipped", "kept"}) == 1;
-    layout.lambda =
-        settings.has("database.lambda") ? settings.positive("database.lambda") : model.grid.length;
-    layout.shortest = settings.has("database.shortest-wave") ? settings.positive("database.shortest-wave")
-                                                             : model.grid.spacing();
+    layout.pairs = static_cast<int>(settings.number("database.pairs"));
+    layout.phase_columns = static_cast<int>(settings.number("database.phase-columns"));
+    std::tie(layout.H_from, layout.H_to) = range_from(settings, "database.hurst-");
+    std::tie(layout.gamma_from, layout.gamma_to) = range_from(settings, "database.gamma-");
+    layout.A = settings.number("database.A");
+    layout.with_first = settings.choice("database.first-point") == 1;
+    layout.lambda = model.grid.length;
+    layout.shortest = model.grid.spacing();
+    settings.take("database.lambda", layout.lambda);
+    settings.take("database.shortest-wave", layout.shortest);
     return layout;
 }
 
@@ -68,7 +75,7 @@ void take_target_files(const Settings& settings, PaperRun& run) {
         throw rough::InputError(settings.place("target.file") +
                                 ": missing, expected a target (CSV), or target.profile, a measured profile");
     run.searched = model_from(settings, "model.");
-    run.max_pressure = settings.pressure("paper.max-pressure");
+    run.max_pressure = settings.number("paper.max-pressure");
     run.targets.push_back({"drawn", stiffness_from(settings.path("target.file")), 0, {}, {}, {}});
     if (settings.has("heldout.file"))
         run.targets.push_back({"held-out", stiffness_from(settings.path("heldout.file")), 0, {}, {}, {}});
@@ -92,31 +99,37 @@ std::vector<Setting> paper_settings() {
         {"target.profile", "", "measured profile whose response is the target, in place of target.file"},
         {"heldout.file", "", "second target curve (CSV)"},
         {"variants.*", "", "NAME = pipeline: further variants, as text (rugosa operators)"},
-        {"paper.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"},
-        {"paper.threshold", "0.5", "p_bar over p_max"},
-        {"paper.sweep-from", "0.31", "first p_bar over p_max of the threshold sweep"},
-        {"paper.sweep-to", "0.69", "last one"},
-        {"paper.sweep-points", "20", "how many; 0: no sweep"},
+        pressure("paper.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"),
+        ga::number("paper.threshold", "0.5", 0, 1, "p_bar over p_max"),
+        ga::number("paper.sweep-from", "0.31", 0.01, 1, "first p_bar over p_max of the threshold sweep"),
+        ga::number("paper.sweep-to", "0.69", 0.01, 1, "last one"),
+        ga::whole("paper.sweep-points", "20", 0, "how many; 0: no sweep").up_to(1000),
         {"paper.readings", "",
          "readings.json of an experiment of kind readings: what other readings make of each claim"},
-        {"paper.dominance", "pressure",
-         "Algorithm 1 compares K at the same pressure, K at the same load step, or raw tangents by step: "
-         "pressure, step or raw"},
-        {"paper.dominant-above", "0.95", "correlation above which it finds a chromosome dominant"},
-        {"paper.cco-reduces", "parents", "CCO applies it to the parents, or to the children"},
-        {"paper.phase-relative", "0.1", "how far refinement moves a phase, over paper.phase-of"},
-        {"paper.phase-of", "value", "value: the phase's own value; turn: 2 pi"},
-        {"database.pairs", "20", "Sobol pairs (H, gamma)"},
-        {"database.phase-columns", "5", "Sobol phase columns"},
-        {"database.hurst-from", "0.5", "lowest H"},
-        {"database.hurst-to", "1.5", "highest H"},
-        {"database.gamma-from", "1.4", "lowest gamma"},
-        {"database.gamma-to", "2", "highest gamma"},
-        {"database.A", "1", "amplitude A"},
-        {"database.lambda", "", "longest wave, mm [L]"},
-        {"database.shortest-wave", "", "shortest wave, mm [the grid's spacing]"},
-        {"database.first-point", "skipped", "the first point of Sobol's sequences: skipped or kept"},
-        {"database.phases", "0", "0: Sobol's phases; 1, 2, ...: this set of phases drawn from the seed"},
+        Setting(
+            "paper.dominance", "pressure",
+            "Algorithm 1 compares K at the same pressure, K at the same load step, or raw tangents by step")
+            .of({"pressure", "step", "raw"}),
+        ga::number("paper.dominant-above", "0.95", 0, 1,
+                   "correlation above which it finds a chromosome dominant"),
+        Setting("paper.cco-reduces", "parents", "what CCO applies it to").of({"parents", "children"}),
+        ga::number("paper.phase-relative", "0.1", 0, 10,
+                   "how far refinement moves a phase, over paper.phase-of"),
+        Setting("paper.phase-of", "value", "value: the phase's own value; turn: 2 pi").of({"value", "turn"}),
+        ga::whole("database.pairs", "20", 1, "Sobol pairs (H, gamma)").up_to(100000),
+        ga::whole("database.phase-columns", "5", 1, "Sobol phase columns").up_to(1000),
+        ga::number("database.hurst-from", "0.5", ga::above_zero, 10, "lowest H"),
+        ga::number("database.hurst-to", "1.5", ga::above_zero, 10, "highest H"),
+        ga::number("database.gamma-from", "1.4", 1.01, 100, "lowest gamma"),
+        ga::number("database.gamma-to", "2", 1.01, 100, "highest gamma"),
+        positive("database.A", "1", "amplitude A"),
+        positive("database.lambda", "", "longest wave, mm [L]"),
+        positive("database.shortest-wave", "", "shortest wave, mm [the grid's spacing]"),
+        Setting("database.first-point", "skipped", "the first point of Sobol's sequences")
+            .of({"skipped", "kept"}),
+        ga::whole("database.phases", "0", 0,
+                  "0: Sobol's phases; 1, 2, ...: this set of phases drawn from the seed")
+            .up_to(1000000),
     };
     return joined(
         {settings, scan_settings("target."), model_settings("model."), {accuracy_setting("model.")}});
@@ -132,17 +145,17 @@ PaperRun paper_from(const Settings& settings, const Origin& origin) {
     run.searched.accuracy = accuracy_from(settings, "model.");
     run.model = exactly(run.searched);
     for (TargetRun& target : run.targets)
-        target.p_bar = settings.number("paper.threshold", 0, 1) * run.max_pressure;
+        target.p_bar = settings.number("paper.threshold") * run.max_pressure;
     run.layout = layout_from(settings, run.model);
+    range_from(settings, "paper.sweep-"); // refuses one in the wrong order before anything runs
     if (settings.has("paper.readings"))
         run.other_readings = readings_from(settings.path("paper.readings"));
-    run.phases = static_cast<std::uint64_t>(settings.whole("database.phases", 0, 1000000));
-    run.dominance =
-        static_cast<rough::DominanceReading>(settings.one_of("paper.dominance", {"pressure", "step", "raw"}));
-    run.dominant_above = settings.number("paper.dominant-above", 0, 1);
-    run.reduces_children = settings.one_of("paper.cco-reduces", {"parents", "children"}) == 1;
-    const double share = settings.number("paper.phase-relative", 0, 10);
-    if (settings.one_of("paper.phase-of", {"value", "turn"}) == 1)
+    run.phases = settings.whole<std::uint64_t>("database.phases");
+    settings.take("paper.dominance", run.dominance);
+    run.dominant_above = settings.number("paper.dominant-above");
+    run.reduces_children = settings.choice("paper.cco-reduces") == 1;
+    const double share = settings.number("paper.phase-relative");
+    if (settings.choice("paper.phase-of") == 1)
         run.reach = {0, share * 2 * std::numbers::pi};
     else
         run.reach = {share, 0};

@@ -79,12 +79,12 @@ void add_savings(AccuracyRun& run, SavingRow row, const rough::Genome& genome, c
 
 /// Random surfaces of each kind on each body under each load.
 void try_accuracies(AccuracyRun& run, const Settings& settings, const Conditions& conditions) {
-    const long samples = settings.whole("accuracy.surfaces", 1, 1000);
+    const long samples = settings.whole("accuracy.surfaces");
     const std::vector<double> accuracies = settings.numbers("accuracy.accuracies");
     if (accuracies.empty())
         throw rough::InputError(settings.place("accuracy.accuracies") +
                                 ": none given, expected numbers with commas between");
-    const double light = settings.number("accuracy.light", 1e-3, 1);
+    const double light = settings.number("accuracy.light");
     for (const std::string kind : {"smooth", "rough"})
         for (const rough::Kernel kernel : {rough::Kernel::free, rough::Kernel::strip})
             for (const std::string load : {"light", "full"})
@@ -93,13 +93,12 @@ void try_accuracies(AccuracyRun& run, const Settings& settings, const Conditions
                     rough::Model model = rough::exactly(run.setup.model);
                     model.body.kernel = kernel;
                     model.loading.reach = load == "light" ? light : 1;
-                    const double H = settings.number("accuracy." + kind + "-H", 0.01, 3),
-                                 length = model.grid.length;
+                    const double H = settings.number("accuracy." + kind + "-H"), length = model.grid.length;
                     ga::Stream random(
                         ga::fold(ga::fold(run.origin.seed, kind), static_cast<std::uint64_t>(sample)));
                     const rough::Genome genome = rough::random_genome(
                         [&](double from, double to) { return random.uniform(from, to); }, 1, 1, length,
-                        length / settings.number("accuracy." + kind + "-waves", 1, 1000),
+                        length / settings.number("accuracy." + kind + "-waves"),
                         {.A_from = 1, .A_to = 1, .H_from = H, .H_to = H});
                     model.grid = rough::resolved_grid(genome, length, false);
                     add_savings(run, {kind, name_of(kernel), load, static_cast<int>(sample)}, genome, model,
@@ -112,7 +111,7 @@ void design(AccuracyRun& run, const Settings& settings, const Conditions& condit
     rough::SearchOptions options;
     options.seed = run.origin.seed;
     options.threads = run.origin.threads;
-    options.evaluations = settings.whole("accuracy.design-budget", 10, 1000000000);
+    options.evaluations = settings.whole("accuracy.design-budget");
     options.stop = &conditions.stop;
     std::vector<StageRecord> stages;
     const ga::Stopwatch clock;
@@ -129,7 +128,7 @@ Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
     run.setup.model = model_from(settings, "model.");
     run.setup.model.accuracy = accuracy_from(settings, "model.");
     run.setup.targets = {rough::read_target(target_files(settings, "targets.files").front())};
-    run.setup.max_pressure = settings.pressure("targets.max-pressure");
+    run.setup.max_pressure = settings.number("targets.max-pressure");
     const ga::Stopwatch clock;
     try_accuracies(run, settings, conditions);
     if (!conditions.stop)
@@ -165,25 +164,28 @@ Findings findings_of(const AccuracyRun& run) {
 }
 
 Experiment accuracy_experiment() {
-    return {.kind = "accuracy",
-            .summary = "what accuracy costs, and what is gained by modelling no more than an answer needs",
-            .settings = joined(
-                {{Setting(ga::number("accuracy.accuracies", "3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4",
-                                     ga::above_zero, 1, "accuracies to try, separated by commas"))
-                      .several(),
-                  {"accuracy.surfaces", "5", "random surfaces of each kind"},
-                  {"accuracy.smooth-H", "1.4", "H of the smooth surfaces"},
-                  {"accuracy.rough-H", "0.6", "H of the rough ones"},
-                  {"accuracy.smooth-waves", "16", "the smooth ones' shortest wave is the length over this"},
-                  {"accuracy.rough-waves", "64", "the rough ones'"},
-                  {"accuracy.light", "0.1", "reach of the light load; the full one's is 1"},
-                  {"accuracy.design-budget", "1500", "curves and gradients for the designed surface"},
-                  {"targets.files", "", "target curve (CSV) of the design"},
-                  {"targets.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"}},
-                 model_settings("model."),
-                 {accuracy_setting("model.")}}),
-            .files = {"savings.csv", "medians.csv", "coverage.csv", "budget.csv"},
-            .run = run_accuracy};
+    return {
+        .kind = "accuracy",
+        .summary = "what accuracy costs, and what is gained by modelling no more than an answer needs",
+        .settings = joined(
+            {{Setting(ga::number("accuracy.accuracies", "3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4", ga::above_zero,
+                                 1, "accuracies to try, separated by commas"))
+                  .several(),
+              ga::whole("accuracy.surfaces", "5", 1, "random surfaces of each kind").up_to(1000),
+              ga::number("accuracy.smooth-H", "1.4", 0.01, 3, "H of the smooth surfaces"),
+              ga::number("accuracy.rough-H", "0.6", 0.01, 3, "H of the rough ones"),
+              ga::number("accuracy.smooth-waves", "16", 1, 1000,
+                         "the smooth ones' shortest wave is the length over this"),
+              ga::number("accuracy.rough-waves", "64", 1, 1000, "the rough ones'"),
+              ga::number("accuracy.light", "0.1", 1e-3, 1, "reach of the light load; the full one's is 1"),
+              ga::whole("accuracy.design-budget", "1500", 10, "curves and gradients for the designed surface")
+                  .up_to(1e9),
+              {"targets.files", "", "target curve (CSV) of the design"},
+              pressure("targets.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa")},
+             model_settings("model."),
+             {accuracy_setting("model.")}}),
+        .files = {"savings.csv", "medians.csv", "coverage.csv", "budget.csv"},
+        .run = run_accuracy};
 }
 
 } // namespace app

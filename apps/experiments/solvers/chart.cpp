@@ -328,7 +328,7 @@ Findings run_chart_experiment(const Settings& settings, const Conditions& condit
         since_written = {};
     };
     const ChartData data = charted(chart_scenes(), quick ? quick_extent : whole_extent,
-                                   {60 * settings.positive("chart.minutes"), quick ? 128 : 256,
+                                   {60 * settings.number("chart.minutes"), quick ? 128 : 256,
                                     [&] { return conditions.stop.load(); }, watch});
     if (data.runs.empty())
         return {};
@@ -361,8 +361,8 @@ Experiment chart_experiment() {
             "refined solution: from coarse grids to fine, so that a chart that ends early has the same of "
             "every scene. Writes chart.csv (as it goes), models.csv and a page that says which model and "
             "method to take when, and what was left out and why. Ctrl-C ends it; what was measured is kept.",
-        .settings = {{"chart.minutes", "10",
-                      "no setting begins after so many; the coarsest grid is always done"},
+        .settings = {positive("chart.minutes", "10",
+                              "no setting begins after so many; the coarsest grid is always done"),
                      {"chart.quick", "", "fewer and smaller grids: under a minute", true}},
         .files = {"chart.csv", "points.csv", "models.csv", "model_errors.csv"},
         .run = run_chart_experiment,

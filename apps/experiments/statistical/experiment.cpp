@@ -19,11 +19,15 @@ rough::StatisticalTask task_of(const Settings& settings) {
         throw rough::InputError(settings.place("target.file") + ": missing, expected a target's file");
     rough::StatisticalTask task;
     task.target = rough::read_target(settings.path("target.file"));
-    task.theory = static_cast<rough::Theory>(settings.one_of("statistical.theory", rough::theory_names()));
-    task.is_area = settings.one_of("statistical.surface", {"profile", "area"}) == 1;
-    task.nodes = settings.whole("statistical.nodes", 40, task.is_area ? 2048 : 1'000'000);
-    task.length = settings.positive("statistical.length");
-    task.effective_modulus = settings.positive("statistical.modulus");
+    settings.take("statistical.theory", task.theory);
+    settings.take("statistical.surface", task.is_area);
+    task.nodes = settings.whole("statistical.nodes");
+    if (task.is_area && task.nodes > 2048)
+        throw rough::InputError(settings.place("statistical.nodes") + ": " +
+                                settings.text("statistical.nodes") +
+                                " given, expected at most 2048 a side of an area");
+    task.length = settings.number("statistical.length");
+    task.effective_modulus = settings.number("statistical.modulus");
     return task;
 }
 
@@ -45,7 +49,7 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
     add(theory, answer.foretold);
     std::map<std::string, std::string> files;
     std::vector<double> similarities; ///< of the surfaces that are drawn
-    const long count = settings.whole("statistical.realisations", 0, 100);
+    const long count = settings.whole("statistical.realisations");
     for (long k = 1; k <= count && !conditions.stop; ++k) {
         const std::string name = "surface-" + std::to_string(k);
         conditions.progress.show(name + " of " + std::to_string(count));
@@ -86,14 +90,16 @@ Experiment statistical_experiment() {
             "Finds the statistical parameters of a surface (H, two cut-offs, rms slope) whose curve, as "
             "a theory foretells it, is the target's, and solves surfaces that have them. Writes "
             "curves.csv, the surfaces (X3P) and a page.",
-        .settings = {{"target.file", "", "stiffness or contact fraction against pressure, CSV"},
-                     {"statistical.theory", "persson", "greenwood-williamson, bush-gibson-thomas or persson"},
-                     {"statistical.surface", "area", "area, or profile (persson alone)"},
-                     {"statistical.nodes", "128", "of the surfaces, a side; no wave is under 8 nodes"},
-                     {"statistical.length", "1", "of the surfaces, mm"},
-                     {"statistical.modulus", "1", "effective modulus E*, MPa"},
-                     {"statistical.realisations", "3", "surfaces that are drawn and solved"},
-                     {"statistical.pipeline", usual_pipeline, "how the parameters are searched for"}},
+        .settings =
+            {{"target.file", "", "stiffness or contact fraction against pressure, CSV"},
+             Setting("statistical.theory", "persson", "of contact").of(rough::theory_names()),
+             Setting("statistical.surface", "area", "a profile by persson alone").of({"profile", "area"}),
+             ga::whole("statistical.nodes", "128", 40, "of the surfaces, a side; no wave is under 8 nodes")
+                 .up_to(1000000),
+             positive("statistical.length", "1", "of the surfaces, mm"),
+             positive("statistical.modulus", "1", "effective modulus E*, MPa"),
+             ga::whole("statistical.realisations", "3", 0, "surfaces that are drawn and solved").up_to(100),
+             {"statistical.pipeline", usual_pipeline, "how the parameters are searched for"}},
         .files = {"curves.csv", "*.x3p"},
         .run = run_statistical};
 }

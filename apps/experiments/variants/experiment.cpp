@@ -94,14 +94,11 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
             target.setup.model = surface_model_from(
                 settings.with({{"model.nodes", nodes}}, model_settings("model.")), "model.");
             target.setup.model.accuracy = accuracy_from(settings, "model.");
-            if (settings.has("database.ridges"))
-                target.setup.ridges = static_cast<int>(settings.whole("database.ridges", 1, 64));
+            settings.take("database.ridges", target.setup.ridges);
             target.setup.targets = {rough::read_target(path)};
             target.setup.targets[0].name = path.stem().string() + (nodes == grids[0] ? "" : "-" + nodes);
-            if (settings.has("targets.max-pressure"))
-                target.setup.max_pressure = settings.pressure("targets.max-pressure");
-            if (settings.has("targets.shortest-wave"))
-                target.setup.limits.shortest_wave = settings.positive("targets.shortest-wave");
+            settings.take("targets.max-pressure", target.setup.max_pressure);
+            settings.take("targets.shortest-wave", target.setup.limits.shortest_wave);
             target.setup = placing(settings, "targets.", [&] { return completed(target.setup); });
             targets.push_back(std::move(target));
         }
@@ -200,12 +197,13 @@ json result_of(const RaceTarget& target, const Origin& origin, long budget) {
 
 std::vector<Setting> variants_settings() {
     const std::vector<Setting> settings{
-        {"experiment.seeds", "3", "runs of each way"},
-        {"experiment.budget", "3000", "curves and gradients each run may ask for"},
+        ga::whole("experiment.seeds", "3", 1, "runs of each way").up_to(1000),
+        ga::whole("experiment.budget", "3000", 1, "curves and gradients each run may ask for").up_to(1e9),
         {"targets.files", "", "target curves (CSV), with commas between"},
-        {"targets.max-pressure", "", "p_max of Eq. 11, MPa [amplitude is a gene]"},
-        {"targets.shortest-wave", "", "shortest wave, mm [8 node distances]"},
-        {"database.ridges", "", "ridges of each chromosome [1; an area, their directions: 8]"},
+        pressure("targets.max-pressure", "", "p_max of Eq. 11, MPa [amplitude is a gene]"),
+        positive("targets.shortest-wave", "", "shortest wave, mm [8 node distances]"),
+        ga::whole("database.ridges", "", 1, "ridges of each chromosome [1; an area, their directions: 8]")
+            .up_to(64),
         {"variants.*", "", "a way to search: a named variant or a pipeline as text"},
     };
     std::vector<Setting> model = model_settings("model.");
@@ -218,7 +216,7 @@ std::vector<Setting> variants_settings() {
 /// Runs each pipeline from each seed on each target.
 std::vector<RaceTarget> raced(const Settings& settings, const Conditions& conditions, long budget) {
     std::vector<RaceTarget> targets = targets_from(settings);
-    const long seeds = settings.whole("experiment.seeds", 1, 1000);
+    const long seeds = settings.whole("experiment.seeds");
     const auto evaluator = design_evaluator(conditions.origin.threads);
     const auto pipelines = settings.texts_under("variants.");
     const auto placed = [&](const std::string& name, auto work) {
@@ -324,7 +322,7 @@ Csv surfaces_table(const std::vector<RaceTarget>& targets) {
 }
 
 Findings run_variants(const Settings& settings, const Conditions& conditions) {
-    const long budget = settings.whole("experiment.budget", 1, 1000000000);
+    const long budget = settings.whole("experiment.budget");
     const std::vector<RaceTarget> targets = raced(settings, conditions, budget);
     Csv table("target,variant,seed,curves_and_gradients,seconds,similarity");
     Findings found{.result = result_of(targets.front(), conditions.origin, budget)};
