@@ -9,4 +9,5 @@ set ylabel "Misfit (%)"; set xrange [0:*]
 set arrow from graph 0, first 0 to graph 1, first 0 nohead lc rgb faint dt 2
 p(i) = here(0) ? factor * column("x") : NaN
 plot points using (p(0)):(100 * column("misfit")) with linespoints lc rgb blue lw 1.5 ps 0.45 title "answer", \
-    points using (p(0)):(100 * column("misfit_finer")) with linespoints lc rgb orange lw 1.5 ps 0.45 title (strstrt(arg, "finer") ? "finer grid" : "")
+    points using (p(0)):(100 * column("misfit_finer")) \
+        with linespoints lc rgb orange lw 1.5 ps 0.45 title (strstrt(arg, "finer") ? "finer grid" : "")
