@@ -26,13 +26,13 @@ namespace {
 
 int rank_count = 1, own_rank = 0;
 
-/// What a message holds.
+/// Kinds of messages.
 enum Tag : int {
     hello,   ///< to rank 0: host and program
     job,     ///< kind and setting of tasks that follow
     tasks,   ///< kind, threads, tasks
     answers, ///< to rank 0: one answer per task
-    stopped, ///< as `answers`, of a rank that was asked to stop
+    stopped, ///< like `answers`, but the rank was asked to stop
     done     ///< there is no more work
 };
 
@@ -104,7 +104,7 @@ Message receive() { return {}; }
 
 #endif
 
-/// What a rank keeps between jobs.
+/// State of a rank between jobs.
 struct Session {
     Kinds kinds;
     std::map<std::string, std::pair<json, Work>> prepared; ///< setting and work of the last job, by kind
@@ -193,7 +193,7 @@ class Queue {
     const std::exception_ptr& error() const { return error_; }
 
   private:
-    /// As many tasks as take `chunk_seconds`, fewer towards the end.
+    /// Number of tasks that take `chunk_seconds`; it falls towards the end.
     std::size_t chunk_size() const {
         const auto left = static_cast<double>(end_ - next_), ranks = static_cast<double>(rank_count);
         const double min = std::min<double>(threads_, std::ceil(left / ranks));
@@ -201,12 +201,12 @@ class Queue {
                                                    std::max(min, std::ceil(left / (2 * ranks)))));
     }
 
-    static constexpr double chunk_seconds = 0.05; // long beside a message, short beside a run
+    static constexpr double chunk_seconds = 0.05; // much longer than a message takes, much shorter than a run
     const Job& job_;
     const int threads_;
     std::mutex guard_;
     std::size_t next_ = 0, end_;          ///< tasks
-    double seconds_each_ = chunk_seconds; ///< of one thread for a task: the last measured
+    double seconds_each_ = chunk_seconds; ///< time of one thread for one task, as last measured
     std::exception_ptr error_;
 };
 

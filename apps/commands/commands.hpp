@@ -8,7 +8,7 @@
 
 namespace app {
 
-using Words = std::vector<std::string>; ///< what follows the subcommand on the command line
+using Words = std::vector<std::string>; ///< the words behind the subcommand on the command line
 
 /// A subcommand. Its help page, and how its command line is read, follow from it.
 struct Command {

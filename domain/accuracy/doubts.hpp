@@ -11,9 +11,8 @@ struct ElasticEnd {
     Index step = 0;              ///< first load step, from 0, at which a node bears more than the limit
     double largest_pressure = 0; ///< of a node at the last load step, MPa
 
-    bool is_reached(const Response& response) const {
-        return step < response.steps();
-    } ///< by these load steps
+    /// Whether these load steps reach it.
+    bool is_reached(const Response& response) const { return step < response.steps(); }
 };
 /// The end of a response that a surface gave under the model without a hardness; `limit` in MPa, step =
 /// number of load steps if no node bears more. Local pressures grow with the load, so the end is bisected: 1

@@ -24,7 +24,7 @@ struct Body {
     /// p_H, MPa: no node bears more; those that would are held at it and sink in. Amplitude is no free factor
     /// then, contact sets are not known to be nested, and no bound that rests on either holds.
     double hardness = std::numeric_limits<double>::infinity();
-    /// Periodic only; thicknesses in mm. Contact sets are then not known to be nested.
+    /// Periodic only; thicknesses in mm. Whether contact sets still nest is known from contact_sets_nest.
     Layering layering = {};
 
     /// Whether displacements are relative to the mean plane, so that none exceeds that of full contact.

@@ -214,7 +214,7 @@ bool contact_sets_nest(Extent shape, double row_spacing, const Layering& layerin
         return true;
     constexpr double rounding = 1e-9; // of the diagonal
     const Eigen::VectorXd found =
-        remembered(std::tuple(shape.columns, shape.rows, row_spacing, layering, 0), [&] {
+        remembered(std::tuple(shape.columns, shape.rows, row_spacing, layering), [&] {
             Eigen::ArrayXd stiffness = 1 / (row_spacing > 0 ? area_spectrum(shape, row_spacing, layering)
                                                             : periodic_spectrum(shape.columns, layering))
                                                .array();
