@@ -190,7 +190,8 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
     const auto& [response, account, contact] = pressed.result;
     if (pressed.is_measured) {
         pressed.band = resolution_band(pressed.surface, pressed.model, response, resolution_from(settings));
-        pressed.spot_width = spot_width(contact, pressed_surface(pressed).shape(), pressed.model.grid.wraps);
+        pressed.spot_width =
+            spot_width(contact, pressed_surface(pressed).shape(), pressed.model.grid.periodic);
     }
     const auto touches = [&, &touching = contact](rough::Index node) {
         return std::find(touching.begin(), touching.end(), node) != touching.end();
@@ -269,7 +270,7 @@ std::string curve_csv(const Pressed& pressed) {
 std::string spots_csv(const Pressed& pressed) {
     const rough::Profile& map = pressed.surface;
     const rough::Extent shape = pressed_surface(pressed).shape();
-    const auto sizes = rough::contact_spots(pressed.result.last_contact, shape, pressed.model.grid.wraps);
+    const auto sizes = rough::contact_spots(pressed.result.last_contact, shape, pressed.model.grid.periodic);
     Eigen::VectorXd nodes(static_cast<rough::Index>(sizes.size()));
     std::copy(sizes.begin(), sizes.end(), nodes.begin());
     nodes *= static_cast<double>(map.nodes() / shape.nodes());
@@ -301,7 +302,7 @@ Pressed pressed(const Settings& settings) {
     rough::Source source = source_from(settings, nodes_from(settings, 0));
     rough::Model model = within_accuracy(loaded(model_from(settings, source), settings), settings);
     if (model.accuracy > 0 && source.genome && !settings.has("nodes"))
-        model.grid = rough::resolved_grid(*source.genome, model.grid.length, model.grid.wraps);
+        model.grid = rough::resolved_grid(*source.genome, model.grid.length, model.grid.periodic);
     rough::AccountedResponse result = respond_accounted(source, model);
     model.contact.tolerance = result.account.tolerance;
     std::vector<std::string> notes;
@@ -309,7 +310,7 @@ Pressed pressed(const Settings& settings) {
     if (source.genome) {
         const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
         for (const std::string& note :
-             {model.grid.wraps ? jump_note(*source.genome, model.grid.length, range) : "",
+             {model.grid.periodic ? jump_note(*source.genome, model.grid.length, range) : "",
               wave_note(*source.genome, model.grid)})
             if (!note.empty())
                 notes.push_back(note);

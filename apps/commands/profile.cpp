@@ -213,15 +213,15 @@ Description described_profile(const Settings& settings) {
 }
 
 Description described_map(const Settings& settings) {
-    const bool wraps = settings.is_on("periodic"), measured = settings.has("surface");
-    rough::Map read = measured ? surface_from(settings) : sampled_from(settings, wraps);
+    const bool periodic = settings.is_on("periodic"), measured = settings.has("surface");
+    rough::Map read = measured ? surface_from(settings) : sampled_from(settings, periodic);
     const auto map = std::make_shared<const rough::Profile>(std::move(read.heights));
-    const rough::ArealParameters areal = areal_parameters(*map, wraps);
+    const rough::ArealParameters areal = areal_parameters(*map, periodic);
     const MaterialRatios ratios = ratios_of(*map, settings);
     const auto [nodes, rows] = map->shape();
     Description all{.kind = "surface",
                     .surface = map,
-                    .spectrum = continuous_spectrum(*map, wraps),
+                    .spectrum = continuous_spectrum(*map, periodic),
                     .account = (measured ? settings.text("surface") + ": " : "") + read.account,
                     .rows = areal.rows,
                     .requested = told(ratios),

@@ -388,9 +388,9 @@ bool asks_for_area(const Settings& settings, const std::string& prefix) {
 }
 
 rough::Model model_of(const rough::Profile& surface, const Settings& settings) {
-    const bool wraps = kernel_from(settings) == rough::Kernel::periodic;
+    const bool periodic = kernel_from(settings) == rough::Kernel::periodic;
     const auto length = [&](double spacing, rough::Index n) {
-        return spacing * static_cast<double>(wraps ? n : n - 1);
+        return spacing * static_cast<double>(periodic ? n : n - 1);
     };
     const auto [columns, rows] = surface.shape();
     rough::Grid grid{columns, length(surface.spacing, columns)};
@@ -411,7 +411,7 @@ rough::Model surface_model_from(const Settings& settings, const std::string& pre
 
 std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
     double farthest = 0;
-    if (grid.is_2d() && grid.wraps)
+    if (grid.is_2d() && grid.periodic)
         for (const rough::PlaneWave& wave : plane_waves(genome, grid))
             farthest = std::max(farthest, wave.moved);
     return farthest > 1e-12
@@ -420,10 +420,10 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
                : "";
 }
 
-rough::Map sampled_from(const Settings& settings, bool wraps) {
+rough::Map sampled_from(const Settings& settings, bool periodic) {
     expect_none(settings, scan_settings(), "given with a genome, expected with --surface only");
     const rough::Source source = rough::open_genome(settings.text("genome"));
-    const rough::Grid usual = source.grid(wraps);
+    const rough::Grid usual = source.grid(periodic);
     rough::Grid grid = usual;
     const Settings x = along_x(settings, "");
     x.take("nodes", grid.nodes);

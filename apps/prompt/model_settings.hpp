@@ -91,8 +91,8 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid);
 /// --lambda-s and --lambda-c say.
 rough::Map surface_from(const Settings& settings, const std::string& flag = "surface");
 
-/// The heights of --genome on the area of --nodes and --length, which wraps or not.
-rough::Map sampled_from(const Settings& settings, bool wraps);
+/// The heights of --genome on the area of --nodes and --length, which is periodic or not.
+rough::Map sampled_from(const Settings& settings, bool periodic);
 
 /// An area as the settings give it, and what it is pressed on.
 struct AreaScene {

@@ -62,8 +62,8 @@ const std::vector<std::string>& resolution_names() {
     return names;
 }
 
-Index spot_width(const std::vector<int>& contact, Extent shape, bool wraps) {
-    std::vector<Index> sizes = contact_spots(contact, shape, wraps);
+Index spot_width(const std::vector<int>& contact, Extent shape, bool periodic) {
+    std::vector<Index> sizes = contact_spots(contact, shape, periodic);
     std::size_t below = 0;
     while (!sizes.empty() && 2 * (below += static_cast<std::size_t>(sizes.back())) < contact.size())
         sizes.pop_back();

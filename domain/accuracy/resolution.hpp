@@ -23,7 +23,7 @@ constexpr Index resolved_spot_nodes = 4;
 
 /// Usual width of the contact spots (contact/pressure_and_gap.hpp) in nodes: half of the contact nodes lie in
 /// spots of at most so many nodes on a line, of at most its square on a map. 0 without contact.
-Index spot_width(const std::vector<int>& contact, Extent shape, bool wraps);
+Index spot_width(const std::vector<int>& contact, Extent shape, bool periodic);
 
 /// The responses of a scan or map with heights interpolated linearly and by a spline between its nodes;
 /// nothing if `resolution` omits them. Their displacements are the measured response's, so that their

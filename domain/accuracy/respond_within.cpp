@@ -56,7 +56,7 @@ Surface surface_of(const Genome& genome) {
 /// their nodes in the middle. A coarse grid of nodes from end to end would be a longer body than a fine one,
 /// since half an element hangs over at either end, and err by that to first order.
 Grid cells(const Grid& resolved, Index elements) {
-    if (resolved.wraps)
+    if (resolved.periodic)
         return {elements, resolved.length, true, resolved.from};
     const double overhang = 0.5 * resolved.spacing();
     const double spacing = (resolved.length + 2 * overhang) / static_cast<double>(elements);
@@ -307,12 +307,12 @@ class Question {
                                     const Window& window) const {
         const Profile profile = surface.sampled(grid);
         std::vector<double> at = rows_;
-        if (window.width() > 0 && !grid.wraps)
+        if (window.width() > 0 && !grid.periodic)
             at.push_back(rows_.back() + window.width());
         const double shift = highest - profile.heights.maxCoeff() + 0.5 * (window.lowest + window.highest);
         for (double& displacement : at)
             displacement -= shift;
-        if (grid.wraps && at.back() >= displacement_range(profile, Kernel::periodic))
+        if (grid.periodic && at.back() >= displacement_range(profile, Kernel::periodic))
             return std::nullopt;
         LoadRows rows = solve_rows(profile, model_.body, at, model_.contact, step_share * accuracy_);
         // P is a mean over L, not over the body's length.
@@ -404,10 +404,10 @@ AccountedResponse map_within(const Profile& map, const Model& asked, double accu
 
 } // namespace
 
-Grid resolved_grid(const Genome& genome, double length, bool wraps) {
+Grid resolved_grid(const Genome& genome, double length, bool periodic) {
     const double elements =
         std::clamp(std::ceil(64 * length / shortest_wave(genome) - 1e-9), 4096.0, 1048576.0);
-    return {static_cast<Index>(elements) + (wraps ? 0 : 1), length, wraps};
+    return {static_cast<Index>(elements) + (periodic ? 0 : 1), length, periodic};
 }
 
 AccountedResponse respond_within(const Genome& genome, const Model& resolved, double accuracy) {

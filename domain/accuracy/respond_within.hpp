@@ -15,7 +15,7 @@ struct AccountedResponse {
 
 /// The grid that counts as resolved for a genome: 64 elements to its shortest wave, at least 4096 and at most
 /// 2^20.
-Grid resolved_grid(const Genome& genome, double length, bool wraps);
+Grid resolved_grid(const Genome& genome, double length, bool periodic);
 
 /// The response within `accuracy` (relative, more than 0 to 1) of the one that `resolved` gives on its grid,
 /// at the same displacements: those of the resolved profile. Chooses the chromosomes, the grids, the rows and

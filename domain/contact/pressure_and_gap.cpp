@@ -7,13 +7,13 @@
 
 namespace rough {
 
-std::vector<Index> contact_spots(const std::vector<int>& contact, Extent shape, bool wraps) {
+std::vector<Index> contact_spots(const std::vector<int>& contact, Extent shape, bool periodic) {
     std::vector<char> waiting(static_cast<std::size_t>(shape.nodes()), 0);
     for (const int node : contact)
         waiting[static_cast<std::size_t>(node)] = 1;
     std::vector<Index> sizes, reached;
     const auto reach = [&](Index i, Index j) {
-        if (wraps) {
+        if (periodic) {
             i = (i + shape.columns) % shape.columns;
             j = (j + shape.rows) % shape.rows;
         }

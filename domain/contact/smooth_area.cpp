@@ -19,13 +19,13 @@ struct Edge {
     Index touching, free;
 };
 
-std::vector<Edge> edges_of(const std::vector<int>& nodes, Extent shape, bool wraps) {
+std::vector<Edge> edges_of(const std::vector<int>& nodes, Extent shape, bool periodic) {
     std::vector<char> touches(static_cast<std::size_t>(shape.nodes()), 0);
     for (const int i : nodes)
         touches[static_cast<std::size_t>(i)] = 1;
     std::vector<Edge> edges;
     const auto beside = [&](Index at, Index by, Index count) {
-        return wraps ? (at + by + count) % count : at + by < count ? at + by : -1;
+        return periodic ? (at + by + count) % count : at + by < count ? at + by : -1;
     };
     for (const int node : nodes) {
         const Index i = node % shape.columns, j = node / shape.columns;

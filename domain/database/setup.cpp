@@ -121,7 +121,7 @@ DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
     DatabaseSetup setup;
     Model& model = setup.model;
     model.body.kernel = kernel_named(read.text("kernel"), where + ": kernel");
-    model.grid.wraps = model.body.kernel == Kernel::periodic;
+    model.grid.periodic = model.body.kernel == Kernel::periodic;
     read("nodes", model.grid.nodes);
     read("length_mm", model.grid.length);
     read("effective_modulus_MPa", model.body.effective_modulus);

@@ -53,7 +53,7 @@ std::vector<int> touching(const DesignSetup& setup) {
 }
 
 double longest_own(const DesignSetup& setup) {
-    return (setup.model.grid.wraps ? 1 : 2) * setup.model.grid.length;
+    return (setup.model.grid.periodic ? 1 : 2) * setup.model.grid.length;
 }
 
 } // namespace

@@ -37,7 +37,7 @@ std::vector<int> drawn_area_order(const Profile& surface, const Grid& grid, ga::
                      width = peaks == 1 ? 1 : random.uniform(0.7, 1);
         const auto away = [&](double from, double to, double period) {
             const double straight = std::abs(from - to);
-            return grid.wraps ? std::min(straight, period - straight) : straight;
+            return grid.periodic ? std::min(straight, period - straight) : straight;
         };
         const Index columns = surface.shape().columns;
         for (Index i = 0; i < surface.nodes(); ++i) {
@@ -53,7 +53,7 @@ std::vector<int> drawn_area_order(const Profile& surface, const Grid& grid, ga::
 
 /// Where nodes touch first: peaks of a field over the profile, highest first. One asperity in half of the
 /// cases, else up to eight, of equal height and like width.
-std::vector<int> drawn_order(Index nodes, bool wraps, ga::Stream& random) {
+std::vector<int> drawn_order(Index nodes, bool periodic, ga::Stream& random) {
     const std::size_t peaks = random.chance(0.5) ? 1 : 2 + random.below(7);
     struct Peak {
         double at, width;
@@ -68,11 +68,11 @@ std::vector<int> drawn_order(Index nodes, bool wraps, ga::Stream& random) {
     }
     std::vector<double> depth(static_cast<std::size_t>(nodes));
     for (std::size_t i = 0; i < depth.size(); ++i) {
-        const double x = static_cast<double>(i) / static_cast<double>(nodes - (wraps ? 0 : 1));
+        const double x = static_cast<double>(i) / static_cast<double>(nodes - (periodic ? 0 : 1));
         depth[i] = std::numeric_limits<double>::infinity();
         for (const Peak& peak : all) {
             const double away = std::abs(x - peak.at);
-            depth[i] = std::min(depth[i], (wraps ? std::min(away, 1 - away) : away) / peak.width);
+            depth[i] = std::min(depth[i], (periodic ? std::min(away, 1 - away) : away) / peak.width);
         }
     }
     return in_order_of(depth);
@@ -103,15 +103,16 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
                                                              : infinity;
     InverseProfile inverse = inverse_profile(surface, body,
                                              grid.is_2d() ? drawn_area_order(surface, grid, random)
-                                                          : drawn_order(grid.nodes, grid.wraps, random),
+                                                          : drawn_order(grid.nodes, grid.periodic, random),
                                              advance_for(target, surface.nodes()), last_pressure,
                                              target.against_pressure() ? infinity : target.last());
-    if (grid.wraps && !grid.is_2d() && setup.max_pressure)
+    if (grid.periodic && !grid.is_2d() && setup.max_pressure)
         inverse =
             with_mean_at_full_approach(std::move(inverse), completed(setup.model.loading, body.kernel).reach);
     else if (setup.max_pressure)
         inverse = with_range_at_last(std::move(inverse));
-    else if (grid.wraps && !grid.is_2d()) // as its stiffness has no end, neither have valleys beyond the load
+    else if (grid.periodic &&
+             !grid.is_2d()) // as its stiffness has no end, neither have valleys beyond the load
         inverse.profile.heights = inverse.profile.heights.cwiseMax(
             (inverse.lowest_free.array() - deepest_free * inverse.last_displacement).matrix());
     const Eigen::VectorXd& heights = inverse.profile.heights;
@@ -122,7 +123,7 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     if (grid.is_2d())
         return shaped_as(inverse.profile, drawn_series(setup, H, gamma, L * random.uniform(0.9, 1.5)),
                          setup.ridges, grid, setup.limits.shortest_wave);
-    if (grid.wraps)
+    if (grid.periodic)
         return shaped_as(inverse.profile, harmonic_series(L, setup.limits.shortest_wave, H),
                          setup.limits.shortest_wave);
     const double lambda = L * random.uniform(1.2, 2.0);
@@ -134,7 +135,7 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
 }
 
 Genome fitting_grid(const DesignSetup& setup, const Genome& genome) {
-    const bool takes_harmonics = setup.model.grid.wraps && !setup.model.grid.is_2d() && !setup.phases;
+    const bool takes_harmonics = setup.model.grid.periodic && !setup.model.grid.is_2d() && !setup.phases;
     return takes_harmonics ? in_harmonics(genome, setup.model.grid.length) : genome;
 }
 

@@ -91,7 +91,7 @@ StatisticalAnswer statistical_design(const StatisticalTask& task, const std::str
 
 RealisedAnswer realised_answer(const StatisticalTask& task, const SelfAffine& parameters,
                                std::uint64_t seed) {
-    Grid grid{.nodes = task.nodes, .length = task.length, .wraps = true};
+    Grid grid{.nodes = task.nodes, .length = task.length, .periodic = true};
     if (task.is_area) {
         grid.rows = task.nodes;
         grid.width = task.length;

@@ -225,7 +225,7 @@ std::vector<PlaneWave> plane_waves(const Genome& genome, const Grid& grid) {
                 PlaneWave wave{G, k * std::cos(theta), k * std::sin(theta), chromosome.phases[m]};
                 if (2 * m == ridges)
                     wave.k_x = 0;
-                if (grid.wraps) {
+                if (grid.periodic) {
                     const double x = wave.k_x * grid.length / turn, y = wave.k_y * grid.width / turn;
                     double i = std::round(x), j = std::round(y);
                     if (i == 0 && j == 0) // the nearest but zero, at the end of either axis

@@ -7,7 +7,7 @@ namespace rough {
 
 /// Z(x_i) of Eq. 1: the sum of all chromosomes, each one cosine. On an area (Ausloos & Berman 1985, Proc. R.
 /// Soc. A 400, 331) ridge m of M is a cosine of its own, of wave vector k_n (cos, sin)(pi (m-1)/M); where the
-/// grid wraps, of the nearest that fits it (plane_waves).
+/// grid is periodic, of the nearest that fits it (plane_waves).
 Profile sample(const Genome& genome, const Grid& grid);
 
 /// Z(L) - Z(0), mm: by how much a genome jumps where it is continued with the period L, `length` in mm. 0,
@@ -26,12 +26,12 @@ struct PlaneWave {
     double k_x;       ///< wave number along x, 1/mm
     double k_y;       ///< wave number along y, 1/mm
     double phase;     ///< phi, rad
-    double moved = 0; ///< how far the wave vector was moved to fit a grid that wraps, over its length
+    double moved = 0; ///< how far the wave vector was moved to fit a grid that is periodic, over its length
     bool fitted =
         false; ///< whether it was moved at all, or would be for other genes: it does not follow them
 };
-/// All ridges of a genome in the order of its phases, as a grid takes them: where it wraps, wave vectors are
-/// the nearest of the lattice 2 pi (i/L_x, j/L_y), of those but zero.
+/// All ridges of a genome in the order of its phases, as a grid takes them: where it is periodic, wave
+/// vectors are the nearest of the lattice 2 pi (i/L_x, j/L_y), of those but zero.
 std::vector<PlaneWave> plane_waves(const Genome& genome, const Grid& grid);
 
 /// The waves' sum at an area's nodes without the constants that Eq. 1 adds, row after row, mm.

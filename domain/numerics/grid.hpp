@@ -21,16 +21,20 @@ struct Extent {
 struct Grid {
     Index nodes = 512;       ///< N >= 2; of an area, N_x of each row
     double length = 0.84942; ///< L, mm; of an area, L_x
-    bool wraps = false;      ///< periodic: spacing L/N in place of L/(N-1)
+    bool periodic = false;   ///< periodic: spacing L/N in place of L/(N-1)
     double from = 0;         ///< x of the first node, mm
     Index rows = 1;          ///< N_y
     double width = 0;        ///< L_y, mm; 0: a line
 
     bool is_2d() const { return width > 0; }       ///< two dimensions
     Extent shape() const { return {nodes, rows}; } ///< N_x, N_y
-    double spacing() const { return length / static_cast<double>(wraps ? nodes : nodes - 1); } ///< delta, mm
+    double spacing() const {
+        return length / static_cast<double>(periodic ? nodes : nodes - 1);
+    } ///< delta, mm
     /// delta_y, mm, 0 for a line; a single row is as wide as the area
-    double row_spacing() const { return width / static_cast<double>(wraps || rows == 1 ? rows : rows - 1); }
+    double row_spacing() const {
+        return width / static_cast<double>(periodic || rows == 1 ? rows : rows - 1);
+    }
     /// mm^2, of the patches about all nodes; 0 of a line
     double nominal_area() const {
         return spacing() * row_spacing() * static_cast<double>(nodes) * static_cast<double>(rows);
@@ -41,9 +45,9 @@ struct Grid {
 
 /// The grid of `refine` elements for each of this one, along x and y.
 inline Grid refined(Grid grid, Index refine) {
-    grid.nodes = grid.wraps ? grid.nodes * refine : (grid.nodes - 1) * refine + 1;
+    grid.nodes = grid.periodic ? grid.nodes * refine : (grid.nodes - 1) * refine + 1;
     if (grid.is_2d())
-        grid.rows = grid.wraps || grid.rows == 1 ? grid.rows * refine : (grid.rows - 1) * refine + 1;
+        grid.rows = grid.periodic || grid.rows == 1 ? grid.rows * refine : (grid.rows - 1) * refine + 1;
     return grid;
 }
 

@@ -40,7 +40,7 @@ Genome drawn_start(const DesignSetup& given, ga::Stream random) {
         }
         genome.series.push_back(std::move(series));
     };
-    if (setup.model.grid.wraps && !setup.model.grid.is_2d()) {
+    if (setup.model.grid.periodic && !setup.model.grid.is_2d()) {
         for (Series& series :
              harmonic_series(setup.model.grid.length, shortest,
                              within(random.uniform(0.5, 1.5), setup.bounds.H_from, setup.bounds.H_to)))

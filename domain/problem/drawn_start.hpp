@@ -9,8 +9,8 @@ namespace rough {
 Series drawn_series(const DesignSetup& setup, double H, double gamma, double lambda);
 
 /// A genome drawn blindly: two series with H in 0.5-1.5, gamma in 1.4-2, lambda near L, within the set-up's
-/// bounds, as many ridges as the set-up has, phases and relative amplitude at random; on a line that wraps
-/// the harmonics of its length under one H (an area moves wave vectors to its lattice).
+/// bounds, as many ridges as the set-up has, phases and relative amplitude at random; on a line that is
+/// periodic the harmonics of its length under one H (an area moves wave vectors to its lattice).
 Genome drawn_start(const DesignSetup& setup, ga::Stream random);
 
 /// The genome with the amplitude, at or above the least that carries the target's load within the whole

@@ -114,8 +114,10 @@ double CommonErrors::similarity(const MadeSurface& made) const {
 
 Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed) {
     constexpr double cut = 12; // q l beyond which amplitudes are below 2e-8 of the largest
-    const double period = grid.wraps ? 1 : 2, pi = std::numbers::pi;
-    const auto elements = [&](Index nodes) { return grid.wraps ? nodes : 2 * std::max<Index>(1, nodes - 1); };
+    const double period = grid.periodic ? 1 : 2, pi = std::numbers::pi;
+    const auto elements = [&](Index nodes) {
+        return grid.periodic ? nodes : 2 * std::max<Index>(1, nodes - 1);
+    };
     const Extent shape{elements(grid.nodes), grid.is_2d() ? elements(grid.rows) : 1};
     const double dq = 2 * pi * length / (period * grid.length), // of q l
         dq_y = grid.is_2d() ? 2 * pi * length / (period * grid.width) : 0;

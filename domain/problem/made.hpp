@@ -8,7 +8,7 @@ namespace rough {
 
 /// Gaussian height noise of rms 1 and autocorrelation exp(-(d/length)^2) at the distance d, sampled at the
 /// grid's nodes. The field belongs to the line or map: equal seeds give the same field on every grid. It is a
-/// Fourier series of period 2 L, or L if the grid wraps.
+/// Fourier series of period 2 L, or L if the grid is periodic.
 Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed);
 
 /// Heights of a plane that rises by 1 over the length and, of a map, of another that rises over the width.

@@ -193,8 +193,8 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
         }
         // On a periodic body every wave stays a harmonic of its length.
         const GenePlace::Kind kind = places[g].kind;
-        const bool harmonic =
-            setup_->model.grid.wraps && (kind == GenePlace::Kind::gamma || kind == GenePlace::Kind::lambda);
+        const bool harmonic = setup_->model.grid.periodic &&
+                              (kind == GenePlace::Kind::gamma || kind == GenePlace::Kind::lambda);
         // Of a single chromosome A does what H would; so does lambda what gamma would.
         const bool doubled =
             series.chromosomes.size() == 1 && (kind == GenePlace::Kind::H || kind == GenePlace::Kind::gamma);

@@ -65,7 +65,7 @@ class DesignProblem {
 
     /// Every gene that may move: phases alone where the set-up says so, else phases by half a turn; A by a
     /// factor of 10; H, gamma and lambda within the set-up's bounds, the latter two so that no wave becomes
-    /// shorter than allowed, both sharing the slack; these two stay where the grid wraps.
+    /// shorter than allowed, both sharing the slack; these two stay where the grid is periodic.
     std::vector<ga::Variable> bounds(const Genome& genome) const;
     /// Misfits at the objective's points, then one row a limit on shape, with exact derivatives. Contact
     /// fractions are the smooth ones (contact/smooth_area.hpp) here, as a count of nodes has no derivative.

@@ -38,7 +38,7 @@ struct nlohmann::adl_serializer<Eigen::VectorXd> {
 namespace rough {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DesignOutcome, scale, misfits, excess, genome)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Grid, nodes, length, wraps, from, rows, width)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Grid, nodes, length, periodic, from, rows, width)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Layer, thickness, modulus, poissons_ratio)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Layering, layers, rigid_base, poissons_ratio)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Body, kernel, effective_modulus, datum, strip_width, hardness, layering)

@@ -18,13 +18,13 @@ constexpr double decayed = 0.2; ///< ISO 25178-3's default
 /// Autocorrelation at lags from 0 to half of either side; along y of both signs.
 class Autocorrelation {
   public:
-    Autocorrelation(const Profile& map, bool wraps)
+    Autocorrelation(const Profile& map, bool periodic)
         : columns_(map.shape().columns / 2), rows_(map.shape().rows / 2),
           values_(columns_ + 1, 2 * rows_ + 1) {
         const auto [columns, rows] = map.shape();
         const Extent padded =
-            wraps ? map.shape()
-                  : Extent{fast_fourier_length(columns + columns_), fast_fourier_length(rows + rows_)};
+            periodic ? map.shape()
+                     : Extent{fast_fourier_length(columns + columns_), fast_fourier_length(rows + rows_)};
         const Index half = padded.columns / 2 + 1;
         AlignedBuffer<double> real(padded.nodes());
         AlignedBuffer<fftw_complex> bins(half * padded.rows);
@@ -41,7 +41,7 @@ class Autocorrelation {
         }
         fftw_execute_dft_c2r(plan.backward, bins.data(), real.data());
         const auto overlap = [&](Index nodes, Index lag) {
-            return wraps ? 1 : 1 - static_cast<double>(lag) / static_cast<double>(nodes);
+            return periodic ? 1 : 1 - static_cast<double>(lag) / static_cast<double>(nodes);
         };
         for (Index j = -rows_; j <= rows_; ++j)
             for (Index i = 0; i <= columns_; ++i)
@@ -84,8 +84,8 @@ class Autocorrelation {
 };
 
 /// The angular spectrum's highest degree, as a lay: each wave spread over the angle of its own width.
-double lay(const Profile& map, bool wraps) {
-    const Eigen::ArrayXXd powers = wave_powers(map, wraps);
+double lay(const Profile& map, bool periodic) {
+    const Eigen::ArrayXXd powers = wave_powers(map, periodic);
     const auto [columns, rows] = map.shape();
     const double dx = 1 / (map.spacing * static_cast<double>(columns)),
                  dy = 1 / (map.row_spacing * static_cast<double>(rows));
@@ -111,10 +111,10 @@ double lay(const Profile& map, bool wraps) {
 
 } // namespace
 
-Texture texture(const Profile& map, bool wraps) {
+Texture texture(const Profile& map, bool periodic) {
     Texture result;
-    result.Std = lay(map, wraps);
-    const Autocorrelation correlation(map, wraps);
+    result.Std = lay(map, periodic);
+    const Autocorrelation correlation(map, periodic);
     double fastest = std::numeric_limits<double>::infinity(), slowest = 0;
     for (int k = 0; k < directions; ++k) {
         const double length = correlation.decay_length(pi * k / directions, map.spacing, map.row_spacing);
@@ -131,7 +131,7 @@ Texture texture(const Profile& map, bool wraps) {
     return result;
 }
 
-ArealParameters areal_parameters(const Profile& map, bool wraps) {
+ArealParameters areal_parameters(const Profile& map, bool periodic) {
     constexpr Index fewest = 10;
     const auto [columns, rows] = map.shape();
     if (!map.is_2d() || columns < fewest || rows < fewest)
@@ -142,10 +142,10 @@ ArealParameters areal_parameters(const Profile& map, bool wraps) {
     const double Sq = std::sqrt(z.square().mean()), Sp = z.maxCoeff(), Sv = -z.minCoeff();
     if (!(Sq > 1e-14 * map.heights.cwiseAbs().maxCoeff()))
         refuse("areal parameters: the map is constant, expected a rough one");
-    const Derivatives slopes = derivatives(about, wraps);
+    const Derivatives slopes = derivatives(about, periodic);
     const Eigen::ArrayXXd squares = slopes.x.square() + slopes.y.square();
     const CoreHeights core = core_heights(about.heights);
-    const Texture t = texture(about, wraps);
+    const Texture t = texture(about, periodic);
     return {{{{"Sa", "mm", "arithmetic mean height", z.abs().mean()},
               {"Sq", "mm", "root mean square height", Sq},
               {"Ssk", "", "skewness", (z / Sq).cube().mean()},

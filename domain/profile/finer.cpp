@@ -8,9 +8,9 @@ namespace {
 using Heights = Eigen::ArrayXXd;
 
 /// Every column of the heights on `times` elements for each of its own.
-Heights finer_columns(const Heights& heights, Index times, Interpolation by, bool wraps) {
+Heights finer_columns(const Heights& heights, Index times, Interpolation by, bool periodic) {
     const Index nodes = heights.rows(), open = times * (nodes - 1) + 1;
-    Heights fine(wraps ? times * nodes : open, heights.cols());
+    Heights fine(periodic ? times * nodes : open, heights.cols());
     for (Index column = 0; column < heights.cols(); ++column) {
         const auto z = heights.col(column);
         auto at = fine.col(column);
@@ -32,12 +32,12 @@ Heights finer_columns(const Heights& heights, Index times, Interpolation by, boo
 
 } // namespace
 
-Profile finer(const Profile& surface, Index times, Interpolation by, bool wraps) {
+Profile finer(const Profile& surface, Index times, Interpolation by, bool periodic) {
     const auto [columns, rows] = surface.shape();
     Heights fine =
-        finer_columns(Eigen::Map<const Heights>(surface.heights.data(), columns, rows), times, by, wraps);
+        finer_columns(Eigen::Map<const Heights>(surface.heights.data(), columns, rows), times, by, periodic);
     if (surface.is_2d())
-        fine = finer_columns(fine.transpose(), times, by, wraps).transpose().eval();
+        fine = finer_columns(fine.transpose(), times, by, periodic).transpose().eval();
     const double share = 1 / static_cast<double>(times);
     return {fine.reshaped(), surface.spacing * share, fine.cols(), surface.row_spacing * share};
 }

@@ -87,10 +87,10 @@ struct Texture {
     bool Str_is_bound = false;
     double Std = 0; ///< direction of the lay, degrees from x towards y, 0 to 179: grooves run along it
 };
-/// Of a levelled map. `wraps`: it repeats; otherwise lags are averaged over the nodes that overlap, and the
-/// spectrum is taken under a Hann window. Directions are told apart by one degree. Throws InputError on fewer
-/// than four nodes along a side.
-Texture texture(const Profile& map, bool wraps = false);
+/// Of a levelled map. `periodic`: it repeats; otherwise lags are averaged over the nodes that overlap, and
+/// the spectrum is taken under a Hann window. Directions are told apart by one degree. Throws InputError on
+/// fewer than four nodes along a side.
+Texture texture(const Profile& map, bool periodic = false);
 
 /// Parameters of a map about its mean plane: Sa, Sq, Ssk, Sku, Sp, Sv, Sz, Sdq and Sdr (by the seven-point
 /// formula), Sal, Str, Std, Smr (at the mean plane), Smc10 (the height that a tenth of the nodes exceed), Sk,
@@ -99,6 +99,6 @@ struct ArealParameters : SurfaceParameters {
     bool Str_is_bound = false; ///< as in Texture
 };
 /// Of a map whose form is removed. Throws InputError on fewer than ten nodes along a side and on a flat map.
-ArealParameters areal_parameters(const Profile& map, bool wraps = false);
+ArealParameters areal_parameters(const Profile& map, bool periodic = false);
 
 } // namespace rough

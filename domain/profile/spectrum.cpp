@@ -12,23 +12,23 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 
 /// Hann's window, or none.
-Eigen::ArrayXd window(Index nodes, bool wraps) {
+Eigen::ArrayXd window(Index nodes, bool periodic) {
     Eigen::ArrayXd window = Eigen::ArrayXd::Ones(nodes);
-    for (Index i = 0; !wraps && i < nodes; ++i)
+    for (Index i = 0; !periodic && i < nodes; ++i)
         window[i] = 0.5 - 0.5 * std::cos(turn * static_cast<double>(i) / static_cast<double>(nodes));
     return window;
 }
 
 } // namespace
 
-Eigen::ArrayXXd wave_powers(const Profile& surface, bool wraps) {
+Eigen::ArrayXXd wave_powers(const Profile& surface, bool periodic) {
     const auto [columns, rows] = surface.shape();
     if (columns < 4 || (rows < 4 && surface.is_2d()))
         refuse("spectrum: a surface of ", columns, " x ", rows, " nodes, expected at least 4");
     const Index half = columns / 2 + 1;
     AlignedBuffer<double> windowed(surface.nodes());
     AlignedBuffer<fftw_complex> transform(half * rows);
-    const Eigen::ArrayXd along_x = window(columns, wraps), along_y = window(rows, wraps || rows == 1);
+    const Eigen::ArrayXd along_x = window(columns, periodic), along_y = window(rows, periodic || rows == 1);
     const double mean = surface.heights.mean();
     for (Index j = 0; j < rows; ++j)
         for (Index i = 0; i < columns; ++i)
@@ -47,8 +47,8 @@ Eigen::ArrayXXd wave_powers(const Profile& surface, bool wraps) {
     return power;
 }
 
-Spectrum continuous_spectrum(const Profile& surface, bool wraps) {
-    const Eigen::ArrayXXd powers = wave_powers(surface, wraps);
+Spectrum continuous_spectrum(const Profile& surface, bool periodic) {
+    const Eigen::ArrayXXd powers = wave_powers(surface, periodic);
     const auto [columns, rows] = surface.shape();
     const double dx = turn / (surface.spacing * static_cast<double>(columns));
     if (!surface.is_2d()) {

@@ -19,12 +19,12 @@ struct Spectrum {
 /// window, scaled by the window's mean square, of a line C(q_k) = 2 |sum_i w_i z_i exp(-i q_k x_i)|^2
 /// delta/(2 pi sum_i w_i^2) (half of it at the Nyquist wave number). The window keeps the jump between a
 /// profile's ends from filling the spectrum, and spreads a cosine over about four q_k; of an area it is the
-/// product of one along x and one along y. A surface that `wraps` is taken without: exact for waves that fit
-/// it. Throws InputError on fewer than four nodes along x or y.
-Spectrum continuous_spectrum(const Profile& surface, bool wraps = false);
+/// product of one along x and one along y. A surface that `periodic` is taken without: exact for waves that
+/// fit it. Throws InputError on fewer than four nodes along x or y.
+Spectrum continuous_spectrum(const Profile& surface, bool periodic = false);
 
 /// The power of each wave of an area, mm^2, by the same transform: N_y rows of N_x/2 + 1, those of -q in
 /// those of q: entry (i, j) is that of q = 2 pi (i/(N_x delta_x), j/(N_y delta_y)), j - N_y for j over N_y/2.
-Eigen::ArrayXXd wave_powers(const Profile& surface, bool wraps = false);
+Eigen::ArrayXXd wave_powers(const Profile& surface, bool periodic = false);
 
 } // namespace rough

@@ -17,9 +17,9 @@ struct Model {
 };
 
 /// The set-up with what was left at 0 filled in: the body for the grid's length, the reach for the kernel;
-/// the grid wraps for the periodic kernel and for no other.
+/// the grid is periodic for the periodic kernel and for no other.
 inline Model completed(Model model) {
-    model.grid.wraps = model.body.kernel == Kernel::periodic;
+    model.grid.periodic = model.body.kernel == Kernel::periodic;
     model.body = completed(model.body, model.grid.length);
     model.loading = completed(model.loading, model.body.kernel);
     return model;

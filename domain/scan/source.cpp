@@ -5,13 +5,13 @@
 
 namespace rough {
 
-Grid Source::grid(bool wraps) const {
+Grid Source::grid(bool periodic) const {
     Grid own;
-    own.wraps = wraps;
+    own.periodic = periodic;
     own.length = length;
     if (!genome) {
         own.nodes = measured.nodes();
-        own.length = measured.spacing * static_cast<double>(wraps ? own.nodes : own.nodes - 1);
+        own.length = measured.spacing * static_cast<double>(periodic ? own.nodes : own.nodes - 1);
     }
     return own;
 }
@@ -24,7 +24,7 @@ Profile Source::on(const Grid& wanted) const {
                              " nodes given, expected one of the scan's " + std::to_string(measured.nodes()),
                          "nodes");
     Profile profile = measured;
-    if (wanted.length != grid(wanted.wraps).length)
+    if (wanted.length != grid(wanted.periodic).length)
         profile.spacing = wanted.spacing();
     return profile;
 }

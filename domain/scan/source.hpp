@@ -16,9 +16,9 @@ struct Source {
     std::string account = {};         ///< what was read of a scan and done to it, in one line
     std::vector<Index> outliers = {}; ///< nodes of a scan that stand out and were kept
 
-    /// The grid that it brings along: a scan's own points, 512 nodes for a genome. `wraps` for the periodic
-    /// kernel.
-    Grid grid(bool wraps = false) const;
+    /// The grid that it brings along: a scan's own points, 512 nodes for a genome. `periodic` for the
+    /// periodic kernel.
+    Grid grid(bool periodic = false) const;
 
     /// Its heights on a grid: a genome's waves, or a scan's points, drawn out to the grid's length where that
     /// is not their own. Throws InputError where the grid has not as many nodes as the scan.

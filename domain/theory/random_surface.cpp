@@ -24,8 +24,8 @@ double power_integral(double exponent, double from, double to) {
 
 } // namespace
 
-RandomSurface random_surface(const Profile& surface, bool wraps) {
-    RandomSurface random{continuous_spectrum(surface, wraps), surface.is_2d()};
+RandomSurface random_surface(const Profile& surface, bool periodic) {
+    RandomSurface random{continuous_spectrum(surface, periodic), surface.is_2d()};
     if (!(random.spectrum.power.sum() > 0))
         refuse("theory: a flat surface, expected a rough one");
     return random;
@@ -65,9 +65,9 @@ double rms_slope(const RandomSurface& surface) { return std::sqrt(moment(surface
 
 Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t seed) {
     random_surface(parameters); // refuses what is out of range
-    if (!grid.wraps || grid.is_2d() != parameters.is_area)
-        refuse(
-            "self-affine surface: expected a grid that wraps, a line's for a profile, an area's for an area");
+    if (!grid.periodic || grid.is_2d() != parameters.is_area)
+        refuse("self-affine surface: expected a grid that periodic, a line's for a profile, an area's for an "
+               "area");
     const Extent shape = grid.shape();
     const double dx = 1 / grid.length, dy = grid.is_2d() ? 1 / grid.width : 0;
     const double least = (1 - 1e-12) / parameters.longest, most = (1 + 1e-12) / parameters.shortest;

@@ -12,9 +12,9 @@ struct RandomSurface {
     bool is_area = true; ///< waves of every direction alike; false: a profile, the section of ridges
 };
 
-/// The surface with a profile's or a map's own spectrum; `wraps` where it repeats. Throws InputError as
+/// The surface with a profile's or a map's own spectrum; `periodic` where it repeats. Throws InputError as
 /// continuous_spectrum, and where nothing of it is rough.
-RandomSurface random_surface(const Profile& surface, bool wraps = false);
+RandomSurface random_surface(const Profile& surface, bool periodic = false);
 
 /// A self-affine surface by parameters alone: a power spectral density ~ q^-(1 + 2 H) of a profile, ~ q^-2(1
 /// + H) of an area, between two cut-offs.
@@ -47,8 +47,8 @@ double rms_slope(const RandomSurface& surface);
 
 /// A surface of these parameters: one cosine for each wave vector of the lattice 2 pi (i/L_x, j/L_y) between
 /// the cut-offs, of the spectrum's amplitude and a random phase (so that its power is the spectrum's own), on
-/// a grid that wraps; a line where `parameters` are a profile's. The same seed gives the same surface on
-/// every grid; waves that a grid does not resolve are sampled, as they are by an instrument. Throws
+/// a grid that is periodic; a line where `parameters` are a profile's. The same seed gives the same surface
+/// on every grid; waves that a grid does not resolve are sampled, as they are by an instrument. Throws
 /// InputError on parameters out of range, and where no wave fits between the cut-offs.
 Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t seed);
 

@@ -17,7 +17,7 @@ using rough::Profile;
 /// A self-affine line or map over 1 mm. The waves of a map have 8 nodes of 128 at least; those of a line are
 /// shorter, as it has to be longer.
 Profile self_affine(Index nodes, bool is_map, double longest, double shortest, std::uint64_t seed) {
-    rough::Grid grid{.nodes = nodes, .length = 1, .wraps = true};
+    rough::Grid grid{.nodes = nodes, .length = 1, .periodic = true};
     if (is_map)
         grid.rows = nodes, grid.width = 1;
     return realised(

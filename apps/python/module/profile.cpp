@@ -138,11 +138,11 @@ void add_profile(py::module_& module) {
             "How many along x and y.")
         .def(
             "roughness",
-            [](const Surface& surface, bool wraps) {
-                return in_dictionary(areal_parameters(surface, wraps));
+            [](const Surface& surface, bool periodic) {
+                return in_dictionary(areal_parameters(surface, periodic));
             },
-            py::arg("wraps") = false,
-            "Sa, Sq, Sdq, Sal, Str, ... (ISO 25178-2; lengths in mm) about the mean plane; wraps: it "
+            py::arg("periodic") = false,
+            "Sa, Sq, Sdq, Sal, Str, ... (ISO 25178-2; lengths in mm) about the mean plane; periodic: it "
             "repeats.")
         .def(
             "row",

@@ -14,7 +14,7 @@ constexpr Index side = 48;
 
 /// Ridges along y (or x) with `share` of roughness of every direction on them.
 Profile ground(double share, bool along_y = true) {
-    Grid grid{.nodes = side, .length = 1, .wraps = true};
+    Grid grid{.nodes = side, .length = 1, .periodic = true};
     const Profile line =
         realised({.longest = 0.5, .shortest = 0.125, .rms_slope = 0.1, .is_area = false}, grid, 3);
     grid.rows = side;
@@ -29,7 +29,7 @@ Profile ground(double share, bool along_y = true) {
 
 Model periodic() {
     Model model;
-    model.grid = {.nodes = side, .length = 1, .wraps = true, .rows = side, .width = 1};
+    model.grid = {.nodes = side, .length = 1, .periodic = true, .rows = side, .width = 1};
     model.body.kernel = Kernel::periodic;
     model.loading.steps = 6;
     model.loading.reach = 0.6;
@@ -84,7 +84,7 @@ TEST_CASE("a line is asked for loads as well, and never for a free map", "[areas
     CHECK(found.account.by_line);
     CHECK(found.response.pressure[1] == Approx(4e-3).epsilon(1e-6));
     Model free = periodic();
-    free.grid.wraps = false;
+    free.grid.periodic = false;
     free.body.kernel = Kernel::free;
     const AccountedResponse of_free = respond_within(ground(0), free, 0.01);
     CHECK_FALSE(of_free.account.by_line);

@@ -22,10 +22,10 @@ struct Cosines {
     };
     std::vector<Wave> waves;
     Index nodes; ///< of the coarse grid, along an axis
-    bool is_2d, wraps;
+    bool is_2d, periodic;
 
     Cosines(unsigned seed, Index coarse, Index shortest, bool is_map, bool periodic)
-        : nodes(coarse), is_2d(is_map), wraps(periodic) {
+        : nodes(coarse), is_2d(is_map), periodic(periodic) {
         std::mt19937_64 random(seed);
         std::uniform_real_distribution<double> uniform(0, 1);
         const Index most = coarse / shortest;
@@ -38,7 +38,7 @@ struct Cosines {
     }
     /// On `times` elements for each of the coarse grid.
     Profile on(Index times) const {
-        const Index n = wraps ? times * nodes : times * (nodes - 1) + 1;
+        const Index n = periodic ? times * nodes : times * (nodes - 1) + 1;
         const double spacing = 1 / double(times * nodes);
         Profile surface{Eigen::VectorXd::Zero(is_2d ? n * n : n), spacing, is_2d ? n : 1,
                         is_2d ? spacing : 0};
@@ -50,9 +50,9 @@ struct Cosines {
     }
     Model model() const {
         Model model;
-        model.body.kernel = wraps ? Kernel::periodic : Kernel::free;
-        const double length = double(wraps ? nodes : nodes - 1) / double(nodes);
-        model.grid = {nodes, length, wraps};
+        model.body.kernel = periodic ? Kernel::periodic : Kernel::free;
+        const double length = double(periodic ? nodes : nodes - 1) / double(nodes);
+        model.grid = {nodes, length, periodic};
         if (is_2d)
             model.grid.rows = nodes, model.grid.width = length;
         return completed(model);
@@ -69,12 +69,12 @@ Profile parabola(Index nodes) {
 } // namespace
 
 TEST_CASE("finer heights keep the nodes, are exact for straight lines and by splines for smooth waves") {
-    for (const bool wraps : {false, true})
+    for (const bool periodic : {false, true})
         for (const bool is_2d : {false, true}) {
-            const Cosines surface(3, 40, 8, is_2d, wraps);
+            const Cosines surface(3, 40, 8, is_2d, periodic);
             const Profile coarse = surface.on(1), truth = surface.on(4);
-            const Profile linear = finer(coarse, 4, Interpolation::linear, wraps),
-                          spline = finer(coarse, 4, Interpolation::spline, wraps);
+            const Profile linear = finer(coarse, 4, Interpolation::linear, periodic),
+                          spline = finer(coarse, 4, Interpolation::spline, periodic);
             REQUIRE(linear.nodes() == truth.nodes());
             CHECK(spline.spacing == Approx(truth.spacing));
             CHECK(spline.shape().rows == truth.shape().rows);
@@ -91,16 +91,16 @@ TEST_CASE("finer heights keep the nodes, are exact for straight lines and by spl
     for (const Interpolation by : {Interpolation::linear, Interpolation::spline})
         CHECK((finer(slope, 4, by).heights - Eigen::VectorXd::LinSpaced(21, 0, 5)).cwiseAbs().maxCoeff() <
               1e-12);
-    // A jump at the ends of a surface that wraps does not swing.
+    // A jump at the ends of a surface that is periodic does not swing.
     CHECK(finer(slope, 4, Interpolation::spline, true).heights.maxCoeff() == Approx(5));
 }
 
 TEST_CASE("the band of a band-limited surface holds the curve of eight times finer nodes") {
     int rows = 0, area = 0, stiffness = 0;
     for (const bool is_2d : {false, true})
-        for (const bool wraps : {false, true})
+        for (const bool periodic : {false, true})
             for (unsigned seed = 1; seed <= (is_2d ? 2u : 5u); ++seed) {
-                const Cosines surface(seed, is_2d ? 32 : 256, 8, is_2d, wraps);
+                const Cosines surface(seed, is_2d ? 32 : 256, 8, is_2d, periodic);
                 Model model = surface.model();
                 const Response measured = respond(surface.on(1), model);
                 const ResolutionBand band = resolution_band(surface.on(1), model, measured);

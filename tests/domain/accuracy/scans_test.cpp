@@ -13,11 +13,11 @@ namespace {
 
 Model model_for(const Profile& scan, Kernel kernel, int steps) {
     Model model;
-    const bool wraps = kernel == Kernel::periodic;
+    const bool periodic = kernel == Kernel::periodic;
     const double length = profile_length(scan, kernel);
-    model.grid = {scan.nodes(), length, wraps};
+    model.grid = {scan.nodes(), length, periodic};
     model.body = {kernel, 1, length, length / 511};
-    model.loading = {steps, wraps ? 0.95 : 1};
+    model.loading = {steps, periodic ? 0.95 : 1};
     return model;
 }
 

@@ -248,7 +248,7 @@ TEST_CASE("a body left open is completed for the profile's own length, to the bi
         model.body.kernel = kernel;
         model.grid = {201, kernel == Kernel::periodic ? 0.01 * 201 : 0.01 * 200};
         CHECK(respond(profile, model).pressure == left.pressure);
-        CHECK(completed(model).grid.wraps == (kernel == Kernel::periodic));
+        CHECK(completed(model).grid.periodic == (kernel == Kernel::periodic));
     }
 }
 

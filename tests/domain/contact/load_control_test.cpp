@@ -41,7 +41,7 @@ TEST_CASE("every load is met from the lightest on, though a step from first touc
                                               .shortest = 1.0 / 256,
                                               .rms_slope = 0.1,
                                               .is_area = false},
-                                             {.nodes = nodes, .length = 1, .wraps = true}, seed);
+                                             {.nodes = nodes, .length = 1, .periodic = true}, seed);
             const ContactCurve curve = solve_contact_at_pressures(profile, body, pressures);
             INFO(nodes << " nodes, seed " << seed << ", " << curve.choice);
             for (std::size_t j = 0; j < pressures.size(); ++j)

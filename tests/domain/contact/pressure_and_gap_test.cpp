@@ -19,9 +19,9 @@ ContactOptions with_states() {
 TEST_CASE("along the profile pressure and gap exclude each other, and the pressures make up the load") {
     std::mt19937_64 random(4);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
-        const bool wraps = kernel == Kernel::periodic;
+        const bool periodic = kernel == Kernel::periodic;
         const Profile profile = sample(testing::random_genome(random, 2, 3, 0.84942, 0.84942 / 40),
-                                       {.nodes = 400, .wraps = wraps});
+                                       {.nodes = 400, .periodic = periodic});
         const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
         const Body body{.kernel = kernel, .effective_modulus = 7};
         const auto curve = solve_contact(profile, body, {0.05 * range, 0.3 * range}, with_states());
@@ -31,7 +31,7 @@ TEST_CASE("along the profile pressure and gap exclude each other, and the pressu
                   1e-9 * at.pressure.maxCoeff() * range);
             CHECK(at.pressure.minCoeff() >= 0);
             CHECK(at.gap.minCoeff() > -1e-9 * range);
-            CHECK(at.pressure.sum() / (wraps ? 400 : 399) == Approx(curve.steps[j].pressure));
+            CHECK(at.pressure.sum() / (periodic ? 400 : 399) == Approx(curve.steps[j].pressure));
             CHECK((at.pressure.array() > 0).count() == curve.steps[j].contact_nodes);
         }
     }

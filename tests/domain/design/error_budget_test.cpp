@@ -50,7 +50,7 @@ TEST_CASE("an error budget says by how much the curve moves when one thing is ch
     CHECK(budget[0].size > 0.1);
     Model periodic = setup.model;
     periodic.body.kernel = Kernel::periodic;
-    periodic.grid.wraps = true;
+    periodic.grid.periodic = true;
     periodic.loading.reach = 0.95;
     CHECK(budget[1].kind == "model");
     CHECK(budget[1].size == Approx(moved(periodic)));

@@ -79,8 +79,8 @@ TEST_CASE("any order of nodes and any advance have a surface that comes into con
 }
 
 TEST_CASE("waves laid on a map of just those waves give it back", "[areas]") {
-    for (const bool wraps : {false, true}) {
-        const Grid grid{14, 0.84942, wraps, 0, 12, 0.8};
+    for (const bool periodic : {false, true}) {
+        const Grid grid{14, 0.84942, periodic, 0, 12, 0.8};
         std::mt19937_64 random(23);
         const Genome genome = rough::testing::random_genome(random, 1, 4, 0.84942, 0.3);
         const Profile map = sample(genome, grid);
@@ -97,10 +97,10 @@ TEST_CASE("one asperity answers a rising stiffness curve as asked, for every ker
     Target target;
     target.x = Eigen::VectorXd::LinSpaced(20, 4e-6, 1.56e-4);
     for (const Kernel kernel : {Kernel::free, Kernel::strip, Kernel::periodic}) {
-        const bool wraps = kernel == Kernel::periodic;
+        const bool periodic = kernel == Kernel::periodic;
         const Index nodes = 256;
         const Body body{kernel, 1, L, 0.0016};
-        const double spacing = L / static_cast<double>(wraps ? nodes : nodes - 1);
+        const double spacing = L / static_cast<double>(periodic ? nodes : nodes - 1);
         double least = 0, most = 0;
         const auto order = outwards(nodes, 110.3);
         inverse_profile(
@@ -120,8 +120,8 @@ TEST_CASE("one asperity answers a rising stiffness curve as asked, for every ker
         // 80 secants of a curve that is stepped from node to node
         CHECK(similarity(target, secant_stiffness(response)) > 0.97);
 
-        const double reach = wraps ? 0.9 : 1;
-        inverse = wraps ? with_mean_at_full_approach(inverse, reach) : with_range_at_last(inverse);
+        const double reach = periodic ? 0.9 : 1;
+        inverse = periodic ? with_mean_at_full_approach(inverse, reach) : with_range_at_last(inverse);
         const Response full = respond(inverse.profile, body, {.steps = 80, .reach = reach});
         CHECK(reach * full.range == Approx(inverse.last_displacement).epsilon(1e-9));
         CHECK(full.pressure[79] == Approx(1.6e-4).epsilon(1e-6));

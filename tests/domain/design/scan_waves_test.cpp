@@ -35,10 +35,10 @@ std::vector<int> touching(const DesignSetup& setup) {
 
 TEST_CASE("a scan that is a sum of few waves is that sum, on either body") {
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
-        const bool wraps = kernel == Kernel::periodic;
-        const Grid grid{128, 2, wraps};
+        const bool periodic = kernel == Kernel::periodic;
+        const Grid grid{128, 2, periodic};
         const Profile scan = sampled(grid, [&](double x) {
-            const double q = 2 * std::numbers::pi / (wraps ? 2.0 : 4.0);
+            const double q = 2 * std::numbers::pi / (periodic ? 2.0 : 4.0);
             return 1e-3 * (std::cos(q * x + 0.4) + 0.5 * std::cos(3 * q * x + 2) + 0.2 * std::cos(7 * q * x));
         });
         const DesignSetup setup = like(scan, 128, 2, kernel);
@@ -46,7 +46,7 @@ TEST_CASE("a scan that is a sum of few waves is that sum, on either body") {
         const Eigen::ArrayXd off = (sum.heights - scan.heights).array();
         CHECK((off - off.mean()).abs().maxCoeff() < 2e-2 * 3.4e-3);
         CHECK(similarity(setup, scan_waves(setup, 10)) > 0.9);
-        CHECK(std::abs(jump_at_ends(scan_waves(setup, 10), 2)) < (wraps ? 1e-12 : 1.0));
+        CHECK(std::abs(jump_at_ends(scan_waves(setup, 10), 2)) < (periodic ? 1e-12 : 1.0));
     }
 }
 

@@ -58,7 +58,7 @@ double share_kept(const Case& one, const ToleranceLevel& level, double length) {
     for (Index i = 0; i < grid.nodes; ++i)
         for (Index j = 0; j < grid.nodes; ++j) {
             const double d = std::abs(static_cast<double>(i - j)) * grid.spacing(),
-                         nearest = grid.wraps ? std::min(d, L - d) : d;
+                         nearest = grid.periodic ? std::min(d, L - d) : d;
             covariance(i, j) = std::exp(-std::pow(nearest / length, 2)) + (i == j ? 1e-9 : 0);
         }
     const Eigen::MatrixXd factor = covariance.llt().matrixL();
@@ -131,7 +131,7 @@ TEST_CASE("height noise has rms 1 and a Gaussian autocorrelation, on lines and m
             CHECK(mean_product(fields, 3, 3 + 2 * grid.nodes + 2) == Approx(std::exp(-2)).margin(0.07));
         }
         CHECK(mean_product(fields, 0, grid.nodes - 1) ==
-              Approx(grid.wraps ? std::exp(-0.25) : 0).margin(0.07));
+              Approx(grid.periodic ? std::exp(-0.25) : 0).margin(0.07));
     }
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Grid area(Index columns, Index rows, bool wraps) {
-    Grid grid{columns, 0.84942, wraps};
+Grid area(Index columns, Index rows, bool periodic) {
+    Grid grid{columns, 0.84942, periodic};
     grid.rows = rows;
     grid.width = 0.7;
     return grid;

@@ -56,11 +56,11 @@ void check_paths(const Eigen::VectorXd& column, Extent shape, const Eigen::Vecto
 TEST_CASE("every path of applying the influence matrix gives its direct sums", "[contact][areas]") {
     std::srand(8);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
-        const bool wraps = kernel == Kernel::periodic;
+        const bool periodic = kernel == Kernel::periodic;
         for (const Index nodes : {2, 3, 17, 64, 243, 509}) {
             INFO(static_cast<int>(kernel) << ", " << nodes << " nodes");
             check_paths(influence_column(kernel, nodes, 1.1 * static_cast<double>(nodes), 0.3), Extent{nodes},
-                        wraps ? periodic_spectrum(nodes) : Eigen::VectorXd());
+                        periodic ? periodic_spectrum(nodes) : Eigen::VectorXd());
         }
         for (const Extent shape :
              {Extent{2, 3}, Extent{16, 9}, Extent{7, 70}, Extent{70, 5}, Extent{70, 1}, Extent{1, 12}}) {
@@ -68,7 +68,7 @@ TEST_CASE("every path of applying the influence matrix gives its direct sums", "
                 continue;
             INFO(static_cast<int>(kernel) << ", " << shape.columns << " x " << shape.rows);
             check_paths(area_influence_column(kernel, shape, 0.7), shape,
-                        wraps ? area_spectrum(shape, 0.7) : Eigen::VectorXd());
+                        periodic ? area_spectrum(shape, 0.7) : Eigen::VectorXd());
         }
     }
 }

@@ -154,8 +154,8 @@ TEST_CASE("two waves across each other have the slope, height and curvature of b
 
 TEST_CASE("on areas no finer grid shows a gradient or a height beyond the margins", "[areas]") {
     std::mt19937_64 random(74);
-    for (const bool wraps : {false, true}) {
-        const Grid grid{24, 0.84942, wraps, 0, 20, 0.8};
+    for (const bool periodic : {false, true}) {
+        const Grid grid{24, 0.84942, periodic, 0, 20, 0.8};
         const Genome genome = testing::random_genome(random, 2, 3, 0.84942, 0.25);
         const auto says = margins(genome, grid, {});
         const Profile fine = sample(genome, refined(grid, 16));

@@ -72,7 +72,7 @@ TEST_CASE("they do so for a periodic profile in full contact before the target e
                                     Quantity::area_at_displacement, Quantity::area_at_pressure}) {
         DesignSetup setup = drawn_setup();
         setup.model.body.kernel = Kernel::periodic;
-        setup.model.grid.wraps = true;
+        setup.model.grid.periodic = true;
         const Genome genome =
             testing::random_genome(random, 2, 1, setup.model.grid.length, setup.limits.shortest_wave);
         const double full = displacement_range(sample(genome, setup.model.grid), Kernel::periodic);

@@ -134,18 +134,18 @@ TEST_CASE("the areal Gaussian filter halves a wave of its cut-off along any dire
 }
 
 TEST_CASE("texture: a wave's autocorrelation length, lay and aspect ratio", "[areal]") {
-    for (const bool wraps : {true, false}) {
-        const Texture along_y = texture(wave(8, 0), wraps); // grooves along y
+    for (const bool periodic : {true, false}) {
+        const Texture along_y = texture(wave(8, 0), periodic); // grooves along y
         CHECK(along_y.Sal == Approx(std::acos(0.2) / (2 * pi * 8)).epsilon(0.02));
         CHECK(along_y.Std == 90);
         CHECK(along_y.Str < 0.07);
         CHECK(along_y.Str_is_bound);
-        CHECK(texture(wave(0, 8), wraps).Std == 0);
+        CHECK(texture(wave(0, 8), periodic).Std == 0);
         const Profile strip =
             map_of({40, 16}, 0.02, 0.002, [](double x, double) { return std::cos(5 * pi * x); });
-        CHECK(texture(strip, wraps).Std == 90); // one wave, much wider than long
+        CHECK(texture(strip, periodic).Std == 90); // one wave, much wider than long
         // wave vector (6, 10/0.8): the lay is at right angles to it
-        const Texture oblique = texture(wave(6, 10), wraps);
+        const Texture oblique = texture(wave(6, 10), periodic);
         CHECK(oblique.Std == std::lround(std::fmod(std::atan2(12.5, 6) * 180 / pi + 90, 180)));
     }
     const Profile alike = map_of({128, 128}, 1.0 / 128, 1.0 / 128, [](double x, double y) {

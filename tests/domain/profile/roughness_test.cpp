@@ -140,7 +140,7 @@ TEST_CASE("spectral moments of a finely sampled profile are those of its cosines
         genome.series.push_back({0.7, 0.8, 2, 1, {}});
         for (int n = 1; n <= 5; ++n)
             genome.series[0].chromosomes.push_back({n, {testing::uniform(random, 0, 6.28)}});
-        const Roughness r = roughness(sample(genome, {.nodes = 8192, .length = 1, .wraps = true}));
+        const Roughness r = roughness(sample(genome, {.nodes = 8192, .length = 1, .periodic = true}));
         double m0 = 0, m2 = 0, m4 = 0;
         for (const Wave& wave : waves(genome)) {
             const double power = wave.amplitude * wave.amplitude / 2, k = wave.wave_number;

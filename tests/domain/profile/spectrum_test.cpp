@@ -28,7 +28,7 @@ TEST_CASE("the discrete spectrum of a genome has one line a wave number and sums
         CHECK(lines[i].wave_number == Approx(2 * pi * std::pow(2, double(i))));
         power += lines[i].power;
     }
-    const Eigen::ArrayXd z = sample(genome, {.nodes = 4096, .length = 1, .wraps = true}).heights.array();
+    const Eigen::ArrayXd z = sample(genome, {.nodes = 4096, .length = 1, .periodic = true}).heights.array();
     CHECK(power == Approx((z - z.mean()).square().mean()).epsilon(1e-12));
 }
 

@@ -30,7 +30,7 @@ TEST_CASE("the adjoint derivative of the pressures follows central differences i
                     model.grid = {.nodes = 20, .length = 0.84942, .rows = 18, .width = 0.7};
                     model.loading = {4, 0.7};
                 }
-                model.grid.wraps = kernel == Kernel::periodic;
+                model.grid.periodic = kernel == Kernel::periodic;
                 const std::size_t ridges = is_map ? 3 : 1 + 7 * (end[0] == 'p');
                 const Genome genome = random_genome(random, ridges == 1 ? 2 : 1, ridges, 0.84942,
                                                     is_map ? 0.2 : 8 * model.grid.spacing());
@@ -54,7 +54,7 @@ TEST_CASE("load steps to a pressure end there, and steps at given pressures bear
         Model model = paper_model(512);
         model.body.kernel = kernel;
         model.body.strip_width = 0.002;
-        model.grid.wraps = kernel == Kernel::periodic;
+        model.grid.periodic = kernel == Kernel::periodic;
         model.loading.reach = kernel == Kernel::periodic ? 0.9 : 1;
         const Genome genome = random_genome(random, 1, 1, 0.84942, 0.02);
         const double highest = respond(genome, model).pressure.tail(1)[0];

@@ -13,7 +13,7 @@ namespace {
 Model model_on(Kernel kernel, Index nodes, int steps) {
     Model model;
     model.grid.nodes = nodes;
-    model.grid.wraps = kernel == Kernel::periodic;
+    model.grid.periodic = kernel == Kernel::periodic;
     model.body.kernel = kernel;
     model.body.strip_width = model.grid.length / 511;
     model.loading = {steps, kernel == Kernel::periodic ? 0.9 : 1};

@@ -201,7 +201,7 @@ TEST_CASE("a realised surface has the parameters' slope and spectrum, and is the
     for (const bool is_area : {true, false}) {
         SelfAffine of{
             .hurst = 0.7, .longest = 0.5, .shortest = 1.0 / 16, .rms_slope = 0.2, .is_area = is_area};
-        Grid grid{.nodes = 96, .length = 1, .wraps = true};
+        Grid grid{.nodes = 96, .length = 1, .periodic = true};
         if (is_area)
             grid.rows = 80, grid.width = 0.8;
         const Profile surface = realised(of, grid, 7), fine = realised(of, refined(grid, 2), 7);
