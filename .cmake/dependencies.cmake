@@ -1,18 +1,29 @@
-# What the two libraries stand on. Included by this project and by those that find it installed.
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+# Finds the libraries that ga and domain use. Included by this project and by projects that find it installed.
+# RUGOSA_ONLY_GA finds only those of ga, where Eigen and NLopt are optional.
+set(RUGOSA_NEEDED REQUIRED)
+if(RUGOSA_ONLY_GA)
+    set(RUGOSA_NEEDED QUIET)
+endif()
 find_package(Boost 1.74 REQUIRED)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(nlohmann_json 3.11 REQUIRED)
-find_package(SQLite3 REQUIRED)
+find_package(Eigen3 3.4 ${RUGOSA_NEEDED} NO_MODULE)
 
-# NLopt's and FFTW's own packages differ from one release to the next; their headers and libraries do not.
+# Paths in place of package files, because those of NLopt and FFTW differ between releases.
 if(NOT TARGET rugosa::nlopt)
-    find_path(NLOPT_CXX_INCLUDE_DIR nlopt.hpp REQUIRED)
-    find_library(NLOPT_CXX_LIBRARY NAMES nlopt_cxx nlopt REQUIRED)
+    string(REPLACE QUIET "" RUGOSA_NEEDED "${RUGOSA_NEEDED}")
+    find_path(NLOPT_CXX_INCLUDE_DIR nlopt.hpp ${RUGOSA_NEEDED})
+    find_library(NLOPT_CXX_LIBRARY NAMES nlopt_cxx nlopt ${RUGOSA_NEEDED})
+endif()
+if(NOT TARGET rugosa::nlopt AND NLOPT_CXX_LIBRARY)
     add_library(rugosa::nlopt INTERFACE IMPORTED)
     target_include_directories(rugosa::nlopt INTERFACE ${NLOPT_CXX_INCLUDE_DIR})
     target_link_libraries(rugosa::nlopt INTERFACE ${NLOPT_CXX_LIBRARY})
 endif()
+if(RUGOSA_ONLY_GA)
+    return()
+endif()
+find_package(SQLite3 REQUIRED)
 if(NOT TARGET rugosa::fftw)
     find_path(FFTW3_INCLUDE_DIR fftw3.h REQUIRED)
     find_library(FFTW3_LIBRARY fftw3 REQUIRED)

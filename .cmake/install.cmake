@@ -1,6 +1,7 @@
 # cmake --install: the program, the libraries with their headers, what find_package(rugosa) reads, bash completion.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 
 set(RUGOSA_HEADERS ${CMAKE_INSTALL_INCLUDEDIR}/rugosa)
 set(RUGOSA_PACKAGE ${CMAKE_INSTALL_LIBDIR}/cmake/rugosa)
@@ -35,15 +36,20 @@ foreach(header IN LISTS public)
 endforeach()
 
 install(TARGETS rugosa RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS rugosa_ga rugosa_domain EXPORT rugosaTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+install(TARGETS rugosa_domain EXPORT domainTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ga DESTINATION ${RUGOSA_HEADERS} FILES_MATCHING PATTERN "*.hpp")
-install(DIRECTORY .cmake/include/rugosa/ DESTINATION ${RUGOSA_HEADERS})
-install(EXPORT rugosaTargets NAMESPACE rugosa:: DESTINATION ${RUGOSA_PACKAGE})
+install(EXPORT domainTargets NAMESPACE rugosa:: DESTINATION ${RUGOSA_PACKAGE})
+install(FILES .cmake/include/rugosa/domain.hpp DESTINATION ${RUGOSA_HEADERS})
+
+# The engine's headers are the component ga, which also is a package without the rest.
+install(TARGETS rugosa_ga EXPORT gaTargets)
+install(EXPORT gaTargets NAMESPACE rugosa:: DESTINATION ${RUGOSA_PACKAGE} COMPONENT ga)
 configure_package_config_file(.cmake/rugosaConfig.cmake.in rugosaConfig.cmake INSTALL_DESTINATION ${RUGOSA_PACKAGE})
-write_basic_package_version_file(rugosaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(rugosaConfigVersion.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(DIRECTORY ga DESTINATION ${RUGOSA_HEADERS} COMPONENT ga FILES_MATCHING PATTERN "*.hpp")
+install(FILES .cmake/include/rugosa/ga.hpp DESTINATION ${RUGOSA_HEADERS} COMPONENT ga)
 install(FILES ${PROJECT_BINARY_DIR}/rugosaConfig.cmake ${PROJECT_BINARY_DIR}/rugosaConfigVersion.cmake
-              .cmake/dependencies.cmake DESTINATION ${RUGOSA_PACKAGE})
+              .cmake/dependencies.cmake DESTINATION ${RUGOSA_PACKAGE} COMPONENT ga)
 install(FILES apps/prompt/completion.bash RENAME rugosa DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 
 # Pages of the libraries' comments, where Doxygen is there.

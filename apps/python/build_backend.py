@@ -4,6 +4,7 @@ import base64
 import hashlib
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import sysconfig
@@ -11,7 +12,7 @@ import tempfile
 import zipfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-VERSION = "0.1.0"
+VERSION = re.search(r"project\(rugosa VERSION ([0-9.]+)", (HERE.parents[1] / "CMakeLists.txt").read_text())[1]
 METADATA = f"""Metadata-Version: 2.1
 Name: rugosa
 Version: {VERSION}
