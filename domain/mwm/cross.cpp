@@ -1,7 +1,7 @@
 #include "domain/mwm/cross.hpp"
 
 #include "domain/mwm/waves.hpp"
-#include "ga/variation/points.hpp"
+#include "ga/variation/cross.hpp"
 
 #include <algorithm>
 

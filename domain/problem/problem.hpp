@@ -4,7 +4,7 @@
 #include "domain/problem/response_memory.hpp"
 #include "domain/problem/verification.hpp"
 #include "ga/base/random.hpp"
-#include "ga/niches/descriptors.hpp"
+#include "ga/problem/problem.hpp"
 #include "ga/refinement/sensitivity.hpp"
 
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include "domain/mwm/genome.hpp"
 #include "domain/numerics/grid.hpp"
-#include "ga/niches/descriptors.hpp"
+#include "ga/problem/problem.hpp"
 
 namespace rough {
 

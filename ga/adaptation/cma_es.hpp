@@ -2,7 +2,7 @@
 
 #include "ga/adaptation/cma_runs.hpp"
 #include "ga/pipeline/stage.hpp"
-#include "ga/variation/mutations.hpp"
+#include "ga/variation/mutate.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -34,8 +34,7 @@ struct CmaEs : Operator {
         bool ended = false;             ///< no further run
     };
 
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"cma-es", "adaptation",
                 "children of a normal distribution that learns from the last ones (Hansen and Ostermeier)"};
@@ -63,9 +62,8 @@ struct CmaEs : Operator {
         known.scored.reset();
     }
 
-    template <Problem P>
-    requires HasGenes<P> PopulationOf<P>
-    operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
+    template <HasGenes P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
         if (population.empty())
             return population;
         const auto order = ranking(population);
@@ -160,7 +158,8 @@ struct CmaEs : Operator {
             if (const Variable& v = state.moving[i]; std::isfinite(v.upper - v.lower))
                 mean[static_cast<Eigen::Index>(i)] = random.uniform(v.lower, v.upper) / width(v);
         state.cloud = Cloud(std::move(mean), sigma * state.run.shrink);
-        CmaRecord fresh{.to_beat = state.record.to_beat};
+        CmaRecord fresh;
+        fresh.to_beat = state.record.to_beat;
         for (const double best : state.record.best)
             fresh.to_beat = std::max(fresh.to_beat, best);
         state.record = std::move(fresh);
@@ -195,8 +194,7 @@ struct CmaEs : Operator {
     }
 };
 
-///@{
-/// What checkpoints hold, and back without loss.
+///@{ What checkpoints hold, and back without loss.
 inline void to_json(nlohmann::json& j, const CmaEs::State& s) {
     const auto numbers = [](const auto& m) { return std::vector<double>(m.data(), m.data() + m.size()); };
     std::vector<double> moving;
@@ -235,11 +233,10 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     s.cloud.axes = numbers(c.at(5), n * n).reshaped(n, n);
     s.cloud.scales = numbers(c.at(6), n);
     s.cloud.learnt = c.at(7), s.cloud.drawn = c.at(8);
-    const auto& r = j.at(3);
-    s.record = {r.at(0), r.at(1), r.at(2), r.at(3), r.at(4)};
-    const auto& p = j.at(4);
-    s.plan = {p.at(0), p.at(1), p.at(2), p.at(3), p.at(4), p.at(5), p.at(6)};
-    s.run = {j.at(5).at(0), j.at(5).at(1), j.at(5).at(2)};
+    read_parts(j.at(3), s.record.best, s.record.median, s.record.equal, s.record.spent, s.record.to_beat);
+    CmaPlan& p = s.plan;
+    read_parts(j.at(4), p.usual, p.doublings, p.large, p.small, p.last_large, p.now_large, p.begun);
+    read_parts(j.at(5), s.run.lambda, s.run.shrink, s.run.most);
     expect_fit(s.moving.empty() || (s.run.lambda >= 2 && s.plan.usual >= 2));
     j.at(6).get_to(s.children);
     s.ended = j.at(7);

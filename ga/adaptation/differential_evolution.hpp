@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ga/pipeline/stage.hpp"
-#include "ga/variation/genes.hpp"
+#include "ga/variation/cross.hpp"
 
 #include <unordered_map>
 
@@ -64,8 +64,7 @@ struct DifferentialEvolution : Operator {
     double CR = 0.9;              ///< cross-over rate, [0, 1]
     std::string crossing = "bin"; ///< bin or exp
 
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"de", "adaptation",
                 "a trial in everybody's place by differential evolution; duel follows the score"};
@@ -89,9 +88,8 @@ struct DifferentialEvolution : Operator {
         known.scored.reset();
     }
 
-    template <Problem P>
-    requires HasGenes<P> PopulationOf<P>
-    operator()(PopulationOf<P> population, Context<P>& context) const {
+    template <HasGenes P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const std::size_t n = population.size();
         if (n < 4)
             throw NothingLeft(context.path() + ": " + std::to_string(n) +
@@ -130,8 +128,7 @@ inline DifferentialEvolution differential_evolution(std::string base = "rand", d
 /// One-to-one replacement: each child gives way to its first parent in the generation's start where that one
 /// is better; of equals the child stays (Storn and Price 1997).
 struct Duel : Operator {
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"duel", "replacement", "each child or its first parent, whichever is better"};
     }

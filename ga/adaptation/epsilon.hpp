@@ -23,8 +23,7 @@ struct Epsilon : Operator {
         std::size_t generation = 0; ///< the next
     };
 
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"epsilon", "adaptation", "constraints count as held up to a level that sinks to 0"};
     }
@@ -38,9 +37,8 @@ struct Epsilon : Operator {
     }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
-    template <Problem P>
-    requires Constrained<P> PopulationOf<P>
-    operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
+    template <Constrained P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
         if (state.generation == 0)
             state.first = first_levels(population);
         const double past = static_cast<double>(state.generation++) / static_cast<double>(generations);
@@ -75,13 +73,9 @@ struct Epsilon : Operator {
     }
 };
 
-///@{
-/// What checkpoints hold, and back without loss.
+///@{ What checkpoints hold, and back without loss.
 inline void to_json(nlohmann::json& j, const Epsilon::State& s) { j = {s.first, s.generation}; }
-inline void from_json(const nlohmann::json& j, Epsilon::State& s) {
-    j.at(0).get_to(s.first);
-    j.at(1).get_to(s.generation);
-}
+inline void from_json(const nlohmann::json& j, Epsilon::State& s) { read_parts(j, s.first, s.generation); }
 ///@}
 
 /// The stage `epsilon generations`.

@@ -83,8 +83,7 @@ struct LShade : Operator {
         long spent = 0;                          ///< evaluations
     };
 
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {
             "l-shade", "adaptation",
@@ -107,9 +106,8 @@ struct LShade : Operator {
         known.scored.reset();
     }
 
-    template <Problem P>
-    requires HasGenes<P> PopulationOf<P>
-    operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
+    template <HasGenes P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
         if (population.size() < 4)
             throw NothingLeft(context.path() + ": " + std::to_string(population.size()) +
                               " individuals; expected 4 at least");
@@ -224,25 +222,18 @@ struct LShade : Operator {
     }
 };
 
-///@{
-/// What checkpoints hold, and back without loss.
+///@{ What checkpoints hold, and back without loss.
 inline void to_json(nlohmann::json& j, const LShade::Trial& t) {
     j = {t.child, t.F, t.CR, t.violation, t.merit, t.parent};
 }
 inline void from_json(const nlohmann::json& j, LShade::Trial& t) {
-    t = {j.at(0), j.at(1), j.at(2), j.at(3), j.at(4), j.at(5)};
+    read_parts(j, t.child, t.F, t.CR, t.violation, t.merit, t.parent);
 }
 inline void to_json(nlohmann::json& j, const LShade::State& s) {
     j = {s.history.F, s.history.CR, s.history.next, s.beaten, s.trials, s.initial, s.spent};
 }
 inline void from_json(const nlohmann::json& j, LShade::State& s) {
-    j.at(0).get_to(s.history.F);
-    j.at(1).get_to(s.history.CR);
-    s.history.next = j.at(2);
-    j.at(3).get_to(s.beaten);
-    j.at(4).get_to(s.trials);
-    s.initial = j.at(5);
-    s.spent = j.at(6);
+    read_parts(j, s.history.F, s.history.CR, s.history.next, s.beaten, s.trials, s.initial, s.spent);
     const std::size_t entries = s.history.F.size(); // none before its first generation
     expect_fit(s.history.CR.size() == entries && s.history.next < entries + (s.initial == 0 ? 1 : 0));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ga/pipeline/stage.hpp"
-#include "ga/variation/mutations.hpp"
+#include "ga/variation/mutate.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -23,8 +23,7 @@ struct SelfAdaptive : Operator {
         std::map<Identity, std::vector<double>> sizes; ///< one, or one a gene
     };
 
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"self-adaptive", "adaptation",
                 "adds normal steps whose sizes are inherited and mutate themselves"};
@@ -44,9 +43,8 @@ struct SelfAdaptive : Operator {
         known.scored.reset();
     }
 
-    template <Problem P>
-    requires HasGenes<P> PopulationOf<P>
-    operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
+    template <HasGenes P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
         State next;
         const auto keep = [&](const auto& individual) {
             if (const auto known = state.sizes.find(individual.identity); known != state.sizes.end())
@@ -107,8 +105,7 @@ struct SelfAdaptive : Operator {
     }
 };
 
-///@{
-/// What checkpoints hold, and back without loss.
+///@{ What checkpoints hold, and back without loss.
 inline void to_json(nlohmann::json& j, const SelfAdaptive::State& state) { j = state.sizes; }
 inline void from_json(const nlohmann::json& j, SelfAdaptive::State& state) { j.get_to(state.sizes); }
 ///@}

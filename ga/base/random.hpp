@@ -41,8 +41,7 @@ constexpr std::uint64_t fold(std::uint64_t key, std::string_view text) {
 /// bit; those that engines draw most are written without its branches on random bits.
 class Stream {
   public:
-    ///@{
-    /// What the standard asks of a generator of random bits: 64 of them a call.
+    ///@{ What the standard asks of a generator of random bits: 64 of them a call.
     using result_type = std::uint64_t;
     static constexpr result_type min() { return 0; }
     static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }

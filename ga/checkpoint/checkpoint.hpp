@@ -12,8 +12,7 @@ namespace ga {
 
 using nlohmann::json;
 
-///@{
-/// What checkpoints hold, and back without loss: a failure keeps its reason. Reading throws
+///@{ What checkpoints hold, and back without loss: a failure keeps its reason. Reading throws
 /// nlohmann's exceptions on anything else.
 inline void to_json(json& j, const Permutation& permutation) { j = permutation.order; }
 inline void from_json(const json& j, Permutation& permutation) { j.get_to(permutation.order); }
@@ -21,7 +20,9 @@ inline void from_json(const json& j, Permutation& permutation) { j.get_to(permut
 inline void to_json(json& j, const Counters& c) {
     j = {c.asked, c.evaluations, c.remembered, c.gradients, c.failures};
 }
-inline void from_json(const json& j, Counters& c) { c = {j.at(0), j.at(1), j.at(2), j.at(3), j.at(4)}; }
+inline void from_json(const json& j, Counters& c) {
+    read_parts(j, c.asked, c.evaluations, c.remembered, c.gradients, c.failures);
+}
 
 template <class G>
 void to_json(json& j, const Individual<G>& individual) {
@@ -64,27 +65,11 @@ void from_json(const json& j, Individual<G>& individual) {
         individual.origin = std::make_shared<const G>(j.at(4).get<G>());
 }
 
-/// A state as it was read, before its operator has understood it.
-class StoredState : public AnyState {
-  public:
-    /// Holds what was read.
-    explicit StoredState(json j) : json_(std::move(j)) {}
-    ///@{
-    /// As AnyState says.
-    std::unique_ptr<AnyState> clone() const override { return std::make_unique<StoredState>(*this); }
-    void write(json& j) const override { j = json_; }
-    const json* stored() const override { return &json_; }
-    ///@}
-
-  private:
-    json json_;
-};
-
 template <class G>
 void to_json(json& j, const Frame<G>& frame) {
     json states = json::object();
     for (const auto& [path, state] : frame.states)
-        (*state).write(states[path]);
+        state.write(states[path]);
     // JSON has no infinity, which numbers may be
     std::vector<std::vector<std::uint64_t>> bits;
     for (const auto& row : frame.numbers) {
@@ -105,7 +90,7 @@ void from_json(const json& j, Frame<G>& frame) {
             frame.numbers.back().push_back(std::bit_cast<double>(bits));
     }
     for (const auto& [path, state] : j.at(4).items())
-        frame.states[path] = HeldState(std::make_unique<StoredState>(state));
+        frame.states[path] = HeldState(std::make_shared<const json>(state));
 }
 
 template <class G>
@@ -117,14 +102,11 @@ void to_json(json& j, const Snapshot<G>& snapshot) {
 }
 template <class G>
 void from_json(const json& j, Snapshot<G>& snapshot) {
-    j.at(0).get_to(snapshot.frames);
-    j.at(1).get_to(snapshot.counters);
-    j.at(2).get_to(snapshot.next_identity);
-    if (!j.at(3).is_null())
-        snapshot.best = j.at(3).get<Individual<G>>();
-    j.at(4).get_to(snapshot.notes);
-    j.at(5).get_to(snapshot.seconds);
-    j.at(6).get_to(snapshot.heaviest);
+    json best;
+    read_parts(j, snapshot.frames, snapshot.counters, snapshot.next_identity, best, snapshot.notes,
+               snapshot.seconds, snapshot.heaviest);
+    if (!best.is_null())
+        snapshot.best = best.get<Individual<G>>();
 }
 ///@}
 
@@ -249,11 +231,11 @@ class Checkpoints : public Checkpointer<P> {
                 if (const auto& entry = table.entry(i); !std::holds_alternative<Pending>(entry.value))
                     list.push_back(stored(entry));
             };
-            const auto& memory = ledger.memory();
-            for (std::size_t i = 0; i < memory.old().size(); ++i)
-                put(memory.old(), i, old);
-            for (std::size_t i = 0; i < memory.young().size(); ++i)
-                put(memory.young(), i, i < snapshot.remembered ? young : prepaid);
+            const auto& memory = ledger.memory;
+            for (std::size_t i = 0; i < memory.old.size(); ++i)
+                put(memory.old, i, old);
+            for (std::size_t i = 0; i < memory.young.size(); ++i)
+                put(memory.young, i, i < snapshot.remembered ? young : prepaid);
             j["memory"] = {std::move(old), std::move(young), std::move(prepaid)};
         }
     }
@@ -268,16 +250,16 @@ class Checkpoints : public Checkpointer<P> {
                         take(print, Evaluation<Outcome>(reason(entry.at(3).get<std::string>())));
                 }
             };
-            auto& memory = ledger.memory();
+            auto& memory = ledger.memory;
             const auto into = [](auto& half) {
                 return [&half](const Fingerprint& print, auto evaluation) {
                     half.at(print) = std::move(evaluation);
                 };
             };
-            each(j.at("memory").at(0), into(memory.old()));
-            each(j.at("memory").at(1), into(memory.young()));
+            each(j.at("memory").at(0), into(memory.old));
+            each(j.at("memory").at(1), into(memory.young));
             each(j.at("memory").at(2), [&](const Fingerprint& print, auto evaluation) {
-                if (!memory.old().find(print))
+                if (!memory.old.find(print))
                     ledger.prepay(print, std::move(evaluation));
             });
         }

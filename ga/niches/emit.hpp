@@ -1,30 +1,29 @@
 #pragma once
 
-#include "ga/niches/descriptors.hpp"
+#include "ga/niches/map_elites.hpp"
 #include "ga/pipeline/stage.hpp"
 #include "ga/refinement/sensitivity.hpp"
-#include "ga/variation/mutations.hpp"
+#include "ga/variation/mutate.hpp"
 
 namespace ga {
 
 /// The gradient emitter OMG-MEGA (Fontaine and Nikolaidis 2021, Differentiable quality diversity, Algorithm
-/// 1): n children of elites chosen at random, each theta + |c_0| grad f + sum_j c_j grad m_j with normal c of
-/// deviation sigma, every gradient of unit length, genes in widths between their bounds and mirrored there. f
-/// grows as the squares of the residuals fall, or is the fitness itself, where the problem has derivatives of
-/// these, which are paid for; m_j are the descriptors.
+/// 1). It makes n children of random elites: theta + |c_0| grad f + sum_j c_j grad m_j, with normal c of
+/// standard deviation sigma. Gradients have unit length; genes are in widths between their bounds and are
+/// reflected there. f is minus the sum of squared residuals, or the fitness, if the problem has that
+/// derivative, which is paid for. m_j are the descriptors.
 struct Emit : Operator {
     std::size_t n;                        ///< children
-    std::vector<std::string> descriptors; ///< of the problem, one at least
+    std::vector<std::string> descriptors; ///< the problem's, one at least
     double sigma = 0.1;                   ///< length of a step, > 0
 
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"emit", "niches", "n children of elites along the gradients of fitness and descriptors"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.n, whole("n", std::nullopt, 1, "how many"));
-        visit(self.descriptors, word_list("descriptors", "of the problem"));
+        visit(self.n, whole("n", std::nullopt, 1, "number of children"));
+        visit(self.descriptors, word_list("descriptors", "names of the problem's descriptors"));
         visit(self.sigma,
               number("sigma", "0.1", above_zero, no_limit, "length of a step, in widths").keyed());
     }
@@ -50,7 +49,7 @@ struct Emit : Operator {
         std::vector<std::vector<double>> slopes;
         try {
             slopes = slopes_of(population, chosen, context);
-            if (context.watch().expired()) // perhaps without having found them all
+            if (context.watch().expired()) // some slopes may be missing
                 throw Stopped{context.watch().reason()};
         } catch (const Stopped&) {
             context.state.in_hand = std::move(population);
@@ -70,7 +69,7 @@ struct Emit : Operator {
                         squares += std::pow(gradient[v.gene] * width(v), 2);
                 if (!(squares > 0) || !std::isfinite(squares))
                     return;
-                for (const Variable& v : moving) // the gradient in widths, and back to the gene's own unit
+                for (const Variable& v : moving) // a unit gradient in widths, converted to the gene's unit
                     if (v.gene < gradient.size())
                         step[v.gene] += length * gradient[v.gene] * width(v) * width(v) / std::sqrt(squares);
             };
@@ -93,7 +92,7 @@ struct Emit : Operator {
     ///@}
 
   private:
-    /// In which direction each of the chosen gets better; empty where that is not to be had.
+    /// The direction in which each chosen individual improves; empty if it is unknown.
     template <Problem P>
     static std::vector<std::vector<double>> slopes_of(const PopulationOf<P>& population,
                                                       const std::vector<std::size_t>& chosen,
@@ -105,10 +104,10 @@ struct Emit : Operator {
                 const auto& each = population[i];
                 slopes.push_back({each.genome, each.fitness.objective_name(), Sensitive<P>, {}, {}, {}});
             }
-            EvaluationRequest<P> inquiry;
+            EvaluationRequest<P> request;
             for (auto& slope : slopes)
-                inquiry.slopes.push_back(&slope);
-            context.door().serve(inquiry);
+                request.slopes.push_back(&slope);
+            context.door().serve(request);
             for (std::size_t i = 0; i < slopes.size(); ++i) {
                 if (slopes[i].sensitivity) {
                     const Eigen::VectorXd down =
@@ -125,7 +124,7 @@ struct Emit : Operator {
         return all;
     }
 
-    /// The descriptor's own gradient, or forward differences over a millionth of a width.
+    /// The descriptor's gradient if it has one, else differences over a millionth of a width.
     template <Problem P>
     static std::vector<double> gradient_of(const P& problem, const Descriptor<typename P::Genome>& descriptor,
                                            const typename P::Genome& genome, const std::vector<double>& genes,

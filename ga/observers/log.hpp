@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ga/base/number.hpp"
-#include "ga/observers/summary.hpp"
+#include "ga/observers/progress.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -22,8 +22,7 @@ struct Pareto : Operator {
             if (std::find(objectives.begin(), each, *each) != each)
                 throw UsageError("pareto is given '" + *each + "' twice; expected different objectives");
     }
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"pareto", "selection", "scores by several objectives: NSGA-II's rank and crowding"};
     }
@@ -77,8 +76,7 @@ inline Pareto pareto(std::vector<std::string> objectives) {
 
 /// Keeps the individuals that no other betters: those that none dominates.
 struct Front : Operator {
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() { return {"front", "selection", "keeps those that none dominates, after pareto"}; }
     static void describe(auto&, auto) {}
     void check(CheckState& known) const {

@@ -17,8 +17,7 @@ struct LevenbergMarquardt {
     /// rows are weighed by Lawson's rounds (1961), and the step is judged by max|r|. 0 for never.
     int sharpen = 0;
 
-    ///@{
-    /// What every method has (method_of).
+    ///@{ What every method has (method_of).
     static Words words() { return {"lm", "refinement", "Levenberg-Marquardt on the residuals' squares"}; }
     static void describe(auto& self, auto visit) {
         visit(self.evaluations, evaluations_parameter("30"));

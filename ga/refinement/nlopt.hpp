@@ -118,8 +118,7 @@ struct Nlopt {
     std::string algorithm = "LN_COBYLA"; ///< NLopt's own name; LD_ and GD_ algorithms need a gradient
     int evaluations = 1;                 ///< at most, after the start; >= 1
 
-    ///@{
-    /// What every method has (method_of).
+    ///@{ What every method has (method_of).
     static Words words() { return {"nlopt", "refinement", "any algorithm of NLopt on the fitness"}; }
     static void describe(auto& self, auto visit) {
         visit(self.algorithm, word("algorithm", std::nullopt, "NLopt's name, e.g. LN_COBYLA"));

@@ -76,12 +76,12 @@ class Search {
     const auto& objective() const { return problem_.objectives()[objective_]; }
 
     /// Asks, unless the run has to stop or all that may be asked is asked; then it stays unanswered.
-    void ask(EvaluationRequest<P>& inquiry) {
+    void ask(EvaluationRequest<P>& request) {
         if (stopped_ || asked_ >= limit_)
             return;
         ++asked_;
         try {
-            door_.serve(inquiry);
+            door_.serve(request);
         } catch (const Stopped&) {
             stopped_ = true;
         } catch (const NothingLeft&) { // a failure like any other here
@@ -93,10 +93,10 @@ class Search {
         const Genome genome = at(x);
         Fitness found;
         violations_.resize(0);
-        EvaluationRequest<P> inquiry;
-        inquiry.questions.push_back({&genome});
-        inquiry.use = [&] {
-            const auto* answer = inquiry.questions.front().answer;
+        EvaluationRequest<P> request;
+        request.questions.push_back({&genome});
+        request.use = [&] {
+            const auto* answer = request.questions.front().answer;
             if (!answer || std::holds_alternative<Pending>(*answer))
                 return;
             found = fitness_of(problem_, *answer, objective(), individual_.fitness.objective_name());
@@ -108,15 +108,15 @@ class Search {
                                                                     static_cast<Eigen::Index>(each.size()));
                 }
         };
-        ask(inquiry);
+        ask(request);
         return found;
     }
     /// The slope at a point; what it has not was not found.
     Slope<P> slope(const Eigen::VectorXd& x, bool of_residuals) {
         Slope<P> slope{at(x), individual_.fitness.objective_name(), of_residuals, {}, {}, {}};
-        EvaluationRequest<P> inquiry;
-        inquiry.slopes.push_back(&slope);
-        ask(inquiry);
+        EvaluationRequest<P> request;
+        request.slopes.push_back(&slope);
+        ask(request);
         return slope;
     }
     Eigen::VectorXd gradient(const Eigen::VectorXd& x) {
@@ -158,6 +158,11 @@ class Search {
     Fitness seen_fitness_;       ///< there
 };
 
+/// The choice of every gene within the problem's bounds.
+struct EveryGene {
+    std::string name = "all"; ///< as in a stage's text
+};
+
 /// Moves the chosen genes of every individual by a local method, individuals side by side (`Rounds`), and
 /// scores the answers; an individual that did not get better stays as it was. Bounds and the choice of genes
 /// are those of the genome as it was when the individual was first refined. Failed individuals are left
@@ -165,12 +170,11 @@ class Search {
 template <class M, class Choice>
 struct Refine : Operator {
     M method;         ///< what moves them
-    Choice variables; ///< ChosenGenes<G>, or EveryGene
+    Choice variables; ///< Variables<G>, or EveryGene
 
     /// `refine method genes=variables`.
     Refine(M m, Choice v) : method(std::move(m)), variables(std::move(v)) {}
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     std::string text() const { return "refine " + method.text + " genes=" + variables.name; }
     void check(CheckState& known) const { known.need_one_objective(text()); }
 
@@ -201,8 +205,12 @@ struct Refine : Operator {
         std::vector<std::optional<G>> found(jobs.size());
         Rounds<P>::run(jobs.size(), context.door(), [&](std::size_t i, EvaluationQueue<P>& door) {
             const auto& individual = *jobs[i];
-            auto moving = variables.template on<P>(context.problem(), individual.origin ? *individual.origin
-                                                                                        : individual.genome);
+            const G& original = individual.origin ? *individual.origin : individual.genome;
+            std::vector<Variable> moving;
+            if constexpr (std::same_as<Choice, EveryGene>)
+                moving = checked_bounds(context.problem(), original);
+            else
+                moving = variables.of(original);
             std::erase_if(moving,
                           [](const Variable& variable) { return !(variable.lower < variable.upper); });
             const long limit = left / count + (static_cast<long>(i) < left % count ? 1 : 0);
@@ -242,33 +250,10 @@ struct Refine : Operator {
     ///@}
 };
 
-/// A named choice of variables as refinement uses it.
-template <class G>
-struct ChosenGenes {
-    std::string name;                                  ///< as text writes it
-    std::function<std::vector<Variable>(const G&)> of; ///< of a genome
-    /// The choice for that genome.
-    template <class P>
-    std::vector<Variable> on(const P&, const G& genome) const {
-        return of(genome);
-    }
-};
-
-/// Every gene within the problem's own bounds.
-struct EveryGene {
-    std::string name = "all"; ///< as text writes it
-    /// The problem's bounds for that genome.
-    template <Bounded P>
-    std::vector<Variable> on(const P& problem, const typename P::Genome& genome) const {
-        return checked_bounds(problem, genome);
-    }
-};
-
 /// The stage `refine method genes=NAME`.
 template <class M, class G>
-requires std::derived_from<M, Method> Refine<M, ChosenGenes<G>> refine(M method,
-                                                                       const Variables<G>& variables) {
-    return {std::move(method), {variables.name, variables.of}};
+requires std::derived_from<M, Method> Refine<M, Variables<G>> refine(M method, Variables<G> variables) {
+    return {std::move(method), std::move(variables)};
 }
 /// The stage `refine method`: every gene within the problem's bounds.
 template <class M>

@@ -4,14 +4,15 @@
 
 namespace ga {
 
-/// How many a threshold keeps in any case.
+/// The number that a threshold keeps in any case.
 struct AtLeast {
-    std::size_t count = 0; ///< 0: nobody in particular
+    std::size_t count = 0; ///< 0 for no minimum
 };
 /// The argument `at_least=count`.
 inline AtLeast at_least(std::size_t count) { return {count}; }
 
-/// So many of those who have not failed that come nearest to passing a threshold, in the population's order.
+/// The `at_least` individuals that come nearest to passing a threshold, without failed ones, in the
+/// population's order.
 template <class G>
 [[gnu::cold]] Population<G> nearest_to_passing(const Population<G>& population, std::size_t at_least,
                                                bool upwards) {
@@ -29,7 +30,7 @@ template <class G>
     return nearest;
 }
 
-/// Those who pass a threshold upwards or downwards, or the at_least nearest; see Threshold.
+/// The individuals above or below a threshold, or the at_least nearest; see Threshold.
 template <Problem P, class G = typename P::Genome>
 [[gnu::noinline]] Population<G> passing(const Population<G>& population, double threshold, AtLeast least,
                                         bool upwards, Context<P>& context) {
@@ -49,16 +50,14 @@ template <Problem P, class G = typename P::Genome>
     return nearest;
 }
 
-/// Keeps those whose fitness, as its objective states it, is above (or, for `below`, under) a threshold, in
-/// the population's order; failed ones and those that violate constraints go. When fewer than at_least pass,
-/// the at_least nearest to passing are taken and the run's notes say so; without it, an empty answer ends the
-/// run.
+/// Keeps the individuals with a fitness above a threshold (`below`: under it), in the population's order.
+/// Failed individuals, and those that violate constraints, are removed. If fewer than at_least pass, the
+/// at_least nearest are taken, with a note. An empty result ends the run.
 template <bool upwards>
 struct Threshold : Operator {
-    double threshold = 0; ///< of fitness, not included
-    AtLeast least;        ///< who stay in any case
-    ///@{
-    /// What every operator has (Operator).
+    double threshold = 0; ///< a fitness, not included
+    AtLeast least;        ///< number that stays in any case
+    ///@{ What every operator has (Operator).
     static Words words() {
         if (upwards)
             return {"above", "selection", "keeps those whose fitness is above the threshold"};
@@ -67,7 +66,7 @@ struct Threshold : Operator {
     static void describe(auto& self, auto visit) {
         visit(self.threshold, number("threshold", std::nullopt, -no_limit, no_limit, "a fitness"));
         visit(self.least.count,
-              whole("at_least", "0", 0, "where fewer pass, so many nearest to passing are taken")
+              whole("at_least", "0", 0, "if fewer pass, this number nearest to passing is taken")
                   .keyed()
                   .quiet());
     }

@@ -4,13 +4,12 @@
 
 namespace ga {
 
-/// Each place goes to the best of k individuals drawn with replacement (Brindle 1981); the one drawn first
-/// wins a tie. The best of n is expected k times in n places.
+/// Fills each place with the best of k individuals that are drawn with replacement (Brindle 1981). The one
+/// drawn first wins a tie. The best of n gets k of n places on average.
 struct Tournament : Operator {
-    std::size_t k = 2;    ///< drawn for each place, >= 1
-    std::size_t size = 0; ///< places; 0 for as many as there are individuals
-    ///@{
-    /// What every operator has (Operator).
+    std::size_t k = 2;    ///< individuals drawn for each place, >= 1
+    std::size_t size = 0; ///< number of places; 0 for the population's size
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"tournament", "selection", "each place goes to the best of k drawn at random"};
     }
@@ -28,7 +27,7 @@ struct Tournament : Operator {
         const std::vector<double> worth = merits(population);
         const Below any(population.size());
         std::vector<std::size_t> winners(size > 0 ? size : population.size());
-        Stream next = context.stream(0); // made ahead, while the processor waits for the one before
+        Stream next = context.stream(0); // computed ahead, while the processor waits for the previous one
         for (std::size_t i = 0; i < winners.size(); ++i) {
             Stream stream = std::exchange(next, context.stream(i + 1));
             std::size_t winner = any(stream);

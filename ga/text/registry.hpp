@@ -38,12 +38,17 @@ class Registry {
         entry.make = std::move(make);
         entries_.push_back(std::move(entry));
     }
-    /// Adds an operator that describes itself.
+    /// Adds an operator that describes itself. If it has a member `body`, that is the pipeline in braces.
     template <Described Op>
     [[gnu::cold]] void add() {
+        constexpr bool is_block = requires(Op op) { op.body; };
+        Entry entry = entry_of<Op>();
+        entry.bodies = is_block ? 1 : 0;
         add(
-            entry_of<Op>(), +[](const Arguments& a, const Bodies&, const Registry&) {
+            std::move(entry), +[](const Arguments& a, const Bodies& bodies, const Registry&) {
                 Op op;
+                if constexpr (is_block)
+                    op.body = bodies[0];
                 a.fill(op);
                 return Stage<P>(std::move(op));
             });
@@ -62,12 +67,8 @@ class Registry {
     /// The entry of what describes itself.
     template <Described T>
     [[gnu::cold]] static Entry entry_of() {
-        return entry_of(T::words(), parameters_of<T>());
-    }
-    /// The entry of these words and parameters.
-    [[gnu::cold]] static Entry entry_of(Words words, std::vector<Parameter> parameters) {
-        return {std::move(words.name), std::move(words.group), std::move(words.meaning),
-                std::move(parameters)};
+        const Words words = T::words();
+        return {words.name, words.group, words.meaning, parameters_of<T>()};
     }
     /// Adds a stopping rule, which `until` takes by its name.
     template <class R>

@@ -66,43 +66,20 @@ void add_replacement(Registry<P>& registry) {
 
 template <Problem P>
 void add_blocks(Registry<P>& registry) {
-    using Body = Stage<P>;
-    using Make = Step<P> (*)(const Arguments&, const Body&, const Registry<P>&);
-    const auto add = [&](const char* name, const char* meaning, std::vector<Parameter> parameters, Make make,
-                         bool pairs = false) {
-        registry.add({name, "blocks", meaning, std::move(parameters), {}, 1, pairs},
-                     [make](const Arguments& a, const auto& bodies, const Registry<P>& r) {
-                         return Stage<P>(make(a, bodies[0], r));
-                     });
-    };
-    add("repeat", "n generations of the pipeline in braces", {whole("n", std::nullopt, 1, "how many")},
-        [](const Arguments& a, const Body& body, const auto&) {
-            return repeat(a.count("n"), body).template step<P>();
-        });
-    add(
-        "until", "generations until the first condition holds", {},
-        [](const Arguments& a, const Body& body, const Registry<P>& r) {
-            using Rules = RuleList<typename P::Genome>;
-            return Generations<Body, Rules>(body, Rules{r.rules(a)}).template step<P>();
-        },
-        true);
+    registry.template add<Repeat<Stage<P>>>();
+    registry.add({"until", "blocks", "generations until the first condition holds", {}, {}, 1, true},
+                 [](const Arguments& a, const std::vector<Stage<P>>& bodies, const Registry<P>& r) {
+                     using Rules = RuleList<typename P::Genome>;
+                     return Stage<P>(Generations<Stage<P>, Rules>(bodies[0], Rules{r.rules(a)}));
+                 });
     registry.template add_rule<AfterGenerations>();
     registry.template add_rule<AfterEvaluations>();
     registry.template add_rule<AfterSeconds>();
     registry.template add_rule<AtFitness>();
     registry.template add_rule<AtStagnation>();
     registry.template add_rule<AtConvergence>();
-    add("restarts", "runs the pipeline n times on the same population and joins the answers",
-        {whole("n", std::nullopt, 1, "how many")}, [](const Arguments& a, const Body& body, const auto&) {
-            return restarts(a.count("n"), body).template step<P>();
-        });
-    add("islands", "n parts of the population evolve apart, a generation a round, with migrants on a ring",
-        {whole("n", std::nullopt, 2, "islands").up_to(static_cast<double>(Islands<Body>::most)),
-         whole("rounds", "10", 1, "generations of each"),
-         whole("migrants", "1", 0, "of the best, copied to the next island after each round")},
-        [](const Arguments& a, const Body& body, const auto&) {
-            return islands(a.count("n"), {a.count("rounds"), a.count("migrants")}, body).template step<P>();
-        });
+    registry.template add<Restarts<Stage<P>>>();
+    registry.template add<Islands<Stage<P>>>();
 }
 
 } // namespace words

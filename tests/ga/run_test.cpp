@@ -74,12 +74,12 @@ TEST_CASE("the memory forgets its older half when full, except outcomes read sin
         return found && std::get<double>(*found) == static_cast<double>(i);
     };
     fill(0, 10); // full, but no more than that
-    CHECK(memory.young().size() == 10);
+    CHECK(memory.young.size() == 10);
     fill(10, 11);
-    CHECK(memory.old().size() == 11);
+    CHECK(memory.old.size() == 11);
     CHECK(known(3));
     CHECK(std::get<double>(memory.at(print_of(3))) == 3); // read, hence young again
-    CHECK(memory.young().size() == 1);
+    CHECK(memory.young.size() == 1);
     fill(20, 31);
     CHECK(known(3));
     CHECK(known(25));

@@ -244,10 +244,9 @@ TEST_CASE("a value out of range is refused with the range") {
     refused(
         "until generations { score }",
         "pipeline, column 7: stage 'until': 'generations' lacks its value; expected a whole number from 1");
-    refused(
-        "until { score }",
-        "pipeline, column 1: a block of generations needs an end; expected repeat N with N >= 1, or until "
-        "with one of generations, evaluations, seconds, fitness, stagnation, converged");
+    refused("until { score }",
+            "pipeline, column 1: until has no end; give one of generations, evaluations, seconds, fitness, "
+            "stagnation, converged");
 }
 
 TEST_CASE("a pipeline that cannot work is refused at its stage's column") {
