@@ -9,7 +9,7 @@ template <class G>
 struct Combine {
     std::string name; ///< as text pipelines call it
     std::function<std::optional<G>(const Individual<G>&, const Individual<G>&)>
-        of; ///< makes a child, or none
+        of; ///< returns a child or nothing
 };
 
 /// Runs two pipelines on the same population and combines every individual of the left result with every

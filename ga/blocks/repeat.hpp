@@ -5,7 +5,7 @@
 
 namespace ga {
 
-/// Whether there was no improvement for 10,000 generations. With `paying`, requested evaluations count as
+/// Whether the last improvement is 10,000 generations old. With `paying`, requested evaluations count as
 /// progress too.
 template <Problem P, class G = typename P::Genome>
 bool idle(const Progress<G>& now, Numbers& own, Numbers& improvement, bool paying, Context<P>& context) {

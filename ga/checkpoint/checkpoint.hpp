@@ -12,8 +12,8 @@ namespace ga {
 
 using nlohmann::json;
 
-///@{ What checkpoints hold, and back without loss: a failure keeps its reason. Reading throws
-/// nlohmann's exceptions on anything else.
+///@{ Write and read the parts of a checkpoint without loss. Reading throws nlohmann's exceptions on other
+/// JSON.
 inline void to_json(json& j, const Permutation& permutation) { j = permutation.order; }
 inline void from_json(const json& j, Permutation& permutation) { j.get_to(permutation.order); }
 
@@ -70,7 +70,7 @@ void to_json(json& j, const Frame<G>& frame) {
     json states = json::object();
     for (const auto& [path, state] : frame.states)
         state.write(states[path]);
-    // JSON has no infinity, which numbers may be
+    // JSON cannot store infinity
     std::vector<std::vector<std::uint64_t>> bits;
     for (const auto& row : frame.numbers) {
         bits.emplace_back();
@@ -110,37 +110,37 @@ void from_json(const json& j, Snapshot<G>& snapshot) {
 }
 ///@}
 
-/// Outcomes that a checkpoint can hold; others are evaluated again where they are asked for after it, which
-/// changes the count of evaluations and no result.
+/// Outcomes that a checkpoint can store. Others are evaluated again after a resume, which affects the count
+/// of evaluations but not a result.
 template <class Outcome>
 concept Storable = requires(const json& j, const Outcome& outcome) {
     json(outcome);
     { j.get<Outcome>() } -> std::same_as<Outcome>;
 };
 
-/// Keeps a run in one file, replaced as a whole by renaming: between stages, at most once in so many seconds
-/// and for at most a twentieth of the time, and at the end. The one before is kept beside it ("FILE.before"),
-/// and is gone on from where the newer one was damaged. A run that is resumed, after whatever end of its
-/// process, reaches the very result of one that was never interrupted. A file that cannot be written ends no
-/// run: its notes say so. Genomes must convert to and from nlohmann::json without loss.
+/// Stores a run in one file. It is written between stages, at most once per interval and for at most a
+/// twentieth of the time, and at the end. Each write replaces the file by renaming; the previous file is kept
+/// as "FILE.before" and used if the newer one is damaged. However its process ended, a resumed run reaches
+/// the result of an uninterrupted one. If the file cannot be written, the run continues with a note. Genomes
+/// must convert to and from nlohmann::json without loss.
 template <Problem P>
 class Checkpoints : public Checkpointer<P> {
   public:
-    using Genome = typename P::Genome;   ///< kept as json
-    using Outcome = typename P::Outcome; ///< kept where it converts to json
+    using Genome = typename P::Genome;   ///< stored as json
+    using Outcome = typename P::Outcome; ///< stored if it converts to json
     using Taken = Snapshot<Genome>;      ///< a run between two stages
 
-    /// @param file         where the run is kept
-    /// @param description  whatever else decides the result (the problem's settings); a file with another
-    ///                     is refused
-    /// @param resume       go on from the file if there is one; otherwise it is replaced
+    /// @param file         stores the run
+    /// @param description  other settings that decide the result (the problem's); a file with different ones
+    /// is refused
+    /// @param resume       continue from the file if it exists; otherwise it is replaced
     /// @param interval     seconds between two writes
     Checkpoints(std::filesystem::path file, std::string description, bool resume, double interval = 1)
         : file_(std::move(file)), description_(std::move(description)), resume_(resume), interval_(interval) {
     }
 
-    /// Keeps a value of an observer with the run: it is written with every checkpoint and read back when the
-    /// run is resumed, before its first stage. The value must live as long as the run.
+    /// Stores a value of an observer with the run. It is written with every checkpoint and read when the run
+    /// is resumed, before its first stage. The value must outlive the run.
     template <class T>
     void keep(const std::string& name, T& value) {
         kept_.push_back(
@@ -152,7 +152,7 @@ class Checkpoints : public Checkpointer<P> {
         const std::filesystem::path before = file_.string() + ".before";
         if (!resume_) {
             std::error_code none;
-            std::filesystem::remove(before, none); // of another run
+            std::filesystem::remove(before, none); // left by another run
         }
         if (!resume_ || !(std::filesystem::exists(file_) || std::filesystem::exists(before)))
             return std::nullopt;
@@ -163,14 +163,14 @@ class Checkpoints : public Checkpointer<P> {
             if (!std::filesystem::exists(before))
                 throw;
             bytes = opened(before);
-            std::filesystem::rename(before, file_); // the next write keeps what stands under the name
+            std::filesystem::rename(before, file_); // the next write renames this file to FILE.before
             trouble_ = std::string(damaged.what()) + "; went on from the one before";
         }
         try {
             const json j = read_cbor(bytes, file_);
             if (j.at("version") != version || j.at("run") != run_ || j.at("description") != description_)
                 throw UsageError("checkpoint '" + file_.string() +
-                                 "' is of another run; expected the same pipeline, seed, start and settings");
+                                 "' is of another run; use the same pipeline, seed, start and settings");
             for (const auto& value : kept_)
                 value.read(j.at("kept").at(value.name));
             recall(j, ledger);
@@ -223,7 +223,7 @@ class Checkpoints : public Checkpointer<P> {
         return {entry.print.high, entry.print.low, nullptr, *std::get<Reason>(entry.value)};
     }
 
-    /// Both halves of the memory; what a stopped stage had evaluated already is set apart.
+    /// Both halves of the memory; evaluations of a stopped stage are stored separately.
     void remember(json& j, const Taken& snapshot, const Ledger<P>& ledger) const {
         if constexpr (Storable<Outcome>) {
             json old = json::array(), young = json::array(), prepaid = json::array();

@@ -14,11 +14,11 @@
 
 namespace ga {
 
-/// A sealed file: its mark, the length of what it holds, its fingerprint, and then that. A file that was cut
-/// short or altered anywhere is known by it.
+/// A sealed file has this mark, then the length and the fingerprint of its content, then the content. So a
+/// file that was cut or altered is detected.
 inline const std::string seal_mark = "rugosa checkpoint 2\n";
 
-/// The mark, length and fingerprint of what is to be sealed.
+/// The mark, length and fingerprint for a content.
 inline std::string seal_of(std::string_view bytes) {
     const Fingerprint print = fingerprint(bytes);
     std::string seal = seal_mark;
@@ -28,8 +28,8 @@ inline std::string seal_of(std::string_view bytes) {
     return seal;
 }
 
-/// What a sealed file holds. Throws UsageError, naming the file, where it cannot be read or is not as it was
-/// sealed.
+/// Reads the content of a sealed file. Throws UsageError, with the file's name, if it cannot be read or was
+/// altered.
 inline std::string opened(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     const std::string all{std::istreambuf_iterator<char>(stream), {}};
@@ -41,9 +41,8 @@ inline std::string opened(const std::filesystem::path& file) {
     return all.substr(head);
 }
 
-/// Writes a sealed file in the place of the one there, which is kept as "FILE.before": to a new file of its
-/// own, no link followed, on the disk before it gets the name. What went wrong, in words; empty when nothing
-/// did.
+/// Writes a sealed file and keeps the previous one as "FILE.before". The new file is on the disk before it
+/// gets the name; symbolic links are not followed. Returns the error in words, or an empty text.
 inline std::string seal(const std::filesystem::path& file, std::string_view bytes) {
     const std::filesystem::path draft = file.string() + ".tmp", before = file.string() + ".before";
     ::unlink(draft.c_str());
@@ -70,7 +69,7 @@ inline std::string seal(const std::filesystem::path& file, std::string_view byte
     }
     ::unlink(before.c_str());
     if (::link(file.c_str(), before.c_str()) != 0)
-        ::rename(file.c_str(), before.c_str()); // on file systems without links
+        ::rename(file.c_str(), before.c_str()); // if the file system has no hard links
     if (::rename(draft.c_str(), file.c_str()) != 0) {
         error = std::strerror(errno);
         ::unlink(draft.c_str());
@@ -85,10 +84,10 @@ inline std::string seal(const std::filesystem::path& file, std::string_view byte
     return "";
 }
 
-/// JSON of bytes, no deeper than a checkpoint is. Throws UsageError, naming the file, on anything deeper, and
-/// nlohmann's exceptions on what is no CBOR.
+/// Reads CBOR that is nested at most as deep as a checkpoint. Throws UsageError, with the file's name, if it
+/// is deeper, and nlohmann's exceptions if it is not CBOR.
 inline nlohmann::json read_cbor(const std::string& bytes, const std::filesystem::path& file) {
-    /// Builds the value as nlohmann's own reader does, and counts how deep it is.
+    /// Builds the value like nlohmann's reader, and counts the depth.
     struct Bounded : nlohmann::detail::json_sax_dom_parser<nlohmann::json> {
         using Base = nlohmann::detail::json_sax_dom_parser<nlohmann::json>;
         using Base::Base;

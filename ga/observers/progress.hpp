@@ -8,8 +8,8 @@
 
 namespace ga {
 
-/// The best fitness of those that are scored under one objective and have not failed, as the objective states
-/// it; none where there are none.
+/// The best fitness of the individuals that are scored under one objective and have not failed; none without
+/// such an individual.
 template <class G>
 std::optional<double> best_value(const Population<G>& population) {
     const Fitness* best = nullptr;
@@ -23,13 +23,12 @@ std::optional<double> best_value(const Population<G>& population) {
 /// A population in four numbers.
 struct Summary {
     std::size_t individuals = 0;  ///< scored or not
-    std::optional<double> best;   ///< fitness under one objective among the scored that have not failed; none
-                                  ///< where there are none
-    std::optional<double> median; ///< of the same
+    std::optional<double> best;   ///< best fitness (see best_value)
+    std::optional<double> median; ///< median fitness of the same individuals
     double diversity = 0;         ///< share of different genomes, in (0, 1]
 };
 
-/// Of a population under the objective it was last scored by.
+/// Summarises a population under the objective that scored it last.
 template <Problem P>
 Summary summary(const P& problem, const PopulationOf<P>& population) {
     Summary summary;
@@ -66,7 +65,7 @@ std::string status(const Event<G>& event) {
     return line + ", " + std::to_string(event.counters.asked) + " evaluations";
 }
 
-/// Hands the status to `show`, at most once in so many seconds.
+/// Passes the status to `show`, at most once per interval (s).
 template <class G>
 Observer<G> progress(std::function<void(const std::string&)> show, double interval = 0.1) {
     return [show = std::move(show), interval, next = 0.0](const Event<G>& event) mutable {

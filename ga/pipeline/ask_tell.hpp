@@ -57,7 +57,7 @@ class AskTell : Evaluator<P> {
         thread_.join();
     }
 
-    /// The open questions; waits for the next batch if there are none. Empty when the run has ended. Throws
+    /// The open questions; waits for the next batch if all are answered. Empty when the run has ended. Throws
     /// the exception that ended the run, if any.
     std::vector<Question> ask() {
         std::unique_lock lock(guard_);

@@ -64,7 +64,7 @@ class SteadyState {
     SteadyState(const SteadyState&) = delete;
 
     /// The next question; a child with a known outcome is used at once. None if no individual is known yet,
-    /// or if the open questions use up the budget. Throws NothingLeft if breeding makes no new genome.
+    /// or if the open questions use up the budget. Throws NothingLeft if breeding does not make a new genome.
     std::optional<Question> ask() {
         for (int known = 0;;) {
             if (ledger_.watch().expired() || ledger_.spent(static_cast<long>(open_.size())) || !breed())

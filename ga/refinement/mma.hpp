@@ -4,11 +4,11 @@
 
 namespace ga {
 
-/// One number of residuals that a search maximises, and its derivatives with respect to them.
+/// A function of the residuals that a search maximises, with its derivatives.
 struct Reading {
-    double value; ///< greater is better
-    double merit; ///< by which the best point is chosen, greater is better
-    std::vector<std::pair<Eigen::Index, double>> slopes; ///< d value / d r_k for the rows k where it is not 0
+    double value;                                        ///< higher is better
+    double merit;                                        ///< ranks points, higher is better
+    std::vector<std::pair<Eigen::Index, double>> slopes; ///< rows k and d value / d r_k, if it is not 0
 };
 
 /// Minus the largest |r_k|; its slope is that of the first row that attains it.
@@ -19,7 +19,7 @@ inline Reading least_worst(const Eigen::VectorXd& residuals) {
 }
 
 /// Maximises a reading of the residuals by the globally convergent method of moving asymptotes (Svanberg
-/// 2002; NLopt's LD_MMA). The reading is the problem's own; by default `least_worst`.
+/// 2002; NLopt's LD_MMA).
 /// @param evaluations  at most, after the start; inner iterations count
 inline Eigen::VectorXd maximised_by_mma(const Landscape& land, int evaluations,
                                         const std::function<Reading(const Eigen::VectorXd&)>& read) {
@@ -46,7 +46,7 @@ inline Eigen::VectorXd maximised_by_mma(const Landscape& land, int evaluations,
     return best.x;
 }
 
-/// `mma n`: the method above on `least_worst`. A domain with another reading makes a method of its own so.
+/// `mma n`: maximised_by_mma with `least_worst`. A domain can make a method with another reading.
 struct Mma {
     static constexpr bool on_residuals = true; ///< and on their derivatives
 
@@ -65,8 +65,8 @@ struct Mma {
 inline ResidualMethod mma(int evaluations) { return method_of(Mma{evaluations}); }
 
 /// Minimises the largest |r_k| by the globally convergent method of moving asymptotes (Svanberg 2002; NLopt's
-/// LD_MMA) in its smooth form: minimise t subject to r_k - t <= 0 and -r_k - t <= 0, with t as one more
-/// variable. Where a search on one number of the residuals (`mma`) sees one row at a time, this sees all.
+/// LD_MMA). The problem is smooth: minimise t subject to r_k - t <= 0 and -r_k - t <= 0, with t as one more
+/// variable. `mma` sees one row at a time; this method sees all.
 struct Minimax {
     static constexpr bool on_residuals = true; ///< and on their derivatives
 
@@ -86,16 +86,17 @@ struct Minimax {
         const double worst = first->residuals.cwiseAbs().maxCoeff();
         if (worst == 0)
             return land.start;
-        // The first step is about half of the box, so t's is no wider than it must be.
+        // The first step is about half of the box, so the box of t is as narrow as possible.
         Eigen::VectorXd lower(n + 1), upper(n + 1), start(n + 1);
         lower << land.lower, 0.0;
         upper << land.upper, worst;
         start << land.start, worst;
         NloptSearch search(nlopt::LD_MMA, lower, upper, evaluations + 1);
-        // LD_MMA solves each step's dual to 1e-14 by itself: 160 times the time for the same answers.
+        // By default LD_MMA solves each step's dual to 1e-14, which takes 160 times as long for the same
+        // result.
         search->set_param("dual_ftol_rel", 1e-6);
         BestPoint best{land.start, -worst};
-        bool at_start = true; // its sensitivity is known
+        bool at_start = true; // the sensitivity there is known
         search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
             if (gradient)
                 Eigen::Map<Eigen::VectorXd>(gradient, n + 1) = Eigen::VectorXd::Unit(n + 1, n);

@@ -5,18 +5,17 @@
 
 namespace ga {
 
-/// What refinement by a method asks of a problem.
+/// A problem that a method of refinement works for.
 template <class P, class M>
 concept Refinable = Problem<P> && HasGenes<P> &&(Sensitive<P> || !std::derived_from<M, ResidualMethod>);
 
-/// One individual's search: it asks the door for what its method wants to know of points in the box.
+/// One individual's search: makes the requests of its method for points in the box.
 template <Problem P>
 class Search {
   public:
-    using Genome = typename P::Genome; ///< of the problem
+    using Genome = typename P::Genome; ///< the problem's
 
-    /// `moving` are the genes that move, `limit` the questions that may be asked. All must outlive the
-    /// search.
+    /// `moving` are the genes that move, `limit` the maximum number of requests. All must outlive the search.
     Search(const P& problem, EvaluationQueue<P>& door, const Watch& watch,
            const Individual<Genome>& individual, std::vector<Variable> moving, long limit)
         : problem_(problem), door_(door), watch_(watch), individual_(individual), moving_(std::move(moving)),
@@ -31,7 +30,7 @@ class Search {
                 objective_ = i;
     }
 
-    /// The genome to which the method moved; none where it stayed.
+    /// The genome to which the method moved; none if it did not move.
     std::optional<Genome> by(const Method& method, std::uint64_t seed) {
         const auto n = static_cast<Eigen::Index>(moving_.size());
         if (n == 0)
@@ -52,7 +51,8 @@ class Search {
         };
         if constexpr (Constrained<P>)
             land.constrained = [this](const Eigen::VectorXd& x) {
-                if (seen_at_.size() != x.size() || seen_at_ != x) { // asked for the fitness, then again
+                if (seen_at_.size() != x.size() ||
+                    seen_at_ != x) { // called for the fitness, then for the constraints
                     seen_fitness_ = fitness(x);
                     seen_at_ = x;
                 }
@@ -75,7 +75,7 @@ class Search {
     }
     const auto& objective() const { return problem_.objectives()[objective_]; }
 
-    /// Asks, unless the run has to stop or all that may be asked is asked; then it stays unanswered.
+    /// Makes a request, unless the run has to stop or the limit is reached; then it stays unanswered.
     void ask(EvaluationRequest<P>& request) {
         if (stopped_ || asked_ >= limit_)
             return;
@@ -84,11 +84,11 @@ class Search {
             door_.serve(request);
         } catch (const Stopped&) {
             stopped_ = true;
-        } catch (const NothingLeft&) { // a failure like any other here
+        } catch (const NothingLeft&) { // here a failure like any other
         }
     }
 
-    /// The fitness at a point and, of constraints, the violations there; unknown if it was not evaluated.
+    /// The fitness at a point, and the violations of constraints there; unknown if it was not evaluated.
     Fitness fitness(const Eigen::VectorXd& x) {
         const Genome genome = at(x);
         Fitness found;
@@ -111,7 +111,7 @@ class Search {
         ask(request);
         return found;
     }
-    /// The slope at a point; what it has not was not found.
+    /// The slope at a point; unknown parts are empty.
     Slope<P> slope(const Eigen::VectorXd& x, bool of_residuals) {
         Slope<P> slope{at(x), individual_.fitness.objective_name(), of_residuals, {}, {}, {}};
         EvaluationRequest<P> request;
@@ -153,8 +153,8 @@ class Search {
     std::vector<double> genes_;
     std::size_t objective_ = 0;
     bool stopped_ = false;
-    Eigen::VectorXd violations_; ///< where the fitness was asked last
-    Eigen::VectorXd seen_at_;    ///< the point that `constrained` was asked last
+    Eigen::VectorXd violations_; ///< at the last evaluated point
+    Eigen::VectorXd seen_at_;    ///< the last point of `constrained`
     Fitness seen_fitness_;       ///< there
 };
 
@@ -163,13 +163,12 @@ struct EveryGene {
     std::string name = "all"; ///< as in a stage's text
 };
 
-/// Moves the chosen genes of every individual by a local method, individuals side by side (`Rounds`), and
-/// scores the answers; an individual that did not get better stays as it was. Bounds and the choice of genes
-/// are those of the genome as it was when the individual was first refined. Failed individuals are left
-/// alone.
+/// Moves the chosen genes of every individual by a local method, individuals in parallel (`Rounds`), and
+/// scores the results. An individual that does not improve stays unchanged; so do failed ones. Bounds and
+/// choice of genes are those of the original genome, before the first refinement.
 template <class M, class Choice>
 struct Refine : Operator {
-    M method;         ///< what moves them
+    M method;         ///< moves the genes
     Choice variables; ///< Variables<G>, or EveryGene
 
     /// `refine method genes=variables`.
@@ -194,7 +193,7 @@ struct Refine : Operator {
         for (auto& individual : population)
             if (!individual.fitness.has_failed())
                 jobs.push_back(&individual);
-        // What is left of the budget is shared out beforehand, after one evaluation for each answer.
+        // The remaining budget is divided first, after one evaluation for each result.
         const auto count = static_cast<long>(jobs.size());
         if (context.ledger().spent(count)) {
             context.state.in_hand = population;
@@ -235,7 +234,7 @@ struct Refine : Operator {
         } catch (const Stopped& stopped) {
             stop = stopped;
         }
-        // A search that was cut short is no answer of this stage; what it found stands as the best so far.
+        // An interrupted search is not a result of this stage; the best point so far is kept.
         if (!stop && context.watch().expired())
             stop = Stopped{context.watch().reason()};
         for (std::size_t i = 0; i < jobs.size(); ++i)

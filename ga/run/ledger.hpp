@@ -179,7 +179,7 @@ class Ledger : public EvaluationQueue<P> {
             evaluator_.slopes(problem_, slopes_, watch_);
     }
 
-    /// Counts the evaluations that were made and resets the others; true if there are others.
+    /// Counts the evaluations that were made and resets pending ones; true if any is pending.
     bool book() {
         bool interrupted = false;
         for (const Call<P>& call : calls_)

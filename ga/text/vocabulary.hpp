@@ -46,7 +46,7 @@ void add_variation(Registry<P>& registry) {
     add_cross<Blend>(registry, real_genes);
     add_cross<SimulatedBinary>(registry, real_genes);
     add_cross<Order>(registry, "a permutation for a genome");
-    add_mutate<Natural>(registry, "a mutation of its own or genes");
+    add_mutate<Natural>(registry, "a member mutate, or genes");
     add_mutate<Gaussian>(registry, real_genes);
     add_mutate<UniformStep>(registry, real_genes);
     add_mutate<Polynomial>(registry, "real genes with bounds");
@@ -84,9 +84,9 @@ void add_blocks(Registry<P>& registry) {
 
 } // namespace words
 
-/// The engine's own operators for a type of problem. Those its genome cannot do are listed with what they
-/// need. Refinement is added by ga/text/refinement_vocabulary.hpp, what learns and keeps niches by
-/// ga/text/adaptation_vocabulary.hpp.
+/// The engine's operators for a type of problem. Operators that do not work for its genome are listed with
+/// their need. ga/text/refinement_vocabulary.hpp adds refinement, ga/text/adaptation_vocabulary.hpp adds
+/// learning operators and niches.
 template <Problem P>
 Registry<P> vocabulary() {
     Registry<P> registry;

@@ -129,5 +129,5 @@ TEST_CASE("a stage with too few individuals ends the run and says how many") {
     ends("de", "de.1: 3 individuals; expected 4 at least");
     ends("pair(score | best 2, score, none)", "pair.1: 2 and 3 individuals gave no child by none");
     ends("repeat 2 { map-elites none | score }",
-         "repeat.1/map-elites.1: nobody has descriptors that are numbers");
+         "repeat.1/map-elites.1: no individual has descriptors that are numbers");
 }

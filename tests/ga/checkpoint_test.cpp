@@ -214,7 +214,7 @@ TEST_CASE("a checkpoint of another run is refused") {
     Checkpoints<Reals> kept(file, "a", false), same(file, "a", true), other(file, "b", true);
     run("sample 3 | score", Reals{}, {}, {}, {}, &kept);
     const std::string message = "checkpoint '" + file.string() +
-                                "' is of another run; expected the same pipeline, seed, start and settings";
+                                "' is of another run; use the same pipeline, seed, start and settings";
     CHECK_THROWS_WITH(run("sample 3 | score", Reals{}, {}, {}, {}, &other), message);
     CHECK_THROWS_WITH(run("sample 4 | score", Reals{}, {}, {}, {}, &same), message);
     CHECK_THROWS_WITH(run("sample 3 | score", Reals{}, {}, {.seed = 2}, {}, &same), message);
@@ -280,7 +280,7 @@ TEST_CASE("a forged checkpoint that nests too deep or does not fit is refused") 
         json altered = good;
         altered[json::json_pointer(place)] = value;
         CHECK_THROWS_WITH(forged(file, altered, evolving),
-                          "the checkpoint does not fit its pipeline; expected one that was written by it");
+                          "the checkpoint does not fit its pipeline; use one that this pipeline has written");
     }
 }
 
@@ -320,7 +320,7 @@ TEST_CASE("a forged state of an operator that learns is refused or harmless") {
                     CHECK(result.best);
                 } catch (const UsageError& error) {
                     CHECK(std::string(error.what()) ==
-                          "the checkpoint does not fit its pipeline; expected one that was written by it");
+                          "the checkpoint does not fit its pipeline; use one that this pipeline has written");
                     ++refused;
                 }
             }

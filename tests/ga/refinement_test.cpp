@@ -324,8 +324,8 @@ TEST_CASE("every algorithm of NLopt runs or is refused by name") {
                           Catch::Contains(message));
     };
     refused("LN_COBYLE",
-            "refine nlopt: unknown algorithm 'LN_COBYLE'; expected one of NLopt's, e.g. LN_COBYLA");
-    refused("LN_AUGLAG", "refine nlopt: algorithm 'LN_AUGLAG' needs a second optimiser; expected one that "
+            "refine nlopt: unknown algorithm 'LN_COBYLE'; use one of NLopt's, e.g. LN_COBYLA");
+    refused("LN_AUGLAG", "refine nlopt: algorithm 'LN_AUGLAG' needs a second optimiser; use one that "
                          "works alone, e.g. LN_COBYLA");
     refused("LD_LBFGS", "needs the problem's gradient; expected a method without, e.g. nlopt LN_COBYLA");
 }

@@ -39,7 +39,7 @@ double fragile(double y) {
     return y;
 }
 
-const std::vector<std::string> fragile_reasons = {"", "under 0", "an exception that is no std::exception"};
+const std::vector<std::string> fragile_reasons = {"", "under 0", "an exception of another type than std::exception"};
 
 } // namespace
 

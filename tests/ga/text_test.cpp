@@ -274,7 +274,7 @@ TEST_CASE("a named pipeline is expanded in place") {
     refused("a", "variant 'b', column 9: variants contain each other: a -> b -> a",
             {{"a", "b"}, {"b", "score | a"}});
     refused("a 3", "pipeline, column 1: variant 'a' takes no arguments", {{"a", "score"}});
-    refused("score", "variant 'best' has an operator's name; expected another", {{"best", "score"}});
+    refused("score", "variant 'best' has an operator's name; choose another", {{"best", "score"}});
     refused("a", "variant 'a', column 6: stage 'best': n is '0'; expected a whole number from 1",
             {{"a", "best 0"}});
 }

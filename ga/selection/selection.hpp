@@ -4,6 +4,89 @@
 
 namespace ga {
 
+/// Keeps the n best, best first. n >= 1.
+struct Best : Operator {
+    std::size_t n = 1; ///< number that stays, >= 1
+    ///@{ What every operator has (Operator).
+    static Words words() { return {"best", "selection", "keeps the n best, best first"}; }
+    static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
+    void check(CheckState& known) const { known.need_score(text_of(*this)); }
+
+    template <Problem P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>&) const {
+        return best_of(population, n);
+    }
+    ///@}
+};
+
+/// The stage `best n`.
+inline Best best(std::size_t n) { return checked(Best{{}, n}); }
+
+/// Keeps n different individuals at random, in random order. If there are fewer, all stay, in random order.
+struct Random : Operator {
+    std::size_t n = 0; ///< 0 for all
+    ///@{ What every operator has (Operator).
+    static Words words() { return {"random", "selection", "keeps n at random, none twice, in random order"}; }
+    static void describe(auto& self, auto visit) {
+        visit(self.n, whole("n", "0", 0, "how many; 0 for all").quiet());
+    }
+    void check(CheckState&) const {}
+
+    template <Problem P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
+        Stream stream = context.stream(0);
+        for (std::size_t i = 0; i + 1 < population.size(); ++i)
+            std::swap(population[i], population[i + stream.below(population.size() - i)]);
+        if (n > 0 && n < population.size())
+            population.resize(n);
+        return population;
+    }
+    ///@}
+};
+
+/// The stage `random n`; 0 for all, in random order.
+inline Random at_random(std::size_t n = 0) { return {{}, n}; }
+
+/// Fills each place with the best of k individuals that are drawn with replacement (Brindle 1981). The one
+/// drawn first wins a tie. The best of n gets k of n places on average.
+struct Tournament : Operator {
+    std::size_t k = 2;    ///< individuals drawn for each place, >= 1
+    std::size_t size = 0; ///< number of places; 0 for the population's size
+    ///@{ What every operator has (Operator).
+    static Words words() {
+        return {"tournament", "selection", "each place goes to the best of k drawn at random"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.k, whole("k", "2", 1, "how many are drawn"));
+        visit(self.size, whole("size", "0", 0, "places; 0 for as many as there are").keyed().quiet());
+    }
+    void check(CheckState& known) const { known.need_score(text_of(*this)); }
+
+    template <Problem P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
+        if (population.empty())
+            return population;
+        context.need_room(size, population);
+        const std::vector<double> worth = merits(population);
+        const Below any(population.size());
+        std::vector<std::size_t> winners(size > 0 ? size : population.size());
+        Stream next = context.stream(0); // computed ahead, while the processor waits for the previous one
+        for (std::size_t i = 0; i < winners.size(); ++i) {
+            Stream stream = std::exchange(next, context.stream(i + 1));
+            std::size_t winner = any(stream);
+            for (std::size_t draw = 1; draw < k; ++draw)
+                if (const std::size_t rival = any(stream); worth[rival] > worth[winner])
+                    winner = rival;
+            winners[i] = winner;
+        }
+        return context.gather(std::move(population), winners);
+    }
+    ///@}
+};
+
+/// The stage `tournament k size=size`.
+inline Tournament tournament(std::size_t k, std::size_t size = 0) { return checked(Tournament{{}, k, size}); }
+
 /// The number that a threshold keeps in any case.
 struct AtLeast {
     std::size_t count = 0; ///< 0 for no minimum
