@@ -141,7 +141,8 @@ using Designs = ga::Population<Genome>;
 /// How far each exceeds the limits; infinite of one that has no answer.
 std::vector<double> excesses(Designs& designs, ga::Context<DesignProblem>& context) {
     std::vector<double> all;
-    context.evaluate(designs, [&](auto& design, const ga::Evaluation<DesignOutcome>& evaluation) {
+    const auto any = [](const auto&) { return true; };
+    context.visit(designs, any, [&](auto& design, const ga::Evaluation<DesignOutcome>& evaluation) {
         const auto* outcome = std::get_if<DesignOutcome>(&evaluation);
         all.push_back(outcome ? outcome->excess : HUGE_VAL);
         design.fitness = ga::fitness_of(context.problem(), evaluation, context.problem().objectives().front(),

@@ -7,6 +7,5 @@
 #include "ga/adaptation/epsilon.hpp"
 #include "ga/adaptation/l_shade.hpp"
 #include "ga/adaptation/self_adaptive.hpp"
-#include "ga/niches/emit.hpp"
 #include "ga/niches/map_elites.hpp"
 #include "ga/niches/niches.hpp"

@@ -45,7 +45,8 @@ struct Pareto : Operator {
             with_first |= which == 0;
         }
         const Name name(text_of(*this)), first = context.objective_name(0);
-        context.evaluate(population, [&](auto& individual, const auto& evaluation) {
+        const auto all = [](const auto&) { return true; };
+        context.visit(population, all, [&](auto& individual, const auto& evaluation) {
             Point point;
             std::vector<double> violations;
             for (const auto* objective : read) {

@@ -32,14 +32,20 @@ struct Result {
     Population<G> front = {};          ///< the individuals that no other one dominates
 };
 
-/// Throws UsageError if the pipeline cannot work on this problem and population.
+/// The facts that are known of an unscored population. Throws UsageError if the problem has no objective.
 template <Problem P>
-[[gnu::cold]] void check(const Stage<P>& pipeline, const P& problem, const PopulationOf<P>& population) {
+[[gnu::cold]] CheckState known_of(const P& problem) {
     CheckState known;
     for (const auto& objective : problem.objectives())
         known.objectives.push_back(objective.name);
     if (known.objectives.empty())
         throw UsageError("the problem has no objective; expected one at least");
+    return known;
+}
+/// Throws UsageError if the pipeline cannot work on this problem and population.
+template <Problem P>
+[[gnu::cold]] void check(const Stage<P>& pipeline, const P& problem, const PopulationOf<P>& population) {
+    CheckState known = known_of(problem);
     known.nobody = population.empty();
     if (known.nobody && !pipeline.begins())
         throw UsageError("the population is empty; expected one individual at least, or sample before all");

@@ -186,18 +186,17 @@ class Stage {
     /// Runs one stage. If the run writes checkpoints, a stop inside writes the state before the stage.
     static void apply(const Place& place, Frame<Genome>& frame, Context<P>& context) {
         const typename Context<P>::Scope scope(context.position, place.name, place.ordinal);
-        if (!context.is_kept()) {
+        std::optional<std::pair<Snapshot<Genome>, Population<Genome>>> before;
+        if (context.is_kept())
+            before.emplace(context.snapshot(false), frame.population);
+        try {
             frame.population = place.step.apply(std::move(frame.population), context);
-        } else {
-            const auto before = context.snapshot(false);
-            const Population<Genome> start = frame.population;
-            try {
-                frame.population = place.step.apply(std::move(frame.population), context);
-            } catch (const Stopped&) {
-                frame.population = start;
-                context.keep_stopped(before);
-                throw;
+        } catch (const Stopped&) {
+            if (before) {
+                frame.population = std::move(before->second);
+                context.keep_stopped(std::move(before->first));
             }
+            throw;
         }
         context.show(frame.population);
     }

@@ -48,9 +48,7 @@ class SteadyState {
           context_(ledger_, StagePosition<Genome>(options.variant, options.seed), 0,
                    options.population_bytes) {
         check(start | score(), problem_, {});
-        CheckState known;
-        for (const auto& objective : problem_.objectives())
-            known.objectives.push_back(objective.name);
+        CheckState known = known_of(problem_);
         known.scored = known.start_scored = known.objectives.front();
         known.in_generation = true;
         breed_.check(known);

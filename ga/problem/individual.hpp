@@ -59,17 +59,11 @@ class Fitness {
   public:
     Fitness() = default;
     /// The value under one objective, which is maximised or minimised.
-    Fitness(Name objective, double value, bool minimise = false, double violation = 0)
-        : value_(value), policy_(objective), minimise_(minimise) {
-        if (violation > 0)
-            *this = constrained({violation});
-    }
+    Fitness(Name objective, double value, bool minimise = false)
+        : value_(value), policy_(objective), minimise_(minimise) {}
     /// The values under several objectives, with higher being better.
-    Fitness(Name policy, Point values, double violation = 0)
-        : policy_(policy), detail_(std::make_shared<const Detail>(Detail{std::move(values), nullptr, {}})) {
-        if (violation > 0)
-            *this = constrained({violation});
-    }
+    Fitness(Name policy, Point values)
+        : policy_(policy), detail_(std::make_shared<const Detail>(Detail{std::move(values), nullptr, {}})) {}
     /// A failed evaluation under a policy.
     static Fitness failed(Name policy, Reason why) {
         Fitness fitness(policy, -std::numeric_limits<double>::infinity());

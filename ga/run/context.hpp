@@ -114,12 +114,35 @@ class Context {
             },
             patience);
     }
-    /// Calls assign(individual, evaluation), which sets the fitness, for every individual, with an evaluation
-    /// if needed.
-    template <class Assign>
-    void evaluate(Population<Genome>& population, Assign assign) {
-        visit(
-            population, [](const auto&) { return true; }, assign, Patience::none);
+    /// Calls assign(individual, evaluation), which sets the fitness, for every individual with
+    /// wanted(individual), with an evaluation if needed.
+    template <class Wanted, class Assign>
+    void visit(Population<Genome>& population, Wanted wanted, Assign assign,
+               Patience patience = Patience::none) {
+        request_.questions.clear();
+        requested_.clear();
+        for (auto& individual : population)
+            if (wanted(std::as_const(individual))) {
+                request_.questions.push_back({&individual.genome, !individual.fitness.known()});
+                requested_.push_back(&individual);
+            }
+        request_.patience = patience;
+        request_.use = [&] {
+            for (std::size_t i = 0; i < requested_.size(); ++i) {
+                const Evaluation<Outcome>* answer = request_.questions[i].answer;
+                if (!answer || std::holds_alternative<Pending>(*answer))
+                    continue;
+                auto& individual = *requested_[i];
+                assign(individual, *answer);
+                ledger_.note(individual.fitness);
+                if (individual.fitness.has_failed())
+                    ++counters().failures;
+                else if constexpr (Settling<P>)
+                    individual.genome = problem().settled(individual.genome, std::get<Outcome>(*answer));
+                offer(individual);
+            }
+        };
+        serve(population);
     }
 
     /// Gives every individual the mean fitness of n more replicates of a noisy evaluation than before, up to
@@ -277,33 +300,6 @@ class Context {
         double seconds;
     };
 
-    template <class Wanted, class Assign>
-    void visit(Population<Genome>& population, Wanted wanted, Assign assign, Patience patience) {
-        request_.questions.clear();
-        requested_.clear();
-        for (auto& individual : population)
-            if (wanted(std::as_const(individual))) {
-                request_.questions.push_back({&individual.genome, !individual.fitness.known()});
-                requested_.push_back(&individual);
-            }
-        request_.patience = patience;
-        request_.use = [&] {
-            for (std::size_t i = 0; i < requested_.size(); ++i) {
-                const Evaluation<Outcome>* answer = request_.questions[i].answer;
-                if (!answer || std::holds_alternative<Pending>(*answer))
-                    continue;
-                auto& individual = *requested_[i];
-                assign(individual, *answer);
-                ledger_.note(individual.fitness);
-                if (individual.fitness.has_failed())
-                    ++counters().failures;
-                else if constexpr (Settling<P>)
-                    individual.genome = problem().settled(individual.genome, std::get<Outcome>(*answer));
-                offer(individual);
-            }
-        };
-        serve(population);
-    }
     /// Makes the requested evaluations. If the run has to stop, it returns with this population.
     void serve(const Population<Genome>& population) {
         try {

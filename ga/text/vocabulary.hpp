@@ -11,8 +11,14 @@ const char* const real_genes = "real genes: genes and with_genes, or a vector of
 const char* const positions = "genes at positions: a random-access range";
 const char* const exchangeable = "genes that may change places";
 
+} // namespace words
+
+/// The engine's operators for a type of problem. Operators that do not work for its genome are listed with
+/// their need. ga/text/refinement_vocabulary.hpp adds refinement, ga/text/adaptation_vocabulary.hpp adds
+/// learning operators and niches.
 template <Problem P>
-void add_selection(Registry<P>& registry) {
+Registry<P> vocabulary() {
+    Registry<P> registry;
     registry.template add<Score>();
     registry.template add_if<Noisy<P>, Average>("a noisy evaluation (evaluate(genome, replicate))");
     registry.template add<Best>();
@@ -25,47 +31,27 @@ void add_selection(Registry<P>& registry) {
     registry.template add<Random>();
     registry.template add<Pareto>();
     registry.template add<Front>();
-}
 
-/// `cross WAY`.
-template <class Way, Problem P>
-void add_cross(Registry<P>& registry, const char* lacks) {
-    registry.template add_if<Crosses<Way, P>, Cross<Way>>(lacks);
-}
-/// `mutate RATE WAY`.
-template <class Way, Problem P>
-void add_mutate(Registry<P>& registry, const char* lacks) {
-    registry.template add_if<Mutates<Way, P>, Mutate<Way>>(lacks);
-}
-
-template <Problem P>
-void add_variation(Registry<P>& registry) {
-    add_cross<OnePoint>(registry, positions);
-    add_cross<Points>(registry, positions);
-    add_cross<Uniform>(registry, positions);
-    add_cross<Blend>(registry, real_genes);
-    add_cross<SimulatedBinary>(registry, real_genes);
-    add_cross<Order>(registry, "a permutation for a genome");
-    add_mutate<Natural>(registry, "a member mutate, or genes");
-    add_mutate<Gaussian>(registry, real_genes);
-    add_mutate<UniformStep>(registry, real_genes);
-    add_mutate<Polynomial>(registry, "real genes with bounds");
-    add_mutate<Reset>(registry, "bits, or genes with bounds");
-    add_mutate<Swap>(registry, exchangeable);
-    add_mutate<Reverse>(registry, exchangeable);
+    registry.template add_if<Crosses<OnePoint, P>, Cross<OnePoint>>(words::positions);
+    registry.template add_if<Crosses<Points, P>, Cross<Points>>(words::positions);
+    registry.template add_if<Crosses<Uniform, P>, Cross<Uniform>>(words::positions);
+    registry.template add_if<Crosses<Blend, P>, Cross<Blend>>(words::real_genes);
+    registry.template add_if<Crosses<SimulatedBinary, P>, Cross<SimulatedBinary>>(words::real_genes);
+    registry.template add_if<Crosses<Order, P>, Cross<Order>>("a permutation for a genome");
+    registry.template add_if<Mutates<Natural, P>, Mutate<Natural>>("a member mutate, or genes");
+    registry.template add_if<Mutates<Gaussian, P>, Mutate<Gaussian>>(words::real_genes);
+    registry.template add_if<Mutates<UniformStep, P>, Mutate<UniformStep>>(words::real_genes);
+    registry.template add_if<Mutates<Polynomial, P>, Mutate<Polynomial>>("real genes with bounds");
+    registry.template add_if<Mutates<Reset, P>, Mutate<Reset>>("bits, or genes with bounds");
+    registry.template add_if<Mutates<Swap, P>, Mutate<Swap>>(words::exchangeable);
+    registry.template add_if<Mutates<Reverse, P>, Mutate<Reverse>>(words::exchangeable);
     registry.template add_if<Sampled<P>, Sample>("a problem that samples genomes");
-}
 
-template <Problem P>
-void add_replacement(Registry<P>& registry) {
     registry.template add<Elite>();
     registry.template add<Plus>();
     registry.template add<JoinParents>();
     registry.template add<Steady>();
-}
 
-template <Problem P>
-void add_blocks(Registry<P>& registry) {
     registry.template add<Repeat<Stage<P>>>();
     registry.add({"until", "blocks", "generations until the first condition holds", {}, {}, 1, true},
                  [](const Arguments& a, const std::vector<Stage<P>>& bodies, const Registry<P>& r) {
@@ -80,20 +66,6 @@ void add_blocks(Registry<P>& registry) {
     registry.template add_rule<AtConvergence>();
     registry.template add<Restarts<Stage<P>>>();
     registry.template add<Islands<Stage<P>>>();
-}
-
-} // namespace words
-
-/// The engine's operators for a type of problem. Operators that do not work for its genome are listed with
-/// their need. ga/text/refinement_vocabulary.hpp adds refinement, ga/text/adaptation_vocabulary.hpp adds
-/// learning operators and niches.
-template <Problem P>
-Registry<P> vocabulary() {
-    Registry<P> registry;
-    words::add_selection(registry);
-    words::add_variation(registry);
-    words::add_replacement(registry);
-    words::add_blocks(registry);
     return registry;
 }
 

@@ -191,7 +191,7 @@ TEST_CASE("individuals of every kind are written and read without loss") {
     Population<Vector> start = population<Vector>({{0.1, -0.0, 1e-310}, {1.0 / 3}});
     start[0].fitness = Fitness(Name(std::string("a")), 0.1 + 0.2);
     start.push_back(start[1]);
-    start[2].fitness = Fitness(Name(std::string("pareto a b")), Point{1, -0.5}, 0.25);
+    start[2].fitness = Fitness(Name(std::string("pareto a b")), Point{1, -0.5}).constrained({0.25});
     start[0].parents = Parents(4, 7);
     start[0].origin = std::make_shared<const Vector>(3, 1e300);
     start[1].fitness = Fitness::failed(Name(std::string("a")), std::make_shared<const std::string>("no"));

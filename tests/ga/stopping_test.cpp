@@ -55,7 +55,7 @@ TEST_CASE("a population has converged when all are feasible and their objectives
         return rule(Progress<Vector>{1, 10, 0, population}, memory);
     };
     const auto worth = [](double value, bool minimise = false, double violation = 0) {
-        return Fitness(Name("f"), value, minimise, violation);
+        return Fitness(Name("f"), value, minimise).constrained({violation});
     };
     CHECK(holds({worth(1), worth(1.5), worth(1.25)}));
     CHECK_FALSE(holds({worth(1), worth(1.25), worth(1.75)}));
