@@ -56,7 +56,6 @@ struct Children : Operator {
 TEST_CASE("a distance is the rms of genes in widths, or the share of bits that differ") {
     struct Bits {
         using Genome = std::vector<bool>;
-        using Outcome = double;
         std::vector<Objective<double>> list;
         double evaluate(const Genome&) const { return 0; }
         const std::vector<Objective<double>>& objectives() const { return list; }

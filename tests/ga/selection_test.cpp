@@ -108,7 +108,7 @@ TEST_CASE("a selection in proportion to the fitness is refused when there are se
 
 TEST_CASE("a replacement keeps the population's size, and elite and plus its best") {
     const std::string children = "tournament 2 | cross uniform | mutate 0.2 | score | ";
-    for (const std::string body :
+    for (const std::string& body :
          {children + "elite 1", children + "elite 5", children + "plus", children + "plus 20",
           std::string("tournament 2 size=2 | cross blend | score | steady")}) {
         CAPTURE(body);
