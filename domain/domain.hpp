@@ -7,7 +7,6 @@
 #include "domain/accuracy/resolution.hpp"
 #include "domain/accuracy/respond.hpp"
 #include "domain/accuracy/respond_within.hpp"
-#include "domain/contact/datum.hpp"
 #include "domain/contact/exact.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/materials.hpp"

@@ -2,7 +2,7 @@
 
 #include "apps/prompt/terminal.hpp"
 #include "domain/errors.hpp"
-#include "domain/numerics/build.hpp"
+#include "domain/numerics/vector_loops.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/stopwatch.hpp"
 

@@ -2,11 +2,10 @@
 
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/respond.hpp"
-#include "domain/contact/datum.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/numerics/build.hpp"
+#include "domain/numerics/vector_loops.hpp"
 #include "domain/problem/response.hpp"
 
 #include <algorithm>

@@ -35,6 +35,11 @@ struct Body {
 /// E* = E/(1 - nu^2), MPa, of Young's modulus (MPa) and Poisson's ratio.
 double effective_modulus(double youngs_modulus, double poissons_ratio);
 
+/// dK/d ln d = -K^2 2 L/(pi E*) at the same mean pressure, MPa/mm. The free half-plane's displacement is
+/// known up to a constant, which the datum distance d fixes: another d shifts Delta by (2 P L/(pi E*))
+/// ln(d2/d1) and changes neither pressure nor area. `length` is L in mm, `stiffness` K in MPa/mm.
+double datum_sensitivity(double stiffness, double length, double effective_modulus);
+
 /// The body with what its kernel needs and was left at 0 filled in for a profile of this length (mm).
 Body completed(Body body, double length);
 

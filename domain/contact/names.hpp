@@ -13,8 +13,6 @@ Kernel kernel_named(const std::string& name, const std::string& where = "kernel"
 const std::vector<std::string>& solver_names(); ///< in the order of Solver
 /// auto, nested, nnls, polonsky-keer or active-set
 const std::string& name_of(Solver solver);
-/// The solver of that name. Throws InputError that begins with `where` on another word.
-Solver solver_named(const std::string& name, const std::string& where = "solver");
 /// Whether a solver solves to rounding, by a factor, and knows no tolerance.
 bool is_direct(Solver solver);
 

@@ -4,6 +4,22 @@
 
 namespace rough {
 
+/// Calls visit(node) for each neighbour of a node along x, then along y (on an area, rows > 1). If
+/// `periodic`, the grid is its own neighbour beyond its ends.
+template <class Visit>
+void each_neighbour(Index node, Extent shape, bool periodic, Visit visit) {
+    const auto beside = [&](Index at, Index count) {
+        return periodic ? (at + count) % count : at < count ? at : -1;
+    };
+    const Index i = node % shape.columns, j = node / shape.columns;
+    for (const Index by : {-1, 1})
+        if (const Index column = beside(i + by, shape.columns); column >= 0)
+            visit(j * shape.columns + column);
+    for (const Index by : {-1, 1})
+        if (const Index row = beside(j + by, shape.rows); row >= 0 && shape.rows > 1)
+            visit(row * shape.columns + i);
+}
+
 /// Contact spots: nodes in contact that are neighbours along x or y, directly or by way of others. Returns
 /// how many nodes each has, the largest first. `contact` are the nodes that touch, in any order, of a grid
 /// that is its own neighbour beyond its ends where it is `periodic`. On a line, its runs.

@@ -3,7 +3,6 @@
 #include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/names.hpp"
-#include "domain/contact/solvers/cascade.hpp"
 #include "domain/contact/solvers/certificate.hpp"
 #include "domain/contact/solvers/choice.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
@@ -46,10 +45,7 @@ ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& 
 /// First touch: no pressure yet, and the stiffness of the nodes that touch.
 StepSolution first_touch(const ContactProblem& problem, const ContactOptions& options) {
     ContactSet touching(problem.nodes());
-    for (Index i = 0; i < problem.nodes(); ++i)
-        if (problem.gap[i] == 0)
-            touching.insert(i);
-    touching.collect();
+    touching.assign([&](Index i) { return problem.gap[i] == 0; });
     Loaded load(problem.nodes()), tangent(problem.nodes());
     SetSolver(problem).tangent(touching, 1e-10, true, tangent);
     return step_solution(touching, load, tangent, options.states);
@@ -122,20 +118,21 @@ SolverChoice chosen(const ContactProblem& problem, const ContactOptions& options
                                                : SolverChoice{options.solver, "asked for"};
 }
 
-void check_solver(const Body& body, const ContactOptions& options) {
-    if (body.yields() && !row_of(options.solver).capped)
-        refuse("a hardness was given with a solver that knows none, auto or active-set is expected");
-}
-
-void check_tolerance(const ContactOptions& options) {
+void check_options(const Body& body, const ContactOptions& options) {
     if (!(options.tolerance >= 1e-10 && options.tolerance <= 0.01))
-        refuse("solver tolerance ", options.tolerance, " was given, one between 1e-10 and 0.01 is expected");
+        refuse("solver tolerance: ", options.tolerance, " is out of range (1e-10 to 0.01)");
+    if (body.yields() && !row_of(options.solver).capped)
+        refuse("solver: ", name_of(options.solver), " cannot hold a hardness; choose auto or active-set");
 }
 
 /// How well a mean pressure is met, over itself: half as well as an iterative solver knows it, else to
 /// rounding.
 double load_tolerance(Solver solver, const Body& body, const ContactOptions& options) {
     return body.yields() ? 1e-12 : is_direct(solver) ? 0 : 0.5 * options.tolerance;
+}
+
+[[noreturn]] void refuse_beyond_full_contact(double pressure, double full) {
+    refuse("mean pressure: ", pressure, " MPa is above that of full contact, ", full, " MPa");
 }
 
 /// The step at which the mean pressure is `pressure`, from one under less. Newton's method on a convex
@@ -164,8 +161,7 @@ LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, c
         const ContactCurve curve = solve_contact(profile, body, {next}, options);
         from = curve.steps.front();
         if (next == highest && from.pressure < pressure * (1 - 1e-12))
-            refuse("mean pressure ", pressure, " MPa was given, at most that of full contact, ",
-                   from.pressure, " MPa, is expected");
+            refuse_beyond_full_contact(pressure, from.pressure);
         const double left = std::abs(pressure - from.pressure);
         if (left <= load_tolerance(curve.solver, body, options) * pressure)
             return from;
@@ -173,23 +169,7 @@ LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, c
         halve = from_above && from.pressure > pressure && left > little * missing;
     }
     throw NotConverged(line_of("no displacement was found for the mean pressure ", pressure,
-                               " MPa; that of the last one tried was ", from.pressure, " MPa"));
-}
-
-/// Every node at the hardness.
-void check_bearable(double pressure, const Profile& profile, const Body& body) {
-    const double most = body.hardness * static_cast<double>(profile.nodes()) / elements(profile, body.kernel);
-    if (!(pressure < most))
-        refuse("mean pressure ", pressure, " MPa was given, less than what all nodes bear at the hardness, ",
-               most, " MPa, is expected");
-}
-
-/// Refuses what needs more than full contact.
-void check_full_contact(double pressure, const Profile& profile, const Body& body) {
-    const double most = full_contact_load(profile, body);
-    if (pressure > most)
-        refuse("mean pressure ", pressure, " MPa was given, at most that of full contact, ", most,
-               " MPa, is expected");
+                               " MPa; the last one tried gave ", from.pressure, " MPa"));
 }
 
 /// The state of full contact under a load, if no node of it is under tension or at the hardness: every such
@@ -203,22 +183,15 @@ std::optional<StepSolution> pressed_flat(double load, const ContactProblem& prob
     if (!(state.pressure.minCoeff(&least) > 0 && state.pressure.maxCoeff() < problem.cap))
         return {};
     ContactSet set(problem.nodes());
-    for (Index i = 0; i < problem.nodes(); ++i)
-        if (i != least)
-            set.insert(i);
-    set.collect();
+    set.assign([&](Index i) { return i != least; });
     SetSolver(problem).tangent(set, 1e-10, true, tangent);
-    StepSolution step = step_solution(set, state, tangent, false);
-    set.insert(least);
-    set.collect();
-    step.nodes = set.nodes();
-    step.pressure = state.pressure;
-    if (options.states)
-        step.tangent = tangent.pressure;
+    const double stiffness = step_solution(set, state, tangent, false).stiffness;
+    set.assign([](Index) { return true; });
+    StepSolution step = step_solution(set, state, tangent, options.states);
+    step.stiffness = stiffness;
     step.approach = problem.gap.mean();
-    step.residual = certify(problem, step.approach, step.nodes, step.pressure,
-                            split_operator(problem).apply(step.pressure).data())
-                        .residual();
+    SplitOperator check(problem.column, problem.shape);
+    certify_step("full contact", problem, step, check, state.pressure, HUGE_VAL);
     return step;
 }
 
@@ -276,8 +249,7 @@ ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profi
 
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options) {
-    check_tolerance(options);
-    check_solver(body, options);
+    check_options(body, options);
     const ContactProblem problem = make_problem(profile, body, displacements);
     SolverChoice choice = chosen(problem, options);
     Solution solution = solve(choice, problem, options);
@@ -286,22 +258,25 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
 
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures, const ContactOptions& options) {
-    check_tolerance(options);
-    check_solver(body, options);
+    check_options(body, options);
     make_problem(profile, body, {});
+    const double most = body.hardness * static_cast<double>(profile.nodes()) / elements(profile, body.kernel);
     double previous = 0;
     for (const double pressure : pressures) {
         if (!std::isfinite(pressure) || !(pressure > previous))
-            refuse("mean pressure ", pressure, " MPa was given after ", previous,
-                   " MPa, positive increasing finite values are expected");
-        check_bearable(pressure, profile, body);
+            refuse("mean pressure: ", pressure, " MPa after ", previous,
+                   " MPa is not a larger finite value; sort the pressures");
+        if (!(pressure < most))
+            refuse("mean pressure: ", pressure, " MPa is not below that of all nodes at the hardness, ", most,
+                   " MPa");
         previous = pressure;
     }
     if (pressures.empty())
         return {};
     const ContactProblem problem = make_problem_at(profile, body, pressures);
     if (body.relative_to_mean() && !body.yields())
-        check_full_contact(pressures.back(), profile, body);
+        if (const double full = full_contact_load(profile, body); pressures.back() > full)
+            refuse_beyond_full_contact(pressures.back(), full);
     SolverChoice choice = chosen(problem, options);
     if (takes_loads(choice.solver, problem)) {
         try {
@@ -324,6 +299,27 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
     return solve_contact_at_pressures(profile, body, {pressure * (1 + slack)}, options)
         .steps.front()
         .displacement;
+}
+
+ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& body, double datum) {
+    if (body.kernel != Kernel::free || profile.is_2d())
+        throw InputError("datum: only a line on the free half-plane has one; remove it");
+    const double length = profile_length(profile, body.kernel);
+    Body changed = body;
+    changed.datum = datum;
+    make_problem(profile, changed, {});
+    const double compliance = -datum_sensitivity(1, length, body.effective_modulus) *
+                              std::log(datum / completed(body, length).datum);
+    for (std::size_t j = 0; j < curve.steps.size(); ++j) {
+        LoadStep& step = curve.steps[j];
+        // 1/K(d2) = 1/K(d1) + (2 L/(pi E*)) ln(d2/d1), and w = H_AA^-1 1 shrinks as K does
+        const double ratio = 1 / (1 + step.tangent_stiffness * compliance);
+        step.displacement += step.pressure * compliance;
+        step.tangent_stiffness *= ratio;
+        if (!curve.states.empty())
+            curve.states[j].tangent *= ratio;
+    }
+    return curve;
 }
 
 } // namespace rough

@@ -79,6 +79,10 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 ContactOptions options = {});
 
+/// A solved curve as it would be with another datum distance (mm), exactly and without a solution; states
+/// included. Throws InputError for a body without a datum, or a datum up to (L + delta)/4.
+ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& body, double datum);
+
 /// Predicted cost of a curve of so many steps on `nodes` nodes, of which `contact` touch at the last one, by
 /// the faster of the factor and the active set; only ratios of costs mean anything.
 double predicted_cost(double nodes, double contact, double steps);

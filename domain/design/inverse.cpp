@@ -18,12 +18,8 @@ Eigen::MatrixXd influence_in_order(const Profile& surface, const Body& given, co
     const Body body = completed(given, profile_length(surface, given.kernel));
     const Index nodes = surface.nodes(), columns = surface.shape().columns;
     const double spacing = surface.spacing;
-    const Layering layering = in_units(body.layering, spacing, body.effective_modulus);
     const Eigen::VectorXd column =
-        (surface.is_2d()
-             ? area_influence_column(body.kernel, surface.shape(), surface.row_spacing / spacing, layering)
-             : influence_column(body.kernel, nodes, body.datum / spacing, body.strip_width / spacing,
-                                layering)) *
+        influence_column(in_units(body, spacing, surface.row_spacing), surface.shape()) *
         (spacing / body.effective_modulus);
     Eigen::ArrayX<Index> x(nodes), y(nodes);
     for (Index i = 0; i < nodes; ++i) {

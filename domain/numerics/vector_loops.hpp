@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 namespace rough {
 
@@ -32,12 +33,6 @@ struct WaveAngles {
 struct VectorLoops {
     const char* vectors; ///< "baseline", "avx2" or "avx512"
 
-    /// rows(r, j) = h[nodes_j - own_r], j = 0..count-1, zero for r >= `filled`; `centre` is h[0], `own` has
-    /// `filled` <= 8 entries.
-    void (*fill)(const double* centre, const int* own, std::ptrdiff_t filled, const int* nodes,
-                 std::ptrdiff_t count, double* rows);
-    /// rows(r, j) = from[r][8 j], j = 0..count-1, zero for r >= `filled`.
-    void (*move_rows)(const double* const* from, std::ptrdiff_t filled, std::ptrdiff_t count, double* rows);
     /// Eliminates eight rows of L, panel number `panel`, whose columns before block `first_block` are already
     /// those of L and whose others hold H. `one` and `gap` (8 each) are the rows' entries of 1 and g0.
     /// Returns the first row whose pivot is not over `least_pivot` times its diagonal of H, or 8.
@@ -73,7 +68,18 @@ extern const VectorLoops avx512_loops;
 /// no wider ones than that, and so for the bits of a lesser processor. Decided once, at the first call.
 const VectorLoops& vector_loops();
 
-/// The loops of that name, or nothing where this processor or build does not have them.
+/// The loops of that name, or nothing if this processor or build does not have them.
 const VectorLoops* vector_loops(const char* vectors);
+
+/// What decides the last bits of a result apart from its input: the same build on the same kind of vectors
+/// gives the same bits.
+struct Build {
+    std::string compiler; ///< name and version
+    std::string flags;    ///< optimisation and tuning
+    std::string vectors;  ///< kind of the vectors that vector_loops() has chosen
+};
+
+/// The build of this library, on this processor.
+Build build();
 
 } // namespace rough

@@ -15,7 +15,7 @@ std::vector<std::complex<double>> transformed(const Eigen::VectorXd& values, Ind
     AlignedBuffer<double> real(length);
     AlignedBuffer<fftw_complex> bins(length / 2 + 1);
     std::fill(std::copy(values.begin(), values.end(), real.data()), real.data() + length, 0.0);
-    fftw_execute_dft_r2c(fourier_plan(length).forward, real.data(), bins.data());
+    fftw_execute_dft_r2c(fourier_plan({length}).forward, real.data(), bins.data());
     std::vector<std::complex<double>> result;
     for (Index k = 0; k <= length / 2; ++k)
         result.emplace_back(bins[k][0], bins[k][1]);
@@ -33,7 +33,7 @@ Eigen::VectorXd correlated(const std::vector<std::complex<double>>& heights,
         const std::complex<double> one = heights[k] * bins[k];
         product[static_cast<Index>(k)][0] = one.real(), product[static_cast<Index>(k)][1] = one.imag();
     }
-    fftw_execute_dft_c2r(fourier_plan(length).backward, product.data(), real.data());
+    fftw_execute_dft_c2r(fourier_plan({length}).backward, product.data(), real.data());
     return Eigen::Map<const Eigen::VectorXd>(real.data() + reach, nodes) / static_cast<double>(length);
 }
 

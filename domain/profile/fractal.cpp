@@ -15,7 +15,7 @@ namespace {
 /// A real sequence and its transform, with the plan between them.
 struct Transform {
     explicit Transform(Index length)
-        : plan(fourier_plan(length)), bins(length / 2 + 1), real(length), spectrum(bins) {}
+        : plan(fourier_plan({length})), bins(length / 2 + 1), real(length), spectrum(bins) {}
     void forward() { fftw_execute_dft_r2c(plan.forward, real.data(), spectrum.data()); }
     void backward() { fftw_execute_dft_c2r(plan.backward, spectrum.data(), real.data()); }
 

@@ -23,8 +23,7 @@ StiffnessLimits area_limits(const Model& model) {
                        grid.row_spacing()};
     };
     const double entry =
-        area_influence_column(model.body.kernel, grid.shape(), grid.row_spacing() / grid.spacing(),
-                              in_units(model.body.layering, grid.spacing(), model.body.effective_modulus))[0];
+        influence_column(in_units(model.body, grid.spacing(), grid.row_spacing()), grid.shape())[0];
     const double least =
         model.body.effective_modulus / (elements(flat(), model.body.kernel) * grid.spacing() * entry);
     while (grid.shape().nodes() > most_area_nodes) {
@@ -44,11 +43,8 @@ StiffnessLimits stiffness_limits(const Model& given) {
     Grid grid = model.grid;
     const double delta = grid.spacing();
     const auto column = [&](const Grid& g) {
-        return Eigen::VectorXd(
-            influence_column(model.body.kernel, g.nodes, model.body.datum / g.spacing(),
-                             model.body.strip_width / g.spacing(),
-                             in_units(model.body.layering, g.spacing(), model.body.effective_modulus)) *
-            (g.spacing() / model.body.effective_modulus));
+        return Eigen::VectorXd(influence_column(in_units(model.body, g.spacing(), 0), g.shape()) *
+                               (g.spacing() / model.body.effective_modulus));
     };
     const double least = delta / grid.length / column(grid)[0];
     if (model.body.kernel == Kernel::periodic)

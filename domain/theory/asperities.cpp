@@ -129,8 +129,11 @@ const std::vector<Sharpness>& sharpnesses() {
     return all;
 }
 
-} // namespace
-
+/// int_t^inf (s - t)^n phi(s) ds, phi the standard normal density, for n = 1/2, 1 and 3/2.
+struct Exceedances {
+    double half, one, three_halves;
+};
+/// For any t, to about ten digits.
 Exceedances exceedances(double t) {
     static const std::vector<Node> unit = nodes_on(0, 1);
     const double last = std::sqrt(std::pow(std::max(t, 0.0), 2) + 80); // beyond, exp(-40) of what is at t
@@ -144,6 +147,8 @@ Exceedances exceedances(double t) {
     }
     return of;
 }
+
+} // namespace
 
 Summits summits(const SpectralMoments& m) {
     expect_gaussian(m);
@@ -187,6 +192,31 @@ double summit_density(const SpectralMoments& m) {
     for (const Sharpness& s : sharpnesses())
         number += s.weight * s.number;
     return 2 * m.m4 / 3 / (2 * pi * m.m2) * number;
+}
+
+const std::vector<std::string>& theory_names() {
+    static const std::vector<std::string> names{"greenwood-williamson", "bush-gibson-thomas", "persson"};
+    return names;
+}
+
+const std::string& name_of(Theory theory) { return theory_names()[static_cast<std::size_t>(theory)]; }
+
+bool holds_for(Theory theory, bool is_area) { return is_area || theory == Theory::persson; }
+
+TheoryCurve foretold_curve(Theory theory, const RandomSurface& surface, double effective_modulus,
+                           const Eigen::VectorXd& pressures) {
+    if (!holds_for(theory, surface.is_area))
+        refuse(name_of(theory), ": given a profile, expected an area: asperities are no ridges");
+    if (!(effective_modulus > 0) || !(pressures.array() > 0).all())
+        refuse(name_of(theory), ": expected a modulus and mean pressures above 0");
+    switch (theory) {
+    case Theory::greenwood_williamson:
+        return greenwood_williamson(spectral_moments(surface), effective_modulus, pressures);
+    case Theory::bush_gibson_thomas:
+        return bush_gibson_thomas(spectral_moments(surface), effective_modulus, pressures);
+    default:
+        return persson(surface, effective_modulus, pressures);
+    }
 }
 
 } // namespace rough

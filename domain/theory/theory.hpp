@@ -31,15 +31,6 @@ bool holds_for(Theory theory, bool is_area);
 TheoryCurve foretold_curve(Theory theory, const RandomSurface& surface, double effective_modulus,
                            const Eigen::VectorXd& pressures);
 
-/// int_t^inf (s - t)^n phi(s) ds, phi the standard normal density, for n = 1/2, 1 and 3/2.
-struct Exceedances {
-    double half;         ///< n = 1/2
-    double one;          ///< n = 1
-    double three_halves; ///< n = 3/2
-};
-/// Of t of any size, to about ten digits.
-Exceedances exceedances(double t);
-
 /// Summits as Greenwood & Williamson (1966, Proc. R. Soc. A 295, 300) take them: spheres of one radius,
 /// heights normal. Their parameters from a surface's moments after McCool (1986, Wear 107, 37).
 struct Summits {

@@ -1,5 +1,4 @@
 #include "domain/accuracy/respond_within.hpp"
-#include "domain/contact/datum.hpp"
 #include "domain/design/scan_waves.hpp"
 #include "domain/design/statistical.hpp"
 #include "domain/errors.hpp"
@@ -63,10 +62,10 @@ TEST_CASE("a wrong argument from code is refused by its name, with its value") {
     rash.tolerance = 0.011;
     const std::vector<std::pair<std::function<void()>, std::string>> wrong{
         {pressing(line_of({1}), body), "1 node(s)"},
-        {pressing(line_of({0, 1}, 0), body), "spacing 0 mm"},
-        {pressing(line_of({-huge, huge}), body), "fits double precision"},
-        {pressing(line_of({0, nan}), body), "at node 1"},
-        {pressing(good, body, {0.2, 0.1}), "0.1 mm was given after 0.2"},
+        {pressing(line_of({0, 1}, 0), body), "spacing: 0 mm"},
+        {pressing(line_of({-huge, huge}), body), "beyond double precision"},
+        {pressing(line_of({0, nan}), body), "node 1"},
+        {pressing(good, body, {0.2, 0.1}), "0.1 mm after 0.2"},
         {pressing(good, periodic, {0.9}), "full contact, 0.575"},
         {pressing(good, soft), "modulus: 0 MPa"},
         {pressing(good, near), "datum: 0.01 mm"},
@@ -77,7 +76,7 @@ TEST_CASE("a wrong argument from code is refused by its name, with its value") {
         {[=] {
              solve_contact_at_pressures(good, body, {2e-3, 1e-3});
          },
-         "0.001 MPa was given after 0.002"},
+         "0.001 MPa after 0.002"},
         {[=] { with_datum(solve_contact(good, periodic, {0.1}), good, periodic, 1); }, "datum"},
         {[] {
              respond(line_of({2, 2, 2}), {}, {});

@@ -1,10 +1,10 @@
 #include "domain/contact/solvers/advance.hpp"
-#include "domain/contact/solvers/cascade.hpp"
 #include "domain/contact/solvers/certificate.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -43,11 +43,17 @@ class ActiveSet {
 
     StepSolution press(double approach, const std::optional<Eigen::VectorXd>& guess) {
         start(approach, guess);
-        double tolerance = options_.tolerance;
-        settle(approach, tolerance);
-        if (purpose_ == Purpose::guess)
-            return step_solution(set_, load_, tangent_, false);
-        return finished(approach, tolerance);
+        for (double tolerance = options_.tolerance;;) {
+            problem_.is_2d() ? settle_area(approach, tolerance) : settle_line(approach, tolerance);
+            if (purpose_ == Purpose::guess)
+                return step_solution(set_, load_, tangent_, false);
+            find_tangent();
+            const double error =
+                std::abs(missing_load(problem_, approach, set_, load_, tangent_)) / load_.pressure.sum();
+            if (error <= options_.tolerance || tolerance <= finest)
+                return step_solution(set_, load_, tangent_, options_.states);
+            tolerance = std::max(finest, 0.3 * tolerance * options_.tolerance / error);
+        }
     }
 
     /// The same of an area to a load, `approach` becoming the one found: the sum of the pressures is kept
@@ -57,9 +63,7 @@ class ActiveSet {
         sum_ = load;
         if (guess) {
             load_.pressure = *guess * (load / guess->sum());
-            for (Index i = 0; i < problem_.nodes(); ++i)
-                load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
-            set_.collect();
+            set_.assign([&](Index i) { return load_.pressure[i] > 0; });
         } else {
             const double before = load_.pressure.sum(), growth = load / before - 1,
                          step = (load - before) / tangent_.pressure.sum();
@@ -71,10 +75,7 @@ class ActiveSet {
         if (purpose_ == Purpose::guess)
             return step_solution(set_, load_, tangent_, false);
         find_tangent();
-        double missing = 0; // that by which the approach is off, to first order
-        for (const int i : set_.nodes())
-            missing += tangent_.pressure[i] * (approach - problem_.gap[i] - load_.displacement[i]);
-        approach -= missing / tangent_.pressure.sum();
+        approach -= missing_load(problem_, approach, set_, load_, tangent_) / tangent_.pressure.sum();
         return step_solution(set_, load_, tangent_, options_.states);
     }
     const Eigen::VectorXd& pressure() const { return load_.pressure; }
@@ -96,19 +97,6 @@ class ActiveSet {
             set_.insert(least);
             set_.collect();
         }
-    }
-
-    /// The tangent, and the load as good as the tolerance.
-    StepSolution finished(double& approach, double tolerance) {
-        for (;;) {
-            find_tangent();
-            const double error = load_error(problem_, approach, set_, load_, tangent_);
-            if (error <= options_.tolerance || tolerance <= finest)
-                break;
-            tolerance = std::max(finest, 0.3 * tolerance * options_.tolerance / error);
-            settle(approach, tolerance);
-        }
-        return step_solution(set_, load_, tangent_, options_.states);
     }
 
     /// Goes on along the tangent; on an area its product is known everywhere.
@@ -142,9 +130,7 @@ class ActiveSet {
             return;
         load_ = std::move(grown);
         product_ = std::move(grown_product);
-        for (Index i = 0; i < problem_.nodes(); ++i)
-            load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
-        set_.collect();
+        set_.assign([&](Index i) { return load_.pressure[i] > 0; });
         // The guess errs in its pressures more than in its set: those first.
         improve(approach, loosening * left);
     }
@@ -196,13 +182,6 @@ class ActiveSet {
             worst = std::max(worst, x.pressure[i] > 0 ? std::abs(depth) : depth);
         }
         return worst / approach;
-    }
-
-    void settle(double& approach, double tolerance) {
-        if (problem_.is_2d())
-            settle_area(approach, tolerance);
-        else
-            settle_line(approach, tolerance);
     }
 
     /// Nodes leave and join together here, until that makes the set swing: from then on none joins in a round
@@ -310,14 +289,52 @@ class ActiveSet {
     bool stale_ = true;         ///< the displacement off the contact set
 };
 
-/// By another path than the solver's.
-void certify_step(const ContactProblem& problem, StepSolution& found, SplitOperator& check,
-                  const Eigen::VectorXd& pressure, double tolerance) {
-    const Eigen::VectorXd displacement = check.apply(pressure);
-    found.residual =
-        certify(problem, found.approach, found.nodes, found.pressure, displacement.data()).residual();
-    if (!(found.residual <= 2 * tolerance))
-        fail("active set", problem, found.approach, found.residual, tolerance);
+/// Squares of pressures along a coarse line, zero off contact, read at the nodes of a fine one; one value
+/// beyond each edge is extrapolated, as it may be: negative. `step` apart, from the first on.
+void refine_line(const double* squares, Index coarse, Index coarse_step, Index stride, double* fine,
+                 Index nodes, Index step) {
+    const auto square = [&](Index k) { return squares[k * coarse_step]; };
+    auto beyond = [&](Index edge, Index inner) {
+        const double slope = inner >= 0 && inner < coarse ? square(inner) - square(edge) : 0;
+        return -std::max(slope, square(edge));
+    };
+    const double unit = static_cast<double>(stride);
+    for (Index i = 0; i < nodes; ++i) {
+        const Index left = i / stride, right = std::min(left + 1, coarse - 1);
+        double a = square(left), b = square(right);
+        fine[i * step] = 0;
+        if (a == 0 && b == 0)
+            continue;
+        if (a == 0)
+            a = beyond(right, right + 1);
+        else if (b == 0)
+            b = beyond(left, left - 1);
+        const double share = static_cast<double>(i - left * stride) / unit;
+        fine[i * step] = std::max(0.0, a + share * (b - a));
+    }
+}
+
+/// Pressures at every node of the fine grid guessed from the solution on every `stride`-th one from the first
+/// on: linear in p^2 along x, then along y, which near an edge falls linearly to zero, so that edges are
+/// found within the coarse spacing.
+Eigen::VectorXd refined_pressures(const StepSolution& coarse, Extent from, Index stride, Extent to) {
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(from.nodes());
+    for (std::size_t k = 0; k < coarse.nodes.size(); ++k)
+        squares[coarse.nodes[k]] = std::pow(coarse.pressure[static_cast<Index>(k)], 2);
+    Eigen::VectorXd fine(to.columns * from.rows);
+    for (Index j = 0; j < from.rows; ++j)
+        refine_line(squares.data() + j * from.columns, from.columns, 1, stride, fine.data() + j * to.columns,
+                    to.columns, 1);
+    if (to.rows > 1) {
+        const Eigen::VectorXd along_x = std::move(fine);
+        fine.resize(to.nodes());
+        for (Index i = 0; i < to.columns; ++i)
+            refine_line(along_x.data() + i, from.rows, to.columns, stride, fine.data() + i, to.rows,
+                        to.columns);
+    }
+    for (double& value : fine) // pressures are in units of 1/delta
+        value = std::sqrt(value) / static_cast<double>(stride);
+    return fine;
 }
 
 Solution guess(const ContactProblem& problem, ContactOptions options);
@@ -337,7 +354,7 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
     ActiveSet solver(problem, options, purpose);
     std::optional<SplitOperator> check;
     if (purpose == Purpose::curve)
-        check.emplace(split_operator(problem));
+        check.emplace(problem.column, problem.shape);
     double approach = 0;
     for (std::size_t j = 0; j < problem.steps(); ++j) {
         const long before = solver.applies();
@@ -356,7 +373,7 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
             by_load ? solver.press_to(problem.load[j], approach, start) : solver.press(approach, start);
         found.approach = approach;
         if (check)
-            certify_step(problem, found, *check, solver.pressure(), options.tolerance);
+            certify_step("active set", problem, found, *check, solver.pressure(), 2 * options.tolerance);
         solution.steps.push_back(std::move(found));
         solution.iterations += solver.applies() - before;
     }

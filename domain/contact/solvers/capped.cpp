@@ -41,7 +41,7 @@ class CappedContact {
             if (!descend(std::max(0.1 * enough, loosening * worst)))
                 break;
         }
-        return solution();
+        return solution(approach);
     }
     const Eigen::VectorXd& pressure() const { return load_.pressure; }
     long applies() const { return solver_.applies(); }
@@ -93,23 +93,18 @@ class CappedContact {
         return false;
     }
 
-    StepSolution solution() {
-        std::vector<int> touching;
-        ContactSet elastic(problem_.nodes());
-        for (Index i = 0; i < problem_.nodes(); ++i)
-            if (load_.pressure[i] > 0) {
-                touching.push_back(static_cast<int>(i));
-                if (load_.pressure[i] < problem_.cap)
-                    elastic.insert(i);
-            }
-        elastic.collect();
+    StepSolution solution(double approach) {
+        ContactSet touching(problem_.nodes()), elastic(problem_.nodes());
+        touching.assign([&](Index i) { return load_.pressure[i] > 0; });
+        elastic.assign([&](Index i) { return load_.pressure[i] > 0 && load_.pressure[i] < problem_.cap; });
         solver_.tangent(elastic, tangent_tolerance, true, tangent_);
         StepSolution step = step_solution(elastic, load_, tangent_, false);
-        step.held = static_cast<Index>(touching.size() - elastic.nodes().size());
-        step.pressure = load_.pressure(touching);
+        step.approach = approach;
+        step.nodes = touching.nodes();
+        step.held = static_cast<Index>(step.nodes.size() - elastic.nodes().size());
+        step.pressure = load_.pressure(step.nodes);
         if (options_.states)
-            step.tangent = tangent_.pressure(touching);
-        step.nodes = std::move(touching);
+            step.tangent = tangent_.pressure(step.nodes);
         return step;
     }
 
@@ -125,14 +120,11 @@ class CappedContact {
 
 void solve_capped(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
     CappedContact contact(problem, options);
-    SplitOperator check = split_operator(problem);
+    SplitOperator check(problem.column, problem.shape);
     for (const double approach : problem.approach) {
         StepSolution step = contact.press(approach);
-        const Eigen::VectorXd displacement = check.apply(contact.pressure());
-        step.residual = certify(problem, approach, step.nodes, step.pressure, displacement.data()).residual();
-        const double tolerance = direct_tolerance(problem, approach, step.pressure, step.stiffness);
-        if (!(step.residual <= tolerance))
-            fail("capped active set", problem, approach, step.residual, tolerance);
+        certify_step("capped active set", problem, step, check, contact.pressure(),
+                     direct_tolerance(problem, step));
         solution.steps.push_back(std::move(step));
     }
     solution.iterations = contact.applies();

@@ -20,12 +20,18 @@ struct Certificate {
 /// and |L||L'| <= h_0 entry by entry; p = L^-T (Delta z - v) with z'z = sum H_AA^-1 1 = `stiffness`, which
 /// diverges as the last nodes touch, so that each of the two terms, all but cancelling, brings its own
 /// sqrt(h_0) |z| Delta.
-double direct_tolerance(const ContactProblem& problem, double approach, const Eigen::VectorXd& pressure,
-                        double stiffness);
+double direct_tolerance(const ContactProblem& problem, const StepSolution& step);
 
 /// `displacement` is u = H p at every node, by another path than the one that found p.
 Certificate certify(const ContactProblem& problem, double approach, const std::vector<int>& contact,
                     const Eigen::VectorXd& pressure, const double* displacement);
+
+/// Throws NotConverged if a step's residual exceeds the tolerance, in the words that every solver uses.
+void expect_residual(const char* solver, const ContactProblem& problem, const StepSolution& step,
+                     double tolerance);
+/// Sets a step's residual, H being applied to the pressures at every node by `check`; then as above.
+void certify_step(const char* solver, const ContactProblem& problem, StepSolution& step, SplitOperator& check,
+                  const Eigen::VectorXd& pressure, double tolerance);
 
 /// The residual, over the approach, at which no node could touch or leave unseen: with an error e of the
 /// displacement on the contact set, that off it errs by no more than e and the pressures by a few times e.

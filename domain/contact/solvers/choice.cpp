@@ -1,6 +1,5 @@
 #include "domain/contact/solvers/choice.hpp"
 
-#include "domain/contact/solvers/cascade.hpp"
 #include "domain/contact/solvers/growing_factor.hpp"
 #include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
@@ -93,7 +92,7 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
     PlainStream reason;
     if (std::isfinite(problem.cap))
         return {Solver::active_set, "active-set: pressures are held at the hardness, contact is not nested"};
-    if (!problem.is_nested())
+    if (!contact_sets_nest(problem, problem.shape))
         return {problem.is_2d() || problem.nodes() > always_nested ? Solver::active_set : Solver::nnls,
                 "under these layers contact sets need not be nested"};
     if (problem.nodes() <= always_nested || problem.steps() == 0 ||

@@ -45,7 +45,8 @@ class GrowingFactor {
     void move_row_heads(Index panel, const std::vector<Index>& sources, Index columns);
     Index build_panel(Index panel, Index first_block);
     void fill_influence(Index panel, Index first_column);
-    void back_substitute(Eigen::VectorXd& x);
+    void back_substitute(Eigen::VectorXd padded, Eigen::VectorXd& x);
+    PanelFactor factor();
 
     const Influence& influence_;
     const Eigen::VectorXd& gap_;
@@ -53,7 +54,6 @@ class GrowingFactor {
     std::vector<AlignedBuffer<double>> panels_;              ///< panel b: 8 (b + 1) columns of 8 rows
     std::vector<double*> rows_;                              ///< of each panel
     std::vector<double> inverse_diagonal_, one_, gap_image_; ///< 1/L_ii, z, v, padded to whole panels
-    Eigen::VectorXd padded_;                                 ///< for substitution
 };
 
 } // namespace rough

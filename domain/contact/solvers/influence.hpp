@@ -1,7 +1,10 @@
 #pragma once
 
 #include "domain/numerics/aligned.hpp"
+#include "domain/numerics/vector_loops.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace rough {
@@ -11,11 +14,10 @@ namespace rough {
 /// rows lie so far apart that no offset along x reaches the next row.
 class Influence {
   public:
-    /// From the first column of N entries; a line, if no shape is given.
-    explicit Influence(const Eigen::VectorXd& first_column, Extent shape = {})
-        : shape_(shape == Extent{} ? Extent{first_column.size()} : shape),
-          padded_((shape_.columns + block - 1) / block * block), stride_(shape_.columns - 1 + padded_),
-          table_((2 * shape_.rows - 1) * stride_) {
+    /// From the first column of N entries.
+    Influence(const Eigen::VectorXd& first_column, Extent shape)
+        : shape_(shape), padded_((shape_.columns + block - 1) / block * block),
+          stride_(shape_.columns - 1 + padded_), table_((2 * shape_.rows - 1) * stride_) {
         std::fill_n(table_.data(), (2 * shape_.rows - 1) * stride_, 0.0);
         double* middle = table_.data() + (shape_.rows - 1) * stride_ + shape_.columns - 1;
         for (Index j = 0; j < shape_.rows; ++j)
@@ -50,16 +52,31 @@ class Influence {
 class DirectOperator {
   public:
     /// `influence` must outlive it.
-    explicit DirectOperator(const Influence& influence);
+    explicit DirectOperator(const Influence& influence)
+        : influence_(influence), displacement_(influence.shape().nodes() + influence.padded_columns()) {}
 
     /// Pressures on these nodes, in this order; u at every node (N entries), valid until the next call.
-    const double* apply(const std::vector<int>& nodes, const Eigen::VectorXd& pressure);
-    /// Whether so many loaded nodes cost less than a Fourier operator's two transforms; a fixed rule.
-    bool pays(std::size_t loaded) const { return static_cast<Index>(loaded) <= most_loaded_; }
+    const double* apply(const std::vector<int>& nodes, const Eigen::VectorXd& pressure) {
+        places_.clear();
+        for (const int node : nodes)
+            places_.push_back(influence_.place(node));
+        const Index columns = influence_.shape().columns;
+        for (Index j = 0; j < influence_.shape().rows; ++j) // each row's end is the next one's to write
+            vector_loops().toeplitz(influence_.centre() + j * influence_.stride(),
+                                    influence_.padded_columns(), places_.data(), pressure.data(),
+                                    static_cast<Index>(nodes.size()), displacement_.data() + j * columns);
+        return displacement_.data();
+    }
+
+    /// Whether so many loaded nodes cost less than a Fourier operator's two transforms of M = 2 N numbers: a
+    /// fixed rule. One of the M log2 M operations of the transforms costs as much as four multiplications.
+    bool pays(std::size_t loaded) const {
+        return static_cast<double>(loaded) <=
+               4 * 2 * std::log2(2 * static_cast<double>(influence_.shape().nodes()));
+    }
 
   private:
     const Influence& influence_;
-    Index most_loaded_;
     AlignedBuffer<double> displacement_; ///< and room for a row in whole blocks
     std::vector<int> places_;
 };

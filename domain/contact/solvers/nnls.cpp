@@ -34,10 +34,10 @@ class LawsonHanson {
             ++iterations_;
             reach_solution(approach);
         }
-        StepSolution step{factor_.nodes(), pressure_, factor_.stiffness(), {}, residual(approach)};
-        const double tolerance = direct_tolerance(problem_, approach, pressure_, step.stiffness);
-        if (!(step.residual <= tolerance))
-            fail("NNLS", problem_, approach, step.residual, tolerance);
+        const double* u = fourier_.apply(factor_.nodes(), pressure_);
+        const double residual = certify(problem_, approach, factor_.nodes(), pressure_, u).residual();
+        StepSolution step{factor_.nodes(), pressure_, factor_.stiffness(), {}, residual, 0, approach};
+        expect_residual("NNLS", problem_, step, direct_tolerance(problem_, step));
         if (options_.states)
             factor_.tangent(step.tangent);
         return step;
@@ -90,14 +90,6 @@ class LawsonHanson {
             }
         }
         return worst;
-    }
-
-    double residual(double approach) {
-        double* p = fourier_.input();
-        std::fill_n(p, problem_.nodes(), 0.0);
-        for (Index k = 0; k < factor_.size(); ++k)
-            p[factor_.nodes()[static_cast<std::size_t>(k)]] = pressure_[k];
-        return certify(problem_, approach, factor_.nodes(), pressure_, fourier_.apply()).residual();
     }
 
     const ContactProblem& problem_;

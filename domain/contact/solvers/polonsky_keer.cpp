@@ -18,7 +18,7 @@ constexpr double finest = 1e-12;
 class PolonskyKeer {
   public:
     PolonskyKeer(const ContactProblem& problem, const ContactOptions& options)
-        : problem_(problem), options_(options), solver_(problem), check_(split_operator(problem)),
+        : problem_(problem), options_(options), solver_(problem), check_(problem.column, problem.shape),
           set_(problem.nodes()), load_(problem.nodes()), direction_(problem.nodes()),
           tangent_(problem.nodes()) {}
 
@@ -30,22 +30,17 @@ class PolonskyKeer {
             start_at_approach(approach);
         for (double tolerance = options_.tolerance;;) {
             iterate(approach, load, tolerance);
-            for (Index i = 0; i < problem_.nodes(); ++i)
-                load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
-            set_.collect();
+            set_.assign([&](Index i) { return load_.pressure[i] > 0; });
             solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
-            const double error = load_error(problem_, approach, set_, load_, tangent_);
+            const double error =
+                std::abs(missing_load(problem_, approach, set_, load_, tangent_)) / load_.pressure.sum();
             if (error <= options_.tolerance || tolerance <= finest)
                 break;
             tolerance = std::max(finest, 0.3 * tolerance * options_.tolerance / error);
         }
         StepSolution step = step_solution(set_, load_, tangent_, options_.states);
         step.approach = approach;
-        const Eigen::VectorXd displacement = check_.apply(load_.pressure);
-        step.residual =
-            certify(problem_, approach, step.nodes, step.pressure, displacement.data()).residual();
-        if (!(step.residual <= 2 * options_.tolerance))
-            fail("Polonsky-Keer", problem_, approach, step.residual, options_.tolerance);
+        certify_step("Polonsky-Keer", problem_, step, check_, load_.pressure, 2 * options_.tolerance);
         return step;
     }
 

@@ -11,13 +11,8 @@ namespace rough {
 /// A contact problem without units, as every solver takes it: heights in units of the largest displacement,
 /// lengths along the surface in units of delta (of an area delta_x), pressures in units of E* times the
 /// largest displacement over delta.
-struct ContactProblem {
-    Kernel kernel;                ///< which body H stands for
-    Extent shape;                 ///< nodes along x and y; only operators and neighbours care
-    double row_spacing;           ///< delta_y of an area, in units of delta_x; 0: a line
-    double datum;                 ///< d (free), in units of delta
-    double strip_width;           ///< W (strip), in units of delta
-    Layering layering;            ///< of a periodic body, in units of delta and E*
+struct ContactProblem : UnitBody {
+    Extent shape;                 ///< nodes along x and y; only operators and neighbours depend on it
     Eigen::VectorXd column;       ///< first column of H
     Eigen::VectorXd gap;          ///< g0_i = max Z - Z_i >= 0
     std::vector<double> approach; ///< displacements, increasing, the last one 1 (or all zero)
@@ -35,9 +30,6 @@ struct ContactProblem {
     Index nodes() const { return gap.size(); } ///< N
     /// Load steps to solve.
     std::size_t steps() const { return load.empty() ? approach.size() : load.size(); }
-    bool is_2d() const { return row_spacing > 0; } ///< two dimensions
-    /// Whether contact sets only grow under load.
-    bool is_nested() const { return contact_sets_nest(shape, row_spacing, layering); }
     /// Whether H of all nodes together is singular: displacements are relative to the mean plane.
     bool is_singular() const { return kernel == Kernel::periodic && !layering.carries_mean(); }
     /// Only overlapping nodes can touch (strip, and free with d >= L).
@@ -55,19 +47,21 @@ ContactProblem make_problem_at(const Profile& profile, const Body& body,
 /// hardness, or infinity.
 double largest_displacement(const Profile& profile, const Body& body);
 
-/// H's first column on a grid of another shape, for the problem's body and spacing.
-Eigen::VectorXd influence_on(const ContactProblem& problem, Extent shape);
-/// The periodic body's eigenvalues on a grid of another shape.
-Eigen::VectorXd spectrum_on(const ContactProblem& problem, Extent shape);
+/// The same problem on every `stride`-th node, along x and y, with `node` among them.
+ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node = 0);
+
 /// Pressures of full contact on a periodic body, less their mean: p = P + H^-1 Z.
 Eigen::VectorXd full_contact_pressure(const ContactProblem& problem);
 
-/// H applied by FFT.
-FourierOperator fourier_operator(const ContactProblem& problem);
-/// The same in single precision.
-SingleFourierOperator single_fourier_operator(const ContactProblem& problem);
-/// H applied by another splitting into transforms, for certificates.
-SplitOperator split_operator(const ContactProblem& problem);
+/// H applied by FFT, in double or single precision.
+template <typename Real = double>
+BasicFourierOperator<Real> fourier_operator(const ContactProblem& problem) {
+    if (problem.kernel == Kernel::periodic && is_good_fourier_length(problem.shape.columns) &&
+        is_good_fourier_length(problem.shape.rows))
+        return BasicFourierOperator<Real>::circulant(problem.shape,
+                                                     periodic_spectrum(problem, problem.shape));
+    return BasicFourierOperator<Real>::toeplitz(problem.column, problem.shape);
+}
 
 /// One step's solution in the problem's units.
 struct StepSolution {

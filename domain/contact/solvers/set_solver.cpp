@@ -1,6 +1,5 @@
 #include "domain/contact/solvers/set_solver.hpp"
 
-#include "domain/contact/kernel.hpp"
 #include "domain/contact/solvers/extension.hpp"
 
 #include <Eigen/Cholesky>
@@ -60,99 +59,86 @@ Eigen::VectorXd cumulative(const Eigen::VectorXd& column) {
 class Deflation {
   public:
     /// `nodes` sorted; `sums` from cumulative(), or nothing, which deflates nothing.
-    Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums);
+    Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums) {
+        const auto runs = sums.size() > 0 ? runs_of(nodes) : std::vector<std::pair<Index, Index>>();
+        const Index count = static_cast<Index>(nodes.size()), many = static_cast<Index>(runs.size());
+        const Index columns = std::min(most_columns, many), n = sums.size() / 2;
+        const auto node = [&](Index k) { return static_cast<Index>(nodes[static_cast<std::size_t>(k)]); };
+        image_.resize(count, columns);
+        for (Index run = 0; run < many; ++run) {
+            const auto [begin, end] = runs[static_cast<std::size_t>(run)];
+            const Index target = run * columns / many;
+            if (target == static_cast<Index>(parts_.size())) {
+                parts_.push_back({begin, 0});
+                image_.col(target).setZero();
+            }
+            parts_.back().count = end - parts_.back().begin;
+            // The sum of h_|i - j| over the run's j is that from i - last to i - first.
+            const Index first = node(begin), last = node(end - 1);
+            for (const auto& [from, to] : runs) {
+                const Index length = to - from, i = node(from) + n;
+                image_.col(target).segment(from, length) +=
+                    sums.segment(i - first, length) - sums.segment(i - last - 1, length);
+            }
+        }
+        Eigen::MatrixXd energy(columns, columns);
+        for (Index c = 0; c < columns; ++c) {
+            const Part part = parts_[static_cast<std::size_t>(c)];
+            energy.row(c) = image_.middleRows(part.begin, part.count).colwise().sum();
+        }
+        if (columns > 0)
+            energy_.compute(energy);
+        usable_ = columns > 0 && energy_.info() == Eigen::Success;
+    }
 
     /// Returns what is to be added to x to make the residual orthogonal to W, and makes it so.
-    Eigen::VectorXd project(Eigen::VectorXd& residual) const;
+    Eigen::VectorXd project(Eigen::VectorXd& residual) const {
+        Eigen::VectorXd change = Eigen::VectorXd::Zero(residual.size());
+        if (usable_) {
+            Eigen::VectorXd sums(image_.cols()); // W'r
+            for (Index c = 0; c < sums.size(); ++c) {
+                const Part part = parts_[static_cast<std::size_t>(c)];
+                sums[c] = residual.segment(part.begin, part.count).sum();
+            }
+            const Eigen::VectorXd c = energy_.solve(sums);
+            subtract(-c, change);
+            residual.noalias() -= image_ * c;
+        }
+        return change;
+    }
+
     /// Takes from z what would bring W into the search.
-    void purge(Eigen::VectorXd& z) const;
+    void purge(Eigen::VectorXd& z) const {
+        if (usable_)
+            subtract(energy_.solve(image_.transpose() * z), z);
+    }
 
   private:
-    Eigen::VectorXd reduced(const Eigen::VectorXd& v) const;           ///< W'v
-    void subtract(const Eigen::VectorXd& c, Eigen::VectorXd& v) const; ///< v -= W c
+    /// v -= W c
+    void subtract(const Eigen::VectorXd& c, Eigen::VectorXd& v) const {
+        for (Index k = 0; k < c.size(); ++k) {
+            const Part part = parts_[static_cast<std::size_t>(k)];
+            v.segment(part.begin, part.count).array() -= c[k];
+        }
+    }
 
-    std::vector<Index> begins_; ///< where each column's nodes begin, and the end
-    Eigen::MatrixXd image_;     ///< HW on the contact set
+    struct Part {
+        Index begin, count;
+    };
+    std::vector<Part> parts_; ///< positions of each column's nodes
+    Eigen::MatrixXd image_;   ///< HW on the contact set
     Eigen::LLT<Eigen::MatrixXd> energy_;
     bool usable_;
 };
-
-Deflation::Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums) {
-    const auto runs = sums.size() > 0 ? runs_of(nodes) : std::vector<std::pair<Index, Index>>();
-    const Index count = static_cast<Index>(nodes.size()), many = static_cast<Index>(runs.size());
-    const Index columns = std::min(most_columns, many), n = sums.size() / 2;
-    const auto node = [&](Index k) { return static_cast<Index>(nodes[static_cast<std::size_t>(k)]); };
-    image_.resize(count, columns);
-    for (Index run = 0; run < many; ++run) {
-        const auto [begin, end] = runs[static_cast<std::size_t>(run)];
-        const Index target = run * columns / many;
-        if (target == static_cast<Index>(begins_.size())) {
-            begins_.push_back(begin);
-            image_.col(target).setZero();
-        }
-        // The sum of h_|i - j| over the run's j is that from i - last to i - first.
-        const Index first = node(begin), last = node(end - 1);
-        for (const auto& [from, to] : runs) {
-            const Index length = to - from, i = node(from) + n;
-            image_.col(target).segment(from, length) +=
-                sums.segment(i - first, length) - sums.segment(i - last - 1, length);
-        }
-    }
-    begins_.push_back(count);
-    Eigen::MatrixXd energy(columns, columns);
-    for (Index c = 0; c < columns; ++c)
-        energy.row(c) =
-            image_
-                .middleRows(begins_[static_cast<std::size_t>(c)],
-                            begins_[static_cast<std::size_t>(c + 1)] - begins_[static_cast<std::size_t>(c)])
-                .colwise()
-                .sum();
-    if (columns > 0)
-        energy_.compute(energy);
-    usable_ = columns > 0 && energy_.info() == Eigen::Success;
-}
-
-Eigen::VectorXd Deflation::reduced(const Eigen::VectorXd& v) const {
-    Eigen::VectorXd sums(image_.cols());
-    for (Index c = 0; c < sums.size(); ++c) {
-        const Index begin = begins_[static_cast<std::size_t>(c)],
-                    end = begins_[static_cast<std::size_t>(c + 1)];
-        sums[c] = v.segment(begin, end - begin).sum();
-    }
-    return sums;
-}
-
-void Deflation::subtract(const Eigen::VectorXd& c, Eigen::VectorXd& v) const {
-    for (Index k = 0; k < c.size(); ++k) {
-        const Index begin = begins_[static_cast<std::size_t>(k)],
-                    end = begins_[static_cast<std::size_t>(k + 1)];
-        v.segment(begin, end - begin).array() -= c[k];
-    }
-}
-
-Eigen::VectorXd Deflation::project(Eigen::VectorXd& residual) const {
-    Eigen::VectorXd change = Eigen::VectorXd::Zero(residual.size());
-    if (usable_) {
-        const Eigen::VectorXd c = energy_.solve(reduced(residual));
-        subtract(-c, change);
-        residual.noalias() -= image_ * c;
-    }
-    return change;
-}
-
-void Deflation::purge(Eigen::VectorXd& z) const {
-    if (usable_)
-        subtract(energy_.solve(image_.transpose() * z), z);
-}
 
 /// Eigenvalues 1/S_k of the inverse of T. Chan's circulant, whose first column is ((M - j) h_j + j
 /// h_(M-j))/M; on an area so along both axes.
 Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Extent shape) {
     Eigen::VectorXd eigenvalues;
     if (problem.kernel == Kernel::periodic) {
-        eigenvalues = spectrum_on(problem, shape);
+        eigenvalues = periodic_spectrum(problem, shape);
     } else {
-        const Eigen::VectorXd h = influence_on(problem, shape);
+        const Eigen::VectorXd h = influence_column(problem, shape);
         const FourierPlan plan = fourier_plan(shape);
         const Index half = (shape.columns / 2 + 1) * shape.rows;
         AlignedBuffer<double> real(shape.nodes());
@@ -195,12 +181,6 @@ Extent circulant_shape(const ContactProblem& problem) {
     return {longer(columns), longer(rows)};
 }
 
-/// The inverse of the circulant, of which a part at the origin is the surface.
-SingleFourierOperator preconditioner(const ContactProblem& problem) {
-    const Extent shape = circulant_shape(problem);
-    return SingleFourierOperator::circulant(shape, inverse_circulant(problem, shape));
-}
-
 /// y += factor x, and the largest |x|. Plain loops: Eigen leaves casts to one number at a time.
 float add(double factor, const float* x, Eigen::VectorXd& y) {
     const Index n = y.size();
@@ -221,8 +201,10 @@ void ContactSet::collect() {
 
 SetSolver::SetSolver(const ContactProblem& problem)
     : shape_(problem.shape), sums_(problem.is_2d() ? Eigen::VectorXd() : cumulative(problem.column)),
-      forward_(fourier_operator(problem)), single_(single_fourier_operator(problem)),
-      inverse_(preconditioner(problem)), inverse_shape_(circulant_shape(problem)) {}
+      forward_(fourier_operator(problem)), single_(fourier_operator<float>(problem)),
+      inverse_shape_(circulant_shape(problem)),
+      inverse_(SingleFourierOperator::circulant(inverse_shape_, inverse_circulant(problem, inverse_shape_))) {
+}
 
 void SetSolver::load(Loaded& x) {
     const Index n = x.pressure.size();
@@ -393,12 +375,12 @@ double SetSolver::tangent(const ContactSet& set, double tolerance, bool each_ent
     return 0;
 }
 
-double load_error(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,
-                  const Loaded& tangent) {
-    double error = 0;
+double missing_load(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,
+                    const Loaded& tangent) {
+    double missing = 0;
     for (const int i : set.nodes())
-        error += tangent.pressure[i] * (approach - problem.gap[i] - load.displacement[i]);
-    return std::abs(error) / load.pressure.sum();
+        missing += tangent.pressure[i] * (approach - problem.gap[i] - load.displacement[i]);
+    return missing;
 }
 
 StepSolution step_solution(const ContactSet& set, const Loaded& load, const Loaded& tangent,

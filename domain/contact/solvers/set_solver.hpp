@@ -24,6 +24,13 @@ class ContactSet {
     void erase(Index node) { touching_[static_cast<std::size_t>(node)] = 0; }
     /// To be called after the last insert or erase.
     void collect();
+    /// Lets just those nodes touch for which touches(node) is true.
+    template <class Touches>
+    void assign(Touches touches) {
+        for (std::size_t i = 0; i < touching_.size(); ++i)
+            touching_[i] = touches(static_cast<Index>(i));
+        collect();
+    }
 
   private:
     std::vector<int> nodes_;
@@ -92,14 +99,15 @@ class SetSolver {
     Extent shape_;
     Eigen::VectorXd sums_; ///< of H's first column, for the deflation; empty on an area, which has none
     FourierOperator forward_;
-    SingleFourierOperator single_, inverse_;
-    Extent inverse_shape_;
+    SingleFourierOperator single_;
+    Extent inverse_shape_; ///< of the circulant, of which a part at the origin is the surface
+    SingleFourierOperator inverse_;
     long applies_ = 0;
 };
 
-/// How far the load sum p is off for the residual that is left on A: w'r, over it.
-double load_error(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,
-                  const Loaded& tangent);
+/// What the load sum p lacks for the residual r that is left on A: w'r.
+double missing_load(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,
+                    const Loaded& tangent);
 
 /// A step's solution from vectors over all nodes. K = 2 sum w - w'Hw: its error is the square of w's.
 StepSolution step_solution(const ContactSet& set, const Loaded& load, const Loaded& tangent,

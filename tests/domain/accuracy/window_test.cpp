@@ -63,7 +63,7 @@ TEST_CASE("every kernel falls off convexly from node to node, which the bounds r
         for (const double datum : {0.26 * n, 1.0 * n, 5.0 * n})
             for (const double width : {0.01, 1.0, 0.5 * n}) {
                 for (const Kernel kernel : {Kernel::free, Kernel::strip}) {
-                    const Eigen::VectorXd h = influence_column(kernel, nodes, datum, width);
+                    const Eigen::VectorXd h = influence_column({kernel, 0, datum, width}, {nodes});
                     for (Index i = 0; i + 1 < nodes; ++i)
                         CHECK(h[i] > h[i + 1]);
                     for (Index i = 1; i + 1 < nodes; ++i)
@@ -71,7 +71,7 @@ TEST_CASE("every kernel falls off convexly from node to node, which the bounds r
                 }
             }
         // On a circle: convex along every arc that does not pass the loaded node.
-        const Eigen::VectorXd h = influence_column(Kernel::periodic, nodes, 0, 0);
+        const Eigen::VectorXd h = influence_column({Kernel::periodic}, {nodes});
         for (Index i = 1; i < nodes; ++i)
             CHECK(h[i - 1] - 2 * h[i] + h[(i + 1) % nodes] > 0);
     }

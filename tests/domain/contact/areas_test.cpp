@@ -1,12 +1,11 @@
 #include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/pressure_and_gap.hpp"
-#include "domain/contact/solvers/certificate.hpp"
-#include "domain/contact/solvers/oracle.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
 #include "domain/response/response.hpp"
 #include "tests/domain/contact/maps.hpp"
+#include "tests/domain/contact/oracle.hpp"
 
 #include <Eigen/Cholesky>
 #include <catch2/catch.hpp>
@@ -29,25 +28,13 @@ Profile noise(Extent shape, double spacing, double row_spacing, unsigned seed) {
     return map_of(shape, spacing, row_spacing, [&](double, double) { return height(random); });
 }
 
-Body on(Kernel kernel, double modulus = 1.3) {
-    Body body;
-    body.kernel = kernel;
-    body.effective_modulus = modulus;
-    return body;
-}
+Body on(Kernel kernel, double modulus = 1.3) { return {.kernel = kernel, .effective_modulus = modulus}; }
 
 std::vector<double> steps_of(const Profile& profile, Kernel kernel, int steps, double reach) {
-    Loading loading;
-    loading.steps = steps;
-    loading.reach = reach;
-    return load_displacements(displacement_range(profile, kernel), loading, kernel);
+    return load_displacements(displacement_range(profile, kernel), {.steps = steps, .reach = reach}, kernel);
 }
 
-ContactOptions by(Solver solver) {
-    ContactOptions options;
-    options.solver = solver;
-    return options;
-}
+ContactOptions by(Solver solver) { return {.solver = solver}; }
 
 double worst_difference(const ContactCurve& one, const ContactCurve& other) {
     double worst = 0;
@@ -61,8 +48,7 @@ double worst_difference(const ContactCurve& one, const ContactCurve& other) {
 
 } // namespace
 
-TEST_CASE("on small maps every solver agrees with the oracle in extended precision, under either control",
-          "[contact][areas]") {
+TEST_CASE("every solver agrees with the oracle on small maps, under either control", "[contact][areas]") {
     for (const Kernel kernel : {Kernel::free, Kernel::periodic})
         for (const Extent shape : {Extent{2, 1}, Extent{5, 1}, Extent{2, 2}, Extent{2, 3}, Extent{3, 5},
                                    Extent{16, 9}, Extent{5, 14}}) {
@@ -93,15 +79,13 @@ TEST_CASE("on small maps every solver agrees with the oracle in extended precisi
         }
 }
 
-TEST_CASE("on a small area with a hardness the held nodes are the oracle's", "[contact][areas]") {
+TEST_CASE("held nodes of a small map are the oracle's", "[contact][areas]") {
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
         const Profile map = noise({9, 8}, 0.01, 0.012, 5);
         const auto displacements = steps_of(map, kernel, 4, 0.7);
         Body body = on(kernel);
-        ContactOptions states;
-        states.states = true;
         body.hardness =
-            0.5 * solve_contact(map, body, displacements, states).states.back().pressure.maxCoeff();
+            0.5 * solve_contact(map, body, displacements, {.states = true}).states.back().pressure.maxCoeff();
         const Oracle oracle = consult_oracle(map, body, displacements);
         const ContactCurve curve = solve_contact(map, body, displacements);
         CHECK(curve.steps.back().held_nodes > 0);
@@ -114,11 +98,7 @@ TEST_CASE("on a small area with a hardness the held nodes are the oracle's", "[c
 }
 
 TEST_CASE("an extruded periodic map gives the profile's curve", "[contact][areas]") {
-    std::mt19937 random(4);
-    std::uniform_real_distribution<double> height(0, 1e-3);
-    Profile profile{Eigen::VectorXd(48), 0.01};
-    for (double& z : profile.heights)
-        z = height(random);
+    const Profile profile = noise({48}, 0.01, 0, 4);
     for (const double row_spacing : {0.01, 0.027}) {
         const Profile map = map_of({48, 10}, 0.01, row_spacing,
                                    [&](double x, double) { return profile.heights[std::lround(x / 0.01)]; });
@@ -131,13 +111,13 @@ TEST_CASE("an extruded periodic map gives the profile's curve", "[contact][areas
     }
 }
 
-TEST_CASE("full contact of a few nodes is solved as a dense matrix solves it", "[areas]") {
+TEST_CASE("full contact of a few nodes agrees with a dense matrix", "[areas]") {
     for (const Extent shape : {Extent{2, 1}, Extent{7, 1}, Extent{2, 2}, Extent{2, 3}, Extent{3, 2},
                                Extent{3, 5}, Extent{5, 3}, Extent{2, 9}, Extent{8, 8}, Extent{11, 4}})
         for (const double row_spacing : {0.1, 0.04, 0.3}) {
             INFO(shape.columns << " x " << shape.rows << ", " << row_spacing << " mm");
             const Profile flat = map_of(shape, 0.1, row_spacing, [](double, double) { return 0.0; });
-            const Eigen::VectorXd column = area_influence_column(Kernel::free, shape, row_spacing / 0.1);
+            const Eigen::VectorXd column = influence_column({Kernel::free, row_spacing / 0.1}, shape);
             const Index n = shape.nodes();
             Eigen::MatrixXd matrix(n, n);
             for (Index i = 0; i < n; ++i)
@@ -152,11 +132,7 @@ TEST_CASE("full contact of a few nodes is solved as a dense matrix solves it", "
 }
 
 TEST_CASE("one row of square cells on a half-space is the strip", "[contact][areas]") {
-    std::mt19937 random(6);
-    std::uniform_real_distribution<double> height(0, 1e-3);
-    Profile profile{Eigen::VectorXd(60), 0.01};
-    for (double& z : profile.heights)
-        z = height(random);
+    const Profile profile = noise({60}, 0.01, 0, 6);
     Profile row = profile;
     row.row_spacing = row.spacing;
     Body strip = on(Kernel::strip);
@@ -237,7 +213,7 @@ TEST_CASE("a double sine follows Johnson, Greenwood and Higginson at both ends",
                       Catch::Contains("full contact"));
 }
 
-TEST_CASE("x and y are alike: a transposed map has the same curve", "[contact][areas]") {
+TEST_CASE("a transposed map has the same curve", "[contact][areas]") {
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
         const Profile map = noise({24, 40}, 0.01, 0.015, 9);
         Profile turned{map.heights, map.row_spacing, 24, map.spacing};
@@ -252,7 +228,7 @@ TEST_CASE("x and y are alike: a transposed map has the same curve", "[contact][a
     }
 }
 
-TEST_CASE("contact spots are counted with their neighbours across a periodic edge", "[contact][areas]") {
+TEST_CASE("contact spots join across a periodic edge", "[contact][areas]") {
     // x x . x
     // . . . .
     // x . x .
@@ -263,8 +239,7 @@ TEST_CASE("contact spots are counted with their neighbours across a periodic edg
     CHECK(contact_spots({}, {4, 3}, true).empty());
 }
 
-TEST_CASE("an area bears each load asked for exactly, and its displacements give the loads back",
-          "[contact][areas]") {
+TEST_CASE("pressing to loads and pressing to their displacements agree on maps", "[contact][areas]") {
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
         const Profile map = maps::self_affine(48, 0.8, 5, 0.1);
         const std::vector<double> pressures{1e-4, 2e-3, 0.01, 0.03};
@@ -285,7 +260,7 @@ TEST_CASE("an area bears each load asked for exactly, and its displacements give
     }
 }
 
-TEST_CASE("products a load step hardly grow with the nodes of an area", "[contact][areas]") {
+TEST_CASE("products per load step hardly grow with the nodes of a map", "[contact][areas]") {
     const auto products = [](Kernel kernel, Index n) {
         std::vector<double> pressures;
         for (int j = 1; j <= 10; ++j)
@@ -299,8 +274,7 @@ TEST_CASE("products a load step hardly grow with the nodes of an area", "[contac
     CHECK(products(Kernel::free, 256) <= 165);
 }
 
-TEST_CASE("loads on four million nodes are borne, where nodes that join and leave at once swing for ever",
-          "[long][contact][areas]") {
+TEST_CASE("loads on four million nodes are solved, though the contact set swings", "[long][contact][areas]") {
     const Profile map = maps::self_affine(2048, 0.8, 1, 0.1);
     const ContactCurve curve = solve_contact_at_pressures(
         map, on(Kernel::periodic, 1), {0.17 * 0.1 / 23.5, 0.17 * 0.2 / 23.5, 0.17 * 0.3 / 23.5},

@@ -1,6 +1,3 @@
-#include "domain/contact/datum.hpp"
-#include "domain/contact/kernel.hpp"
-#include "domain/contact/solvers/problem.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/model.hpp"
@@ -59,24 +56,17 @@ std::vector<Scene> random_scenes(int count) {
 }
 
 ContactCurve solved(const Scene& scene) {
-    ContactOptions options;
-    options.states = true;
-    return solve_contact(scene.profile, scene.body, scene.displacements, options);
+    return solve_contact(scene.profile, scene.body, scene.displacements, {.states = true});
 }
 
 /// Two waves on 2 mm.
 Profile two_mm() {
-    Profile profile{Eigen::VectorXd(201), 0.01};
-    for (Index i = 0; i < profile.nodes(); ++i)
-        profile.heights[i] =
-            std::cos(0.05 * static_cast<double>(i)) + 0.3 * std::sin(0.21 * static_cast<double>(i));
-    return profile;
+    return scenes::line_of(201, 0.01, [](double x) { return std::cos(5 * x) + 0.3 * std::sin(21 * x); });
 }
 
 } // namespace
 
-TEST_CASE("no node leaves contact as the approach grows, and every tangent pressure is positive",
-          "[contact]") {
+TEST_CASE("no node leaves contact as the approach grows", "[contact]") {
     for (const Scene& scene : random_scenes(150)) {
         const ContactCurve curve = solved(scene);
         std::vector<int> before;
@@ -91,8 +81,7 @@ TEST_CASE("no node leaves contact as the approach grows, and every tangent press
     }
 }
 
-TEST_CASE("only overlapping nodes touch a strip, or a half-plane with its datum at L or beyond",
-          "[contact]") {
+TEST_CASE("only overlapping nodes touch a strip or a half-plane with datum from L on", "[contact]") {
     int touched_apart = 0;
     for (const Scene& scene : random_scenes(150)) {
         const double highest = scene.profile.heights.maxCoeff();
@@ -111,8 +100,7 @@ TEST_CASE("only overlapping nodes touch a strip, or a half-plane with its datum 
     CHECK(touched_apart > 0); // on the other bodies it does happen
 }
 
-TEST_CASE("scaling heights and displacements scales the pressure and leaves stiffness and contact",
-          "[contact]") {
+TEST_CASE("pressure scales with heights and displacements; stiffness and contact stay", "[contact]") {
     for (Scene scene : random_scenes(60)) {
         const ContactCurve curve = solved(scene);
         const double scale = 1e-3;
@@ -129,8 +117,7 @@ TEST_CASE("scaling heights and displacements scales the pressure and leaves stif
     }
 }
 
-TEST_CASE("pressure is convex in the displacement, stiffness never falls nor exceeds full contact's",
-          "[contact]") {
+TEST_CASE("pressure is convex, and stiffness never falls or exceeds that of full contact", "[contact]") {
     for (const Scene& scene : random_scenes(150)) {
         const ContactCurve curve = solved(scene);
         double full = std::numeric_limits<double>::infinity();
@@ -155,15 +142,14 @@ TEST_CASE("pressure is convex in the displacement, stiffness never falls nor exc
     }
 }
 
-TEST_CASE("full contact of the paper's half-plane is as stiff as pi E*/(2 L ln 4), a little more on a grid",
-          "[contact]") {
+TEST_CASE("full contact of a half-plane has the stiffness pi E*/(2 L ln 4)", "[contact]") {
     const Profile flat{Eigen::VectorXd::Zero(512), 0.84942 / 511};
     const double stiffness = solve_contact(flat, Body{}, {1}).steps[0].tangent_stiffness;
     CHECK(stiffness == Approx(1.3352).epsilon(1e-4));
     CHECK(stiffness == Approx(std::numbers::pi / (2 * 0.84942 * std::log(4))).epsilon(2e-3));
 }
 
-TEST_CASE("waves of amplitude e left out move the curve by at most 2 e in displacement", "[contact]") {
+TEST_CASE("a wave of amplitude e shifts the curve by at most 2 e in displacement", "[contact]") {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> uniform(0, 1);
     for (const Scene& scene : random_scenes(90)) {
@@ -185,21 +171,18 @@ TEST_CASE("waves of amplitude e left out move the curve by at most 2 e in displa
     }
 }
 
-TEST_CASE("the contact set settles within nine rounds a step", "[contact]") {
+TEST_CASE("the contact set settles within nine rounds per step", "[contact]") {
     for (const Scene& scene : random_scenes(90))
         CHECK(solved(scene).iterations <= 9 * static_cast<long>(scene.displacements.size()));
 }
 
-TEST_CASE("the circulant preconditioner keeps iterations on a fixed set from growing with the grid",
-          "[contact]") {
+TEST_CASE("iterations on a fixed set do not grow with the grid", "[contact]") {
     for (const Index nodes : {1024, 4096, 16384}) {
-        Profile profile{Eigen::VectorXd::LinSpaced(nodes, -1, 1), 1.0 / static_cast<double>(nodes - 1)};
-        profile.heights = -profile.heights.cwiseAbs2();
+        const Profile profile = scenes::line_of(nodes, 1.0 / static_cast<double>(nodes - 1),
+                                                [](double x) { return -(2 * x - 1) * (2 * x - 1); });
         const ContactProblem problem = make_problem(profile, {Kernel::free, 1, 1, 0}, {0.1});
         ContactSet set(nodes);
-        for (Index i = nodes / 3; i < nodes / 2; ++i)
-            set.insert(i);
-        set.collect();
+        set.assign([&](Index i) { return i >= nodes / 3 && i < nodes / 2; });
         SetSolver solver(problem);
         Loaded w(nodes);
         const bool solved = solver.improve(
@@ -209,7 +192,7 @@ TEST_CASE("the circulant preconditioner keeps iterations on a fixed set from gro
     }
 }
 
-TEST_CASE("another datum needs no other solution", "[contact]") {
+TEST_CASE("a curve with another datum follows without a new solution", "[contact]") {
     for (const Scene& scene : random_scenes(60)) {
         if (scene.body.kernel != Kernel::free)
             continue;
@@ -234,7 +217,7 @@ TEST_CASE("another datum needs no other solution", "[contact]") {
     }
 }
 
-TEST_CASE("a body left open is completed for the profile's own length, to the bit", "[contact]") {
+TEST_CASE("datum and strip width default to those of the profile's length, to the bit", "[contact]") {
     const Profile profile = two_mm();
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
         Body open{kernel}, stated{kernel};
@@ -252,16 +235,15 @@ TEST_CASE("a body left open is completed for the profile's own length, to the bi
     }
 }
 
-TEST_CASE("a response to a pressure keeps the length's own datum while it looks for it", "[contact]") {
-    Profile fine{Eigen::VectorXd(1025), 0.004}; // found by way of a fourth of the nodes, which are shorter
-    for (Index i = 0; i < fine.nodes(); ++i)
-        fine.heights[i] = std::cos(0.013 * static_cast<double>(i));
+TEST_CASE("the displacement at a pressure does not depend on how the datum was given", "[contact]") {
+    // It is found from every fourth node, which span a shorter length.
+    const Profile fine = scenes::line_of(1025, 0.004, [](double x) { return std::cos(3.25 * x); });
     Body stated;
     stated.datum = 0.004 * 1024;
     CHECK(displacement_at_pressure(fine, {}, 0.01) == displacement_at_pressure(fine, stated, 0.01));
 }
 
-TEST_CASE("a datum is refused up to a quarter of the length and a spacing, and taken beyond", "[contact]") {
+TEST_CASE("a datum is refused up to (L + spacing)/4", "[contact]") {
     const Profile profile = two_mm();
     const double limit = datum_limit(profile);
     CHECK(limit == Approx(2.01 / 4));

@@ -1,5 +1,5 @@
 #include "domain/contact/kernel.hpp"
-#include "domain/contact/solvers/oracle.hpp"
+#include "tests/domain/contact/oracle.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -37,9 +37,7 @@ Scene random_scene(std::mt19937_64& random, Kernel kernel, Index nodes) {
                                   : scene.profile.heights.maxCoeff() - scene.profile.heights.minCoeff();
     for (const double part : {0.05, 0.2, 0.5, 0.9})
         scene.displacements.push_back(part * range);
-    ContactOptions options;
-    options.states = true;
-    scene.highest = solve_contact(scene.profile, scene.body, scene.displacements, options)
+    scene.highest = solve_contact(scene.profile, scene.body, scene.displacements, {.states = true})
                         .states.back()
                         .pressure.maxCoeff();
     return scene;
@@ -47,17 +45,15 @@ Scene random_scene(std::mt19937_64& random, Kernel kernel, Index nodes) {
 
 } // namespace
 
-TEST_CASE("pressures held at a hardness are those of a dense projected solver, on every kernel",
-          "[contact]") {
+TEST_CASE("pressures held at a hardness are the oracle's, on every kernel", "[contact]") {
     std::mt19937_64 random(41);
     Index held = 0;
     for (int trial = 0; trial < 24; ++trial) {
         Scene scene = random_scene(random, static_cast<Kernel>(trial % 3), 16 + trial);
         scene.body.hardness =
             scene.highest * std::array{0.05, 0.3, 0.6, 0.9}[static_cast<std::size_t>(trial % 4)];
-        ContactOptions options;
-        options.states = true;
-        const ContactCurve curve = solve_contact(scene.profile, scene.body, scene.displacements, options);
+        const ContactCurve curve =
+            solve_contact(scene.profile, scene.body, scene.displacements, {.states = true});
         const Oracle oracle = consult_oracle(scene.profile, scene.body, scene.displacements);
         for (std::size_t j = 0; j < curve.steps.size(); ++j) {
             const LoadStep& step = curve.steps[j];
@@ -83,8 +79,7 @@ TEST_CASE("pressures held at a hardness are those of a dense projected solver, o
     CHECK(held > 100);
 }
 
-TEST_CASE("a hardness that no node reaches changes nothing, and one that all reach bears no more",
-          "[contact]") {
+TEST_CASE("a hardness changes the curve only if a node reaches it", "[contact]") {
     std::mt19937_64 random(42);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
         Scene scene = random_scene(random, kernel, 1500);
@@ -118,18 +113,14 @@ TEST_CASE("every direct solver's tangent is the derivative of its pressures", "[
     for (const Solver solver : {Solver::nested, Solver::nnls})
         for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
             const Scene scene = random_scene(random, kernel, 40);
-            ContactOptions options;
-            options.solver = solver;
-            options.states = true;
             const double d = scene.displacements[2], step = 1e-7 * d;
             const auto at = [&](double displacement) {
-                const ContactCurve curve = solve_contact(scene.profile, scene.body, {displacement}, options);
+                const ContactCurve curve = solve_contact(scene.profile, scene.body, {displacement},
+                                                         {.solver = solver, .states = true});
                 Eigen::VectorXd pressure = Eigen::VectorXd::Zero(40), tangent = pressure;
                 const ContactState& state = curve.states[0];
-                for (std::size_t k = 0; k < state.nodes.size(); ++k) {
-                    pressure[state.nodes[k]] = state.pressure[static_cast<Index>(k)];
-                    tangent[state.nodes[k]] = state.tangent[static_cast<Index>(k)];
-                }
+                pressure(state.nodes) = state.pressure;
+                tangent(state.nodes) = state.tangent;
                 return std::pair(pressure, tangent);
             };
             const Eigen::VectorXd differences = (at(d + step).first - at(d - step).first) / (2 * step);
@@ -138,15 +129,15 @@ TEST_CASE("every direct solver's tangent is the derivative of its pressures", "[
         }
 }
 
-TEST_CASE("a periodic profile with a hardness bears every load below that of all nodes", "[contact]") {
+TEST_CASE("a periodic profile carries every load below that of all nodes at the hardness", "[contact]") {
     // Heights in nm, spacing 1 m; the elastic approach of full contact is no limit when nodes sink in.
     Profile profile{(Eigen::VectorXd(8) << 3.488361934, 0.5285306326, 1.211154584, 2.732274234, 9.836153812,
                      -0.6971507176, 7.815714301, -0.4819841083)
                             .finished() *
                         1e-6,
                     1000};
-    Body body{Kernel::periodic, 1000};
-    body.hardness = 3.2609185146591581e-06;
+    const Body body{
+        .kernel = Kernel::periodic, .effective_modulus = 1000, .hardness = 3.2609185146591581e-06};
     for (const double share : {0.05, 0.089462972, 0.33, 0.81245457, 0.99}) {
         INFO("share " << share);
         const double pressure = share * body.hardness;
@@ -158,20 +149,15 @@ TEST_CASE("a periodic profile with a hardness bears every load below that of all
     }
 }
 
-TEST_CASE("full contact bears a range of loads at one displacement until a node reaches the hardness",
-          "[contact]") {
+TEST_CASE("full contact carries a range of loads until a node reaches the hardness", "[contact]") {
     const Index n = 64;
     const double amplitude = 0.01, full = std::numbers::pi * amplitude; // Westergaard's load, E* = 1, L = 1
-    Profile profile{Eigen::VectorXd(n), 1.0 / static_cast<double>(n)};
-    for (Index i = 0; i < n; ++i)
-        profile.heights[i] =
-            amplitude * std::cos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
-    Body body{Kernel::periodic};
-    body.hardness = 3 * full;
-    ContactOptions options;
-    options.states = true;
-    const ContactCurve curve =
-        solve_contact_at_pressures(profile, body, {0.5 * full, 1.2 * full, 1.9 * full, 2.5 * full}, options);
+    const Profile profile = scenes::line_of(n, 1.0 / static_cast<double>(n), [&](double x) {
+        return amplitude * std::cos(2 * std::numbers::pi * x);
+    });
+    const Body body{.kernel = Kernel::periodic, .hardness = 3 * full};
+    const ContactCurve curve = solve_contact_at_pressures(
+        profile, body, {0.5 * full, 1.2 * full, 1.9 * full, 2.5 * full}, {.states = true});
     for (const std::size_t j : {1u, 2u}) {
         CHECK(curve.steps[j].displacement == Approx(amplitude).epsilon(1e-12));
         CHECK(curve.steps[j].contact_nodes == n);

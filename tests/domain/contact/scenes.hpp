@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/contact/solve.hpp"
+#include "domain/contact/names.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/sobol.hpp"
 
@@ -22,28 +22,20 @@ struct Reference {
     std::vector<int> contact_nodes;
 };
 
-/// Heights of a genome as the data files have it.
-inline rough::Profile profile_of(const nlohmann::json& genome, rough::Index nodes, double length,
-                                 bool periodic) {
-    return sample(rough::genome_from_json(genome, "scene"), {nodes, length, periodic});
-}
-
 inline std::vector<Reference> reference_curves() {
     std::ifstream file(std::string(RUGOSA_TEST_DATA) + "/curves.json");
     std::vector<Reference> scenes;
     for (const auto& scene : nlohmann::json::parse(file)) {
         Reference r;
         r.name = scene["name"];
-        const std::string kernel = scene["kernel"];
-        r.body.kernel = kernel == "free"       ? rough::Kernel::free
-                        : kernel == "periodic" ? rough::Kernel::periodic
-                                               : rough::Kernel::strip;
+        r.body.kernel = rough::kernel_named(scene["kernel"]);
         r.body.effective_modulus = scene["effective_modulus_MPa"];
         if (!scene["datum_mm"].is_null())
             r.body.datum = scene["datum_mm"];
         if (!scene["strip_width_mm"].is_null())
             r.body.strip_width = scene["strip_width_mm"];
-        r.profile = profile_of(scene["genome"], scene["nodes"], scene["length_mm"], kernel == "periodic");
+        r.profile = sample(rough::genome_from_json(scene["genome"], "scene"),
+                           {scene["nodes"], scene["length_mm"], r.body.kernel == rough::Kernel::periodic});
         r.displacement = scene["displacement_mm"].get<std::vector<double>>();
         r.pressure = scene["pressure_MPa"].get<std::vector<double>>();
         r.tangent_stiffness = scene["tangent_stiffness_MPa_per_mm"].get<std::vector<double>>();
@@ -61,6 +53,15 @@ inline std::vector<rough::Profile> database(rough::Index nodes) {
     for (const rough::Genome& genome : rough::sobol_database({.shortest = length / 511}))
         profiles.push_back(sample(genome, {nodes, length}));
     return profiles;
+}
+
+/// Heights (mm) of a function of x on a line of so many nodes.
+template <class Height>
+rough::Profile line_of(rough::Index nodes, double spacing, Height height) {
+    rough::Profile profile{Eigen::VectorXd(nodes), spacing};
+    for (rough::Index i = 0; i < nodes; ++i)
+        profile.heights[i] = height(static_cast<double>(i) * spacing);
+    return profile;
 }
 
 /// t range, t = reach j/steps, j = 1..steps, mm

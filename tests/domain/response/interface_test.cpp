@@ -1,4 +1,3 @@
-#include "domain/contact/datum.hpp"
 #include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/response/interface.hpp"

@@ -25,8 +25,7 @@ Model model_on(Kernel kernel, Index nodes, int steps) {
 Profile dented_punch(const Model& model, double depth) {
     const Grid& grid = model.grid;
     const double delta = grid.spacing();
-    const auto h = influence_column(model.body.kernel, grid.nodes, model.body.datum / delta,
-                                    model.body.strip_width / delta);
+    const auto h = influence_column(in_units(model.body, delta, 0), grid.shape());
     Profile profile{Eigen::VectorXd(grid.nodes), delta};
     for (Index i = 0; i < grid.nodes; ++i)
         profile.heights[i] = depth * h[i] / h[0];

@@ -1,4 +1,4 @@
-#include "domain/contact/solvers/oracle.hpp"
+#include "tests/domain/contact/oracle.hpp"
 
 #include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
@@ -32,24 +32,26 @@ Real love(Real r, Real a, Real b) {
     return (side(r + a) - side(r - a) + 2 * b * (along(r + a) - along(r - a))) / pi;
 }
 
-Real cosine_sum(Index j, Index n, Real length) {
-    Real sum = 0;
-    for (Index k = 1; k < n; ++k) {
-        const Real q = 2 * pi * static_cast<Real>(std::min(k, n - k)) / length;
-        sum += 2 / q * std::cos(2 * pi * static_cast<Real>((j * k) % n) / static_cast<Real>(n));
-    }
-    return sum / static_cast<Real>(n);
+/// u/p times E* of a wave of the wavenumber q.
+Real compliance(const Body& body, Real q) {
+    if (body.layering.layers.empty())
+        return 2 / q;
+    const Layer& layer = body.layering.layers[0];
+    const Real nu = layer.poissons_ratio, t = layer.thickness, E = body.effective_modulus;
+    if (q == 0)
+        return E * t * (1 + nu) * (1 - 2 * nu) / (layer.modulus * (1 - nu));
+    return 2 * E * (1 - nu * nu) / (layer.modulus * q) * layer_on_rigid_base(nu, q * t);
 }
 
-/// Over an area's lattice.
-Real cosine_sum(Index i, Index j, Extent shape, Real length, Real width) {
+Real cosine_sum(const Body& body, Index i, Index j, Extent shape, Real length, Real width) {
+    const bool singular = body.layering.layers.empty();
     Real sum = 0;
     for (Index m = 0; m < shape.rows; ++m)
-        for (Index k = m == 0 ? 1 : 0; k < shape.columns; ++k) {
+        for (Index k = m == 0 && singular ? 1 : 0; k < shape.columns; ++k) {
             const Real q = 2 * pi *
                            std::hypot(static_cast<Real>(std::min(k, shape.columns - k)) / length,
                                       static_cast<Real>(std::min(m, shape.rows - m)) / width);
-            sum += 2 / q *
+            sum += compliance(body, q) *
                    std::cos(2 * pi * static_cast<Real>((i * k) % shape.columns) /
                             static_cast<Real>(shape.columns)) *
                    std::cos(2 * pi * static_cast<Real>((j * m) % shape.rows) / static_cast<Real>(shape.rows));
@@ -66,20 +68,6 @@ Real love_cell(Real x, Real y, Real a, Real b) {
     return (s(x + a, y + b) - s(x - a, y + b) - s(x + a, y - b) + s(x - a, y - b)) / pi;
 }
 
-Vector area_influence(const Profile& map, Kernel kernel) {
-    const Extent shape = map.shape();
-    const Real dx = map.spacing, dy = map.row_spacing;
-    Vector h(shape.nodes());
-    for (Index j = 0; j < shape.rows; ++j)
-        for (Index i = 0; i < shape.columns; ++i)
-            h[j * shape.columns + i] =
-                kernel == Kernel::periodic
-                    ? cosine_sum(i, j, shape, static_cast<Real>(shape.columns) * dx,
-                                 static_cast<Real>(shape.rows) * dy)
-                    : love_cell(static_cast<Real>(i) * dx, static_cast<Real>(j) * dy, dx / 2, dy / 2);
-    return h;
-}
-
 /// H's entry of two nodes.
 struct Influences {
     Vector column;
@@ -91,17 +79,19 @@ struct Influences {
 
 /// First column of H for E* = 1, mm/MPa.
 Vector influence(const Profile& profile, const Body& given) {
-    if (profile.is_2d())
-        return area_influence(profile, given.kernel);
     const Body body = completed(given, profile_length(profile, given.kernel));
-    const Index n = profile.nodes();
-    const Real delta = profile.spacing;
-    Vector h(n);
-    for (Index j = 0; j < n; ++j) {
-        const Real r = static_cast<Real>(j) * delta;
-        h[j] = body.kernel == Kernel::free    ? flamant(r, delta / 2, body.datum)
-               : body.kernel == Kernel::strip ? love(r, delta / 2, static_cast<Real>(body.strip_width) / 2)
-                                              : cosine_sum(j, n, static_cast<Real>(n) * delta);
+    const Extent shape = profile.shape();
+    const Real dx = profile.spacing, dy = profile.is_2d() ? profile.row_spacing : 1;
+    Vector h(shape.nodes());
+    for (Index k = 0; k < shape.nodes(); ++k) {
+        const Index i = k % shape.columns, j = k / shape.columns;
+        const Real x = static_cast<Real>(i) * dx, y = static_cast<Real>(j) * dy;
+        h[k] = body.kernel == Kernel::periodic
+                   ? cosine_sum(body, i, j, shape, static_cast<Real>(shape.columns) * dx,
+                                static_cast<Real>(shape.rows) * dy)
+               : profile.is_2d()             ? love_cell(x, y, dx / 2, dy / 2)
+               : body.kernel == Kernel::free ? flamant(x, dx / 2, body.datum)
+                                             : love(x, dx / 2, static_cast<Real>(body.strip_width) / 2);
     }
     return h;
 }
@@ -127,10 +117,10 @@ Pressed solve_on(const std::vector<Index>& nodes, const Influences& h, const Vec
     return {nodes, factor.solve(rhs), factor.solve(Vector::Ones(m)).sum()};
 }
 
-Pressed press(const Influences& h, const Vector& goal, Real displacement, bool periodic) {
+Pressed press(const Influences& h, const Vector& goal, Real displacement, bool singular) {
     const Index n = goal.size();
     std::vector<char> in(static_cast<std::size_t>(n), 1);
-    if (periodic) { // all nodes together are a singular matrix: the lowest cannot be needed
+    if (singular) { // that of all nodes together, of which the lowest cannot be needed
         Index lowest;
         goal.minCoeff(&lowest);
         in[static_cast<std::size_t>(lowest)] = 0;
@@ -200,6 +190,11 @@ Pressed press_capped(const Influences& h, const Vector& goal, Real cap) {
 
 } // namespace
 
+long double layer_on_rigid_base(long double nu, long double s) {
+    return ((3 - 4 * nu) * std::sinh(2 * s) - 2 * s) /
+           ((3 - 4 * nu) * std::cosh(2 * s) + 2 * s * s + 5 - 12 * nu + 8 * nu * nu);
+}
+
 Oracle consult_oracle(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
     const Influences h{influence(profile, body), profile.shape().columns};
     const Vector heights = profile.heights.cast<Real>();
@@ -212,7 +207,7 @@ Oracle consult_oracle(const Profile& profile, const Body& body, const std::vecto
         const Vector goal = (heights.array() - heights.maxCoeff() + static_cast<Real>(displacement)).matrix();
         const Pressed pressed = body.yields()
                                     ? press_capped(h, goal, static_cast<Real>(body.hardness) / modulus)
-                                    : press(h, goal, displacement, body.kernel == Kernel::periodic);
+                                    : press(h, goal, displacement, body.relative_to_mean());
         oracle.pressure.push_back(static_cast<double>(modulus * share * pressed.pressure.sum()));
         oracle.tangent_stiffness.push_back(static_cast<double>(modulus * share * pressed.stiffness));
         oracle.contact_nodes.push_back(static_cast<Index>(pressed.nodes.size()));
