@@ -12,7 +12,7 @@ namespace rough {
 
 namespace {
 
-/// Of H w = 1. The stiffness 2 sum w - w'Hw errs by its square only.
+/// Largest residual of H w = 1. The stiffness 2 sum w - w'Hw has only its square as an error.
 constexpr double tolerance = 1e-8;
 
 /// The sum of H^-1 1.

@@ -21,8 +21,8 @@ double strip_entry(double r, double b) {
         auto primitive = [b](double x) { return x * std::asinh(b / x) + b * std::asinh(x / b); };
         return 2 * (primitive(r + 0.5) - primitive(r - 0.5));
     }
-    // Eight Gauss points: the nearest singularity is 8 half-widths away, so the error is below 1e-18, where
-    // the closed form's difference would lose log10(r) digits.
+    // Eight Gauss points: the nearest singularity is 8 half-widths away, so the error is below 1e-18. The
+    // difference of the closed form would lose log10(r) digits there.
     static constexpr double abscissa[] = {0.18343464249564980494, 0.52553240991632898582,
                                           0.79666647741362673959, 0.96028985649753623168};
     static constexpr double weight[] = {0.36268378337836198297, 0.31370664587788728734,
@@ -39,8 +39,8 @@ double love_corner(double x, double y) {
     return (x == 0 ? 0 : x * std::asinh(y / std::abs(x))) + (y == 0 ? 0 : y * std::asinh(x / std::abs(y)));
 }
 
-/// The integral of 1/r over a cell 1 x b about (x, y): between corners near by; far away, where their
-/// difference loses digits, by 4 x 4 Gauss points, good to 1e-14 from `far` cells on.
+/// The integral of 1/r over a cell 1 x b about (x, y). Near the cell by its corners. From `far` cells on,
+/// where their difference loses digits, by 4 x 4 Gauss points, good to 1e-14.
 double cell_potential(double x, double y, double b) {
     constexpr double far = 16;
     const double r = std::hypot(x, y);
@@ -60,7 +60,7 @@ double cell_potential(double x, double y, double b) {
     return b * sum;
 }
 
-/// Remembers the last two results of this thread: a search needs the same one many times, or those of a fine
+/// Remembers the last two results of this thread. A search needs the same one many times, or those of a fine
 /// and a coarse grid in turn.
 template <class Make>
 Eigen::VectorXd remembered(const UnitBody& body, Extent shape, Make make) {
@@ -166,7 +166,7 @@ Eigen::VectorXd influence_column(const UnitBody& body, Extent shape) {
 bool contact_sets_nest(const UnitBody& body, Extent shape) {
     if (body.layering.layers.empty())
         return true;
-    constexpr double rounding = 1e-9; // of the diagonal
+    constexpr double rounding = 1e-9; // relative to the diagonal
     const Eigen::VectorXd highest = remembered(body, shape, [&] {
         Eigen::VectorXd stiffness = periodic_spectrum(body, shape).cwiseInverse();
         if (!body.layering.carries_mean())

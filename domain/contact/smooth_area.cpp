@@ -9,13 +9,14 @@ namespace rough {
 
 namespace {
 
-/// Of the adjoint's solves, over the right-hand side.
+/// Tolerance of the adjoint's solves, relative to the right-hand side.
 constexpr double adjoint_tolerance = 1e-9;
 constexpr long most_iterations = 500;
-/// Keeps an edge's rate finite where both of its nodes stand at the very edge, over the displacement.
+/// Keeps an edge's rate finite if both of its nodes stand at the edge of contact; relative to the
+/// displacement.
 constexpr double closest = 1e-9;
 
-/// Pairs of a touching node and a free one beside it.
+/// Pairs of a touching node and a free neighbour.
 std::vector<std::pair<Index, Index>> edges_of(const std::vector<int>& nodes, const ContactSet& set,
                                               Extent shape, bool periodic) {
     std::vector<std::pair<Index, Index>> edges;
@@ -38,7 +39,7 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
     const double tangent_unit = problem.pressure_unit / problem.displacement_unit;
     const double per_mm = 1 / (static_cast<double>(n) * problem.displacement_unit);
     SetSolver solver(problem);
-    // Four edges of a node share what two do: the sum goes on as it was where a node enters.
+    // The four edges of an area's node count half each, so that the sum is continuous when a node enters.
     const double share = problem.shape.rows > 1 ? 0.5 : 1;
     Index highest = 0;
     profile.heights.maxCoeff(&highest);

@@ -18,7 +18,7 @@ namespace rough {
 
 namespace {
 
-/// At the displacements given, mm; under load control at those found.
+/// The curve in MPa and mm, at the given displacements (mm) or, under load control, those found.
 ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& displacements,
                       Solution solution, const SolverChoice& choice, const ContactOptions& options) {
     ContactCurve curve;
@@ -51,7 +51,7 @@ StepSolution first_touch(const ContactProblem& problem, const ContactOptions& op
     return step_solution(touching, load, tangent, options.states);
 }
 
-/// For the others Newton's method finds the displacements.
+/// Whether the solver presses to loads directly. If not, Newton's method finds the displacements.
 bool takes_loads(Solver solver, const ContactProblem& problem) {
     const auto loads = row_of(solver).loads;
     return problem.load.empty() ||
@@ -59,8 +59,8 @@ bool takes_loads(Solver solver, const ContactProblem& problem) {
             (loads == ContactSolver::always || (loads == ContactSolver::on_maps && problem.is_2d())));
 }
 
-/// The chosen solver goes first. If it fails, the other one continues with the step that it failed at, and
-/// last Polonsky-Keer. Each has its limit: the factor of memory and work, the others of iterations.
+/// The chosen solver goes first. If it fails, the alternative continues with the failed step, and last
+/// Polonsky-Keer. Each has a limit: the factor of memory and work, the iterative solvers of iterations.
 void solve_by_choice(SolverChoice& choice, ContactProblem problem, const ContactOptions& options,
                      Solution& solution) {
     const Solver other = choice.solver == Solver::nested ? Solver::active_set : Solver::nested;
@@ -92,7 +92,7 @@ void solve_by_choice(SolverChoice& choice, ContactProblem problem, const Contact
     throw NotConverged(failures);
 }
 
-/// The steps without approach, then those with.
+/// The steps at zero displacement, then the loaded ones.
 Solution solve(SolverChoice& choice, ContactProblem problem, const ContactOptions& options) {
     const auto loaded = std::upper_bound(problem.approach.begin(), problem.approach.end(), 0.0);
     const std::vector<StepSolution> touches(
@@ -125,8 +125,7 @@ void check_options(const Body& body, const ContactOptions& options) {
         refuse("solver: ", name_of(options.solver), " cannot hold a hardness; choose auto or active-set");
 }
 
-/// How well a mean pressure is met, over itself: half as well as an iterative solver knows it, else to
-/// rounding.
+/// Tolerance of a mean pressure, relative: half that of an iterative solver, otherwise rounding.
 double load_tolerance(Solver solver, const Body& body, const ContactOptions& options) {
     return body.yields() ? 1e-12 : is_direct(solver) ? 0 : 0.5 * options.tolerance;
 }
@@ -135,16 +134,16 @@ double load_tolerance(Solver solver, const Body& body, const ContactOptions& opt
     refuse("mean pressure: ", pressure, " MPa is above that of full contact, ", full, " MPa");
 }
 
-/// The step at which the mean pressure is `pressure`, from one under less. Newton's method on a convex
-/// piecewise linear function reaches it in a finite number of steps, from above after the first. What would
-/// leave the bracket is halved instead, and so is a step from above that gained little: with a hardness
-/// P(Delta) only never falls, and in full contact a periodic half-plane's stiffness is rounding alone.
+/// The step at which the mean pressure is `pressure`, starting from one with less. Newton's method on a
+/// convex piecewise linear function reaches it in a finite number of steps, from above after the first. A
+/// step that would leave the bracket is halved, and so is one from above that gained little. With a hardness
+/// P(Delta) need not be convex, and in full contact the stiffness of a periodic half-plane is only rounding.
 LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, const ContactOptions& options,
                     LoadStep from) {
     constexpr double met = 1e-9, little = 0.75;
     const double highest = largest_displacement(profile, body);
     double below = from.displacement, above = HUGE_VAL;
-    if (from.pressure > pressure) // by no more than the solver's tolerance
+    if (from.pressure > pressure) // at most by the solver's tolerance
         below = 0, above = from.displacement;
     bool halve = false;
     for (int k = 0; k < 200; ++k) {
@@ -172,9 +171,9 @@ LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, c
                                " MPa; the last one tried gave ", from.pressure, " MPa"));
 }
 
-/// The state of full contact under a load, if no node of it is under tension or at the hardness: every such
-/// load has the same displacement. K is that of all nodes except the least loaded one, as just below full
-/// contact.
+/// The state of full contact under a load, if none of its nodes is under tension or at the hardness. Every
+/// such load has the same displacement. K is that of all nodes except the least loaded one, as just below
+/// full contact.
 std::optional<StepSolution> pressed_flat(double load, const ContactProblem& problem,
                                          const Eigen::VectorXd& deviation, const ContactOptions& options) {
     Loaded state(problem.nodes()), tangent(problem.nodes());
@@ -195,8 +194,8 @@ std::optional<StepSolution> pressed_flat(double load, const ContactProblem& prob
     return step;
 }
 
-/// Where to begin looking for the first load's displacement, mm: at the one that every fourth node needs, or
-/// fewer of a fine grid, by the factor; 0 if that is not known.
+/// First guess of the first load's displacement, mm: that of every fourth node, or fewer of a fine grid, by
+/// the factor. 0 if it is not known.
 double first_guess(ContactProblem problem, const ContactOptions& options) {
     constexpr Index fewest = 64, stride = 4, most = 1024;
     if (problem.nodes() < fewest)
@@ -208,13 +207,13 @@ double first_guess(ContactProblem problem, const ContactOptions& options) {
         Solution found;
         solve_nested(coarsened(problem, std::max(stride, problem.nodes() / most), highest), options, found);
         return found.steps[0].approach * problem.displacement_unit;
-    } catch (const NotConverged&) { // it is in full contact before it bears the load
+    } catch (const NotConverged&) { // the coarse grid is in full contact below the load
         check_stop(options);
         return 0;
     }
 }
 
-/// Loads to which Newton's method finds the displacements.
+/// Presses to loads; Newton's method finds their displacements.
 ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profile, const Body& body,
                              const std::vector<double>& pressures, const ContactOptions& options) {
     const Eigen::VectorXd deviation =
@@ -294,7 +293,7 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
     options.states = false;
     const bool direct =
         options.solver == Solver::automatic ? profile.nodes() <= always_nested : is_direct(options.solver);
-    // On an area, and with a hardness, the load is met as it is.
+    // On an area, and with a hardness, the load is met exactly.
     const double slack = direct || profile.is_2d() || body.yields() ? 0 : 2 * options.tolerance;
     return solve_contact_at_pressures(profile, body, {pressure * (1 + slack)}, options)
         .steps.front()

@@ -26,19 +26,19 @@ using FourierPlan = PlanPair<double>;
 /// The plan for real to half-complex transforms of a grid's rows x columns numbers. The half-complex rows are
 /// columns/2 + 1 long; one row is a line.
 FourierPlan fourier_plan(Extent shape);
-/// The same for complex transforms in place.
+/// The plan for complex transforms of a grid in place.
 FourierPlan complex_fourier_plan(Extent shape);
 
-/// Whether no prime factor is above 13: with a large one transforms take up to ten times as long.
+/// Whether no prime factor is above 13. With a larger one, transforms need up to ten times as long.
 bool is_good_fourier_length(Index length);
 
 /// Smallest even 2^a 3^b 5^c that is no smaller than `length`.
 Index fast_fourier_length(Index length);
 
-/// u = T p for a symmetric circulant (its eigenvalues given) or Toeplitz matrix (its first column given,
-/// padded with zeros), by FFT in double or single precision; on an area circulant or Toeplitz along both axes
-/// and symmetric in each: there columns are transformed, multiplied and transformed back a few at a time,
-/// while they are in the cache, and rows of zeros not at all. One object serves one thread at a time.
+/// u = T p by FFT in double or single precision, for a symmetric circulant (from its eigenvalues) or Toeplitz
+/// matrix (from its first column, padded with zeros). On an area the matrix is circulant or Toeplitz along
+/// both axes and symmetric in each. There columns are transformed, multiplied and transformed back a few at a
+/// time, while they are in the cache, and rows of zeros are skipped. One object serves one thread at a time.
 template <typename Real>
 class BasicFourierOperator {
   public:
@@ -73,9 +73,9 @@ using FourierOperator = BasicFourierOperator<double>;
 /// matter.
 using SingleFourierOperator = BasicFourierOperator<float>;
 
-/// u = T p for a symmetric Toeplitz matrix without padding: T is half the sum of a circulant, c_j + c_(N-j),
-/// and a skew-circulant, c_j - c_(N-j); on an area so along both axes, a quarter of the sum of four. Shares
-/// no transform and no spectrum with FourierOperator.
+/// u = T p for a symmetric Toeplitz matrix without padding. T is half the sum of a circulant, c_j + c_(N-j),
+/// and a skew-circulant, c_j - c_(N-j); on an area a quarter of the sum of four, along both axes. It shares
+/// neither transforms nor spectrum with FourierOperator.
 class SplitOperator {
   public:
     /// From the first column of N entries.
@@ -84,10 +84,10 @@ class SplitOperator {
     Eigen::VectorXd apply(const Eigen::VectorXd& p);
 
   private:
-    /// One of the sum: skew-circulant along x, along y, or not.
+    /// One part of the sum: circulant or skew-circulant along x and along y.
     struct Part {
         bool skew_x, skew_y;
-        Eigen::ArrayXd eigenvalues; ///< over 2 N, of an area over 4 N; column after column
+        Eigen::ArrayXd eigenvalues; ///< divided by 2 N, for an area by 4 N; column after column
     };
     void twist(const Part& part, bool back);
     void transform_rows(fftw_plan plan);
@@ -99,7 +99,7 @@ class SplitOperator {
     FourierPlan rows_;
     AlignedBuffer<std::complex<double>> work_, columns_;
     Eigen::ArrayXcd twist_x_, twist_y_; ///< exp(-i pi j/N)
-    std::vector<Part> parts_;           ///< those that are not zero
+    std::vector<Part> parts_;           ///< the parts that are not zero
 };
 
 } // namespace rough

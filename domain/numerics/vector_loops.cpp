@@ -8,7 +8,7 @@ namespace rough {
 
 namespace {
 
-/// Those that this processor can run, the widest first.
+/// The loops that this processor can run, the widest first.
 std::vector<const VectorLoops*> available() {
     std::vector<const VectorLoops*> all;
 #ifdef __x86_64__

@@ -13,22 +13,22 @@ namespace rough {
 
 namespace {
 
-/// The residual under which rounding makes further iterations pointless.
+/// The residual below which rounding makes further iterations pointless.
 constexpr double finest = 1e-12;
-/// How far the residual falls before the contact set is looked at again.
+/// Factor by which the residual falls before the contact set is examined again.
 constexpr double loosening = 0.05, area_loosening = 0.1;
-/// How well displacements must be known, over the approach, while the residual is far above this.
+/// Accuracy of displacements over the approach while the residual is far above it.
 constexpr double rough_accuracy = 1e-5;
 constexpr int most_rounds = 200;
-/// An area's contact set swings after so many rounds in a row that leave more than a share of the least
+/// An area's contact set swings if this many rounds in a row leave more than this share of the lowest
 /// residual.
 constexpr int most_swings = 2;
 constexpr double share_left = 0.9;
 constexpr long most_iterations = 2000;
-/// Up to this size a dense factor is cheaper than a coarser grid; on an area more of the nodes touch each
-/// other's neighbours, and grids shrink faster.
+/// Up to this many nodes a dense factor is cheaper than a coarser grid. It is lower for an area, whose grids
+/// shrink faster.
 constexpr Index coarsest_line = 1024, coarsest_area = 256;
-/// From one grid to the next coarser one; an area's nodes grow by its square.
+/// Ratio of the spacings of one grid and the next finer one; an area's nodes grow by its square.
 constexpr Index line_stride = 4, area_stride = 2;
 
 Index coarsest(const ContactProblem& problem) { return problem.is_2d() ? coarsest_area : coarsest_line; }
@@ -56,9 +56,9 @@ class ActiveSet {
         }
     }
 
-    /// The same of an area to a load, `approach` becoming the one found: the sum of the pressures is kept
-    /// while they settle, and the approach follows from them. A tangent leads too far, as the stiffness
-    /// grows, of rough areas about as the load (Persson 2007).
+    /// Presses an area to a load and sets `approach` to the one found. The sum of the pressures is kept while
+    /// they settle, and the approach follows from them. A step along the tangent is too long, because the
+    /// stiffness of rough areas grows about as the load (Persson 2007).
     StepSolution press_to(double load, double& approach, const std::optional<Eigen::VectorXd>& guess) {
         sum_ = load;
         if (guess) {
@@ -82,8 +82,8 @@ class ActiveSet {
     long applies() const { return solver_.applies(); }
 
   private:
-    /// All nodes of a periodic area together have none: there that of all but the least loaded, which is the
-    /// tangent just below full contact.
+    /// Finds the tangent. All nodes of a periodic area together have none: there it is that of all but the
+    /// least loaded node, which is the tangent just below full contact.
     void find_tangent() {
         Index least = problem_.nodes();
         if (problem_.is_2d() && problem_.is_singular() &&
@@ -99,7 +99,7 @@ class ActiveSet {
         }
     }
 
-    /// Goes on along the tangent; on an area its product is known everywhere.
+    /// Moves the pressures along the tangent, and on an area their known product.
     void move(double by) {
         load_.pressure += by * tangent_.pressure;
         if (!problem_.is_2d() || product_.pressure.size() == 0)
@@ -109,8 +109,9 @@ class ActiveSet {
         product_.blur += by * tangent_blur_;
     }
 
-    /// Starts from the step before, moved along its tangent or by what a coarser grid's pressures have grown
-    /// since (never less, as no node's pressure falls with the load), whichever leaves the smaller residual.
+    /// Starts from the step before, moved along its tangent or by the growth of a coarser grid's pressures
+    /// since then, whichever leaves the smaller residual. That growth is not negative, because no node's
+    /// pressure falls with the load.
     void start(double approach, const std::optional<Eigen::VectorXd>& guess) {
         Loaded grown(guess ? problem_.nodes() : 0);
         if (guess)
@@ -145,7 +146,7 @@ class ActiveSet {
         stale_ = !problem_.is_2d();
     }
 
-    /// Under a load the approach is what the nodes in contact say in the mean.
+    /// Under load control, sets the approach to the mean over the nodes in contact.
     void follow(double& approach) const {
         if (!sum_)
             return;
@@ -160,13 +161,13 @@ class ActiveSet {
             approach = sum / static_cast<double>(count);
     }
 
-    /// Looks how deep every node is.
+    /// Finds the depth of every node.
     void look(double& approach) {
         follow(approach);
         depth_ = approach - (problem_.gap + load_.displacement).array();
     }
 
-    /// As it was looked at, over the approach.
+    /// The residual of the depths found last, over the approach.
     double residual(double approach) const {
         double worst = std::max(0.0, depth_.maxCoeff());
         for (const int i : set_.nodes())
@@ -184,9 +185,9 @@ class ActiveSet {
         return worst / approach;
     }
 
-    /// Nodes leave and join together here, until that makes the set swing: from then on none joins in a round
-    /// in which any leaves. An area has nodes without number at the brink: which of them touch is known as
-    /// well as the residual, and no better.
+    /// Nodes leave and join in the same round, until that makes the set swing. From then on none joins in a
+    /// round in which any leaves. On an area many nodes are at the edge of touching, and which of them touch
+    /// is known no better than the residual.
     void settle_area(double& approach, double tolerance) {
         double target = 1, least = std::numeric_limits<double>::infinity();
         int swings = 0;
@@ -237,8 +238,8 @@ class ActiveSet {
         }
     }
 
-    /// Drops the nodes under tension, adds those that penetrate by more than `least`, known to `accuracy`;
-    /// false if there are none.
+    /// Drops the nodes under tension and adds those that penetrate by more than `least`, with displacements
+    /// known to `accuracy`. Returns false if the set stays the same.
     bool change_set(double& approach, double least, double accuracy) {
         std::vector<int> dropped;
         for (const int i : set_.nodes())
@@ -279,18 +280,19 @@ class ActiveSet {
     ContactSet set_;
     Loaded load_, tangent_;
     double tangent_blur_ = 0; ///< error of its displacement
-    double ahead_ = 0; ///< by how much a tangent has gone too far, until nodes have joined in view of that
-    KnownProduct product_; ///< of load_
+    double ahead_ = 0;        ///< excess of the last tangent step, until nodes have joined in view of it
+    KnownProduct product_;    ///< H load_
     Eigen::ArrayXd depth_;
     std::optional<Eigen::VectorXd> last_guess_; ///< the coarser grid's pressures at the step before
     double approach_ = 0;
-    std::optional<double> sum_; ///< of the pressures, where a load is asked for
+    std::optional<double> sum_; ///< sum of the pressures, under load control
     bool swinging_ = false;     ///< an area's contact set has done so
     bool stale_ = true;         ///< the displacement off the contact set
 };
 
-/// Squares of pressures along a coarse line, zero off contact, read at the nodes of a fine one; one value
-/// beyond each edge is extrapolated, as it may be: negative. `step` apart, from the first on.
+/// Interpolates squares of pressures along a coarse line, zero off contact, to the nodes of a fine one. One
+/// value beyond each edge of contact is extrapolated and may be negative. Values are `step` apart, from the
+/// first on.
 void refine_line(const double* squares, Index coarse, Index coarse_step, Index stride, double* fine,
                  Index nodes, Index step) {
     const auto square = [&](Index k) { return squares[k * coarse_step]; };
@@ -314,9 +316,9 @@ void refine_line(const double* squares, Index coarse, Index coarse_step, Index s
     }
 }
 
-/// Pressures at every node of the fine grid guessed from the solution on every `stride`-th one from the first
-/// on: linear in p^2 along x, then along y, which near an edge falls linearly to zero, so that edges are
-/// found within the coarse spacing.
+/// First guess of the pressures at every node of the fine grid, from the solution on every `stride`-th one
+/// from the first on. Linear in p^2 along x, then along y: near an edge p^2 falls linearly to zero, so that
+/// edges are found within the coarse spacing.
 Eigen::VectorXd refined_pressures(const StepSolution& coarse, Extent from, Index stride, Extent to) {
     Eigen::VectorXd squares = Eigen::VectorXd::Zero(from.nodes());
     for (std::size_t k = 0; k < coarse.nodes.size(); ++k)
@@ -339,9 +341,8 @@ Eigen::VectorXd refined_pressures(const StepSolution& coarse, Extent from, Index
 
 Solution guess(const ContactProblem& problem, ContactOptions options);
 
-/// Every load step; the coarser grid goes first, as long as it is worth while. The first load of the smallest
-/// grid, or of one whose coarser grid is in full contact before it bears that load, begins with an even
-/// pressure.
+/// Solves every load step, on the coarser grid first as long as it is worth it. The first load begins with an
+/// even pressure on the smallest grid, and if the coarser grid is in full contact below the load.
 void solve_levels(const ContactProblem& problem, const ContactOptions& options, Purpose purpose,
                   Solution& solution) {
     const bool cascade = problem.nodes() > coarsest(problem), by_load = !problem.load.empty();
@@ -379,8 +380,8 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
     }
 }
 
-/// A coarse grid's solution, or as much of it as there is: it is a start for the fine grid, whose solution
-/// does not depend on it.
+/// A coarse grid's solution, as far as it is found. It is a start for the fine grid, whose solution does not
+/// depend on it.
 Solution guess(const ContactProblem& problem, ContactOptions options) {
     options.tolerance = 1e-2;
     options.states = false;

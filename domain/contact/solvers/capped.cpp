@@ -10,11 +10,11 @@ namespace rough {
 
 namespace {
 
-/// Of gaps, over the approach, at which a step is solved.
+/// Residual of the gaps, over the approach, at which a step is solved.
 constexpr double settled = 1e-11;
-/// How far the residual falls before the bounds are looked at again.
+/// Factor by which the residual falls before the bounds are examined again.
 constexpr double loosening = 0.01;
-/// Armijo's share of the descent that the gradient promises.
+/// Armijo's share of the descent that the gradient predicts.
 constexpr double share = 1e-4;
 constexpr int most_rounds = 500, most_halvings = 40;
 constexpr long most_iterations = 2000;
@@ -63,14 +63,14 @@ class CappedContact {
             if (problem_.gap[i] > problem_.gap[deepest])
                 deepest = i;
         }
-        // All nodes of a periodic profile together are a singular matrix; the lowest can wait.
+        // All nodes of a periodic profile together have a singular matrix; the lowest one can wait.
         if (problem_.is_singular() && count == problem_.nodes())
             free_.erase(deepest);
         free_.collect();
         return worst;
     }
 
-    /// One projected Newton step; false where none descends any more.
+    /// Takes one projected Newton step; false if none descends any more.
     bool descend(double residual) {
         Loaded newton = load_;
         solver_.improve(

@@ -18,7 +18,7 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
     bool finite = true;
     double deepest =
         vector_loops().deepest(problem.gap.data(), displacement, problem.nodes(), approach, finite);
-    if (!std::isfinite(mean) || !finite) // a NaN anywhere is no solution at all
+    if (!std::isfinite(mean) || !finite) // a NaN anywhere invalidates the solution
         return {none, none, none, none};
     const bool yields = std::isfinite(problem.cap);
     double misfit = 0;

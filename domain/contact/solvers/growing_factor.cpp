@@ -7,8 +7,8 @@ namespace rough {
 namespace {
 
 constexpr Index width = panel_width;
-/// Over the diagonal of H. Pivots of a contact set are some hundredths of it; only all nodes of a periodic
-/// profile together, a singular matrix, leave nothing but rounding.
+/// Smallest accepted pivot over the diagonal of H. Pivots of a contact set are some hundredths of it. Only
+/// those of all nodes of a periodic profile, whose matrix is singular, are of the size of rounding.
 constexpr double least_pivot = 1e-10;
 
 Eigen::Map<const Eigen::VectorXd> vector(const std::vector<double>& values) {
@@ -36,7 +36,7 @@ Index GrowingFactor::append(const std::vector<int>& nodes) {
     return size() - before;
 }
 
-/// What goes with the nodes follows them.
+/// Fits the arrays that belong to the nodes to their number.
 void GrowingFactor::resize() {
     const std::size_t known = std::min(places_.size(), nodes_.size());
     places_.resize(nodes_.size());

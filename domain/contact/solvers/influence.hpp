@@ -9,9 +9,9 @@
 
 namespace rough {
 
-/// H's entries by the offset of two nodes, as loops along x read them: a node stands at a place, and two
-/// nodes' entry at the difference of their places from the centre. A line's places are its nodes; an area's
-/// rows lie so far apart that no offset along x reaches the next row.
+/// H's entries by the offset of two nodes, laid out for loops along x. A node stands at a place, and the
+/// entry of two nodes stands at the difference of their places from the centre. The places of a line are its
+/// nodes. Rows of an area lie so far apart that no offset along x reaches the next row.
 class Influence {
   public:
     /// From the first column of N entries.
@@ -27,14 +27,14 @@ class Influence {
         centre_ = middle;
     }
 
-    static constexpr Index block = 64; ///< of which loops over a row take whole ones
+    static constexpr Index block = 64; ///< loops over a row take whole blocks of this many numbers
 
     Extent shape() const { return shape_; }          ///< N_x, N_y
     Index padded_columns() const { return padded_; } ///< N_x in whole blocks: so far a row may be read
     Index stride() const { return stride_; }         ///< places from one row to the next
-    /// The entry of no offset.
+    /// The entry of the offset 0.
     const double* centre() const { return centre_; }
-    /// Where a node stands.
+    /// The place of a node.
     int place(int node) const {
         const int columns = static_cast<int>(shape_.columns);
         return shape_.rows == 1 ? node : node + node / columns * (static_cast<int>(stride_) - columns);
@@ -68,8 +68,9 @@ class DirectOperator {
         return displacement_.data();
     }
 
-    /// Whether so many loaded nodes cost less than a Fourier operator's two transforms of M = 2 N numbers: a
-    /// fixed rule. One of the M log2 M operations of the transforms costs as much as four multiplications.
+    /// Whether direct sums over `loaded` nodes cost less than a Fourier operator's two transforms of M = 2 N
+    /// numbers, by a fixed rule: one of the M log2 M operations of the transforms costs as much as four
+    /// multiplications.
     bool pays(std::size_t loaded) const {
         return static_cast<double>(loaded) <=
                4 * 2 * std::log2(2 * static_cast<double>(influence_.shape().nodes()));

@@ -16,7 +16,7 @@ constexpr double rounding = 1e-13;
 constexpr int most_rounds = 200;
 constexpr std::size_t least_batch = 64;
 
-/// One load step after the other on one factor.
+/// Solves one load step after the other on one factor.
 class NestedContact {
   public:
     NestedContact(const ContactProblem& problem, const ContactOptions& options)
@@ -64,7 +64,8 @@ class NestedContact {
         return fourier_->apply(factor_.nodes(), pressure_);
     }
 
-    /// Under load control the approach at which these nodes bear the load comes first.
+    /// Finds the pressures of the nodes in contact; under load control first the approach at which they carry
+    /// the load.
     void find_pressures(double& approach, std::optional<double> load) {
         if (load)
             approach = factor_.approach_at(*load);
@@ -86,19 +87,19 @@ class NestedContact {
         }
     }
 
-    /// Appends the nodes that penetrate and will stay in contact, by their first-order estimate; false if
-    /// none penetrates. A node left out for too low an estimate still penetrates in the next round, which
-    /// costs a check; one taken for too high an estimate costs a new factor of the tail.
+    /// Appends the nodes that penetrate and will stay in contact, by a first-order estimate. Returns false if
+    /// none penetrates. A node left out wrongly still penetrates in the next round, which costs one check. A
+    /// node taken wrongly costs a new factor of the tail.
     bool add_penetrating(double approach, const double* u, bool by_load) {
         depth_ = approach - (problem_.gap + Eigen::Map<const Eigen::VectorXd>(u, problem_.nodes())).array();
         std::vector<int> added = advancing_nodes(depth_, touching_, problem_.shape, rounding * approach);
-        // The surest first: far from the solution most of what penetrates would only be dropped again.
+        // Only the surest ones: far from the solution most of the others would be dropped again.
         added.resize(std::min(added.size(), std::max(least_batch, factor_.nodes().size() / 2)));
         refuse_factor(factor_.size() + static_cast<Index>(added.size()), options_);
         Index appended = factor_.append(added);
         if (appended == 0 && !added.empty() && by_load) {
-            // All nodes of a periodic body are a singular matrix: the last one takes the least loaded one's
-            // place.
+            // All nodes of a periodic body have a singular matrix: the last node takes the place of the least
+            // loaded one.
             Index least = 0;
             pressure_.minCoeff(&least);
             remove({least});
@@ -119,7 +120,7 @@ class NestedContact {
         eliminate(factor_.size() - std::min(positions.front(), factor_.size()));
     }
 
-    /// Accounts for so many last rows of the factor, of half its size squared multiplications each.
+    /// Counts the multiplications of the last `rows` rows of the factor, half its size squared each.
     void eliminate(Index rows) {
         const double size = static_cast<double>(factor_.size());
         work_ += static_cast<double>(rows) * size * size / 2;
@@ -147,8 +148,7 @@ void refuse_factor(Index nodes, const ContactOptions& options) {
     if (bytes <= options.memory_limit)
         return;
     refuse("nested Cholesky with ", nodes, " nodes in contact would take ", bytes / 1e9, " GB, at most ",
-           options.memory_limit / 1e9,
-           " GB is expected: the active set takes less, and is what auto would choose");
+           options.memory_limit / 1e9, " GB are allowed; choose auto or active-set, which needs less");
 }
 
 void solve_nested(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {

@@ -46,8 +46,8 @@ class LawsonHanson {
     long iterations() const { return iterations_; }
 
   private:
-    /// Walks from the feasible pressures to those of the passive set, dropping the nodes that reach zero on
-    /// the way.
+    /// Moves from the feasible pressures towards those of the passive set, and drops the nodes that reach
+    /// zero before.
     void reach_solution(double approach) {
         VectorXd goal;
         while (factor_.size() > 0) {
@@ -77,7 +77,7 @@ class LawsonHanson {
         }
     }
 
-    /// The node where the gap is violated most, or -1.
+    /// The node that violates the gap most, or -1.
     Index most_violated(double approach) {
         const double* u = direct_.apply(factor_.nodes(), pressure_);
         Index worst = -1;
@@ -98,7 +98,7 @@ class LawsonHanson {
     std::vector<char> passive_;
     Influence influence_;
     DirectOperator direct_;
-    GrowingFactor factor_; ///< of the passive set
+    GrowingFactor factor_; ///< its nodes are the passive set
     VectorXd pressure_;    ///< on the passive set
     long iterations_ = 0;
 };

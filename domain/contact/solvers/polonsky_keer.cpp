@@ -12,7 +12,7 @@ namespace {
 using Eigen::ArrayXd;
 
 constexpr long most_iterations = 5000;
-/// The residual under which rounding makes further iterations pointless.
+/// The residual below which rounding makes further iterations pointless.
 constexpr double finest = 1e-12;
 
 class PolonskyKeer {
@@ -55,7 +55,7 @@ class PolonskyKeer {
             load_.pressure.setConstant(load / static_cast<double>(problem_.nodes()));
     }
 
-    /// The overlap, scaled to do the least work.
+    /// Starts from the overlap, scaled to the lowest energy.
     void start_at_approach(double approach) {
         load_.pressure = (approach - problem_.gap.array()).max(0);
         solver_.load(load_);

@@ -117,7 +117,7 @@ ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node
     coarse.column = influence_column(coarse, coarse.shape);
     coarse.pressure_unit = problem.pressure_unit / ratio;
     coarse.elements = problem.elements / (problem.is_2d() ? ratio * ratio : ratio);
-    for (double& load : coarse.load) // the same mean pressures, in the coarse grid's units
+    for (double& load : coarse.load) // equal mean pressures, in the coarse grid's units
         load *= ratio * coarse.elements / problem.elements;
     return coarse;
 }

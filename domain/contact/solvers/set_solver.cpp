@@ -13,18 +13,18 @@ namespace rough {
 
 namespace {
 
-/// Error of a product in single precision over its largest entry, at most: twice the largest seen, on 512 to
+/// Largest error of a product in single precision over its largest entry: twice the largest seen, on 512 to
 /// 262,144 nodes.
 constexpr double single_rounding = 5e-6;
-/// The residual's fall after which it is taken afresh: products in single precision have blurred it by a
-/// hundredth then.
+/// The fall of the residual after which it is recomputed, because products in single precision then err by a
+/// hundredth of it.
 constexpr double single_depth = 1e-4;
 /// A stiffness whose H w was improved in single precision is good to this: ten times the largest error seen.
 constexpr double single_stiffness = 3e-7;
-/// Of the tangent, far beyond what it ever took.
+/// Maximum number of iterations for the tangent, far above the number ever needed.
 constexpr long most_iterations = 5000;
 
-constexpr Index most_columns = 64; ///< of a deflation
+constexpr Index most_columns = 64; ///< largest number of columns of a deflation
 
 /// Half-open ranges of positions in `nodes` whose nodes are neighbours.
 std::vector<std::pair<Index, Index>> runs_of(const std::vector<int>& nodes) {
@@ -41,7 +41,7 @@ std::vector<std::pair<Index, Index>> runs_of(const std::vector<int>& nodes) {
     return runs;
 }
 
-/// Of the first column h_0 .. h_(N-1) the sums of h_|k| from k = -(N-1) up to x, at N + x for x = -N .. N-1.
+/// Sums of h_|k| from k = -(N-1) up to x, at N + x for x = -N .. N-1, of the first column h_0 .. h_(N-1).
 Eigen::VectorXd cumulative(const Eigen::VectorXd& column) {
     const Index n = column.size();
     Eigen::VectorXd sums(2 * n);
@@ -51,14 +51,14 @@ Eigen::VectorXd cumulative(const Eigen::VectorXd& column) {
     return sums;
 }
 
-/// What a circulant preconditioner cannot see: the mean pressure of each run of neighbouring contact nodes,
-/// through which distant runs feel each other. Deflated conjugate gradients (Saad, Yeung, Erhel & Guyomarc'h
-/// 2000) keep their residual free of it, which halves the iterations. W's columns are indicators of runs, so
-/// HW needs only sums of H's first column. Short of 64 columns each run has its own; otherwise neighbouring
-/// runs share one.
+/// Deflates the mean pressure of each run of neighbouring contact nodes, through which distant runs influence
+/// each other and which a circulant preconditioner cannot see. Deflated conjugate gradients (Saad, Yeung,
+/// Erhel & Guyomarc'h 2000) keep their residual free of it, which halves the iterations. The columns of W are
+/// indicators of runs, so HW needs only sums of H's first column. Each run has a column; above 64 runs,
+/// neighbouring runs share one.
 class Deflation {
   public:
-    /// `nodes` sorted; `sums` from cumulative(), or nothing, which deflates nothing.
+    /// `nodes` sorted; `sums` from cumulative(), or empty for no deflation.
     Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums) {
         const auto runs = sums.size() > 0 ? runs_of(nodes) : std::vector<std::pair<Index, Index>>();
         const Index count = static_cast<Index>(nodes.size()), many = static_cast<Index>(runs.size());
@@ -91,7 +91,7 @@ class Deflation {
         usable_ = columns > 0 && energy_.info() == Eigen::Success;
     }
 
-    /// Returns what is to be added to x to make the residual orthogonal to W, and makes it so.
+    /// Returns the change of x that makes the residual orthogonal to W, and applies it to the residual.
     Eigen::VectorXd project(Eigen::VectorXd& residual) const {
         Eigen::VectorXd change = Eigen::VectorXd::Zero(residual.size());
         if (usable_) {
@@ -107,7 +107,7 @@ class Deflation {
         return change;
     }
 
-    /// Takes from z what would bring W into the search.
+    /// Removes from z the part that would bring W into the search.
     void purge(Eigen::VectorXd& z) const {
         if (usable_)
             subtract(energy_.solve(image_.transpose() * z), z);
@@ -143,7 +143,7 @@ Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Extent shape) {
         const Index half = (shape.columns / 2 + 1) * shape.rows;
         AlignedBuffer<double> real(shape.nodes());
         AlignedBuffer<fftw_complex> transform(half);
-        // Between h and its mirror image; the first entry has none.
+        // Blends h with its mirror image; the first entry has none.
         const auto blended = [](const auto& entry, Index j, Index m) {
             const double share = static_cast<double>(j) / static_cast<double>(m);
             return j == 0 ? entry(0) : (1 - share) * entry(j) + share * entry(m - j);
@@ -160,15 +160,15 @@ Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Extent shape) {
         for (Index k = 0; k < half; ++k)
             eigenvalues[k] = transform[k][0];
     }
-    // A datum near its limit, or no datum at all, leaves the mean without a stiffness of its own.
+    // A datum near its limit, or none, leaves the mean without a usable stiffness.
     if (eigenvalues.size() > 1)
         eigenvalues[0] = std::max(eigenvalues[0], eigenvalues[1]);
     return eigenvalues.cwiseInverse();
 }
 
-/// A periodic matrix is circulant itself; where that is slow to transform, a longer one serves as well as it
-/// does for the other kernels. A free area's is longer by an eighth, as its opposite edges are not
-/// neighbours.
+/// A periodic matrix is circulant itself. If its length is slow to transform, a longer circulant serves as
+/// well as it does for the other kernels. That of a free area is longer by an eighth, because its opposite
+/// edges are not neighbours.
 Extent circulant_shape(const ContactProblem& problem) {
     const auto [columns, rows] = problem.shape;
     if (problem.kernel == Kernel::periodic && is_good_fourier_length(columns) && is_good_fourier_length(rows))
@@ -181,7 +181,7 @@ Extent circulant_shape(const ContactProblem& problem) {
     return {longer(columns), longer(rows)};
 }
 
-/// y += factor x, and the largest |x|. Plain loops: Eigen leaves casts to one number at a time.
+/// Adds factor x to y, and returns the largest |x|. A plain loop, because Eigen casts one number at a time.
 float add(double factor, const float* x, Eigen::VectorXd& y) {
     const Index n = y.size();
     double* into = y.data();
@@ -227,7 +227,7 @@ void SetSolver::load(Loaded& x, KnownProduct& known, double accuracy) {
             ++applies_;
             known.blur += single_rounding * scale * static_cast<double>(most);
         }
-        if (known.blur <= accuracy) { // false for what is no number
+        if (known.blur <= accuracy) { // false for NaN
             known.pressure = x.pressure;
             x.displacement = known.displacement;
             return;
@@ -240,7 +240,7 @@ void SetSolver::load(Loaded& x, KnownProduct& known, double accuracy) {
 std::vector<int> SetSolver::inverse_places(const std::vector<int>& nodes) const {
     std::vector<int> places = nodes;
     const int columns = static_cast<int>(shape_.columns),
-              longer = static_cast<int>(inverse_shape_.columns) - columns; // by how much its rows are
+              longer = static_cast<int>(inverse_shape_.columns) - columns; // difference of the rows' lengths
     if (longer > 0)
         for (int& place : places)
             place += place / columns * longer;
@@ -282,7 +282,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
         extension->transpose(full);
         even = Eigen::VectorXf::Map(full, inverse_.nodes())(places).cast<double>();
     }
-    double offset = 0; // taken off r, as any constant may be
+    double offset = 0; // subtracted from r, which any constant may be
     const auto centre = [&] {
         if (!level)
             return;
@@ -301,13 +301,13 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
         offset = 0;
         centre();
         const double scale = r.cwiseAbs().maxCoeff();
-        // Written so that a residual that is no number ends it, too.
+        // Written so that a NaN residual ends the loop, too.
         const bool progress = scale < 0.5 * before;
         before = scale;
         double rz = 1;
         for (bool first = true;; first = false, ++iteration) {
             const double largest = r.cwiseAbs().maxCoeff();
-            // On a few nodes the residual falls at a blow to less than single precision can tell.
+            // On a few nodes the residual falls in one step below the resolution of single precision.
             if (largest <= enough.residual && !first && enough.residual < single_rounding * scale)
                 break;
             solved = largest <= enough.residual;
