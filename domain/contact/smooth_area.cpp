@@ -11,7 +11,7 @@ namespace {
 
 /// Tolerance of the adjoint's solves, relative to the right-hand side.
 constexpr double adjoint_tolerance = 1e-9;
-constexpr long most_iterations = 500;
+constexpr long max_iterations = 500;
 /// Keeps an edge's rate finite if both of its nodes stand at the edge of contact; relative to the
 /// displacement.
 constexpr double closest = 1e-9;
@@ -77,7 +77,7 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
         for (const int i : set.nodes())
             largest = std::max(largest, std::abs(right[i]));
         solver.improve(
-            set, [&](Index i) { return right[i]; }, z, Enough{adjoint_tolerance * largest}, most_iterations);
+            set, [&](Index i) { return right[i]; }, z, Enough{adjoint_tolerance * largest}, max_iterations);
         area.fraction[j] = count / static_cast<double>(n);
         area.by_displacement[j] = rate * per_mm;
         area.by_height.row(j) = per_mm * (z.pressure - off.pressure).transpose();

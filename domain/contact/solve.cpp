@@ -64,7 +64,7 @@ bool takes_loads(Solver solver, const ContactProblem& problem) {
 void solve_by_choice(SolverChoice& choice, ContactProblem problem, const ContactOptions& options,
                      Solution& solution) {
     const Solver other = choice.solver == Solver::nested ? Solver::active_set : Solver::nested;
-    const double most_work = most_nested_work(problem), unlimited = problem.work_limit;
+    const double nested_work = max_nested_work(problem), unlimited = problem.work_limit;
     std::vector<double>& steps = problem.load.empty() ? problem.approach : problem.load;
     std::string failures;
     for (const Solver solver : {choice.solver, other, Solver::polonsky_keer}) {
@@ -75,7 +75,7 @@ void solve_by_choice(SolverChoice& choice, ContactProblem problem, const Contact
             choice.reason += "; after " + std::to_string(solved) + " load steps handed over to " +
                              name_of(solver) + ": " + failures;
         choice.solver = solver;
-        problem.work_limit = solver == Solver::nested ? most_work : unlimited;
+        problem.work_limit = solver == Solver::nested ? nested_work : unlimited;
         try {
             return row_of(solver).solve(problem, options, solution);
         } catch (const NotConverged& error) {
@@ -178,11 +178,11 @@ std::optional<StepSolution> pressed_flat(double load, const ContactProblem& prob
                                          const Eigen::VectorXd& deviation, const ContactOptions& options) {
     Loaded state(problem.nodes()), tangent(problem.nodes());
     state.pressure = deviation.array() + load / static_cast<double>(problem.nodes());
-    Index least = 0;
-    if (!(state.pressure.minCoeff(&least) > 0 && state.pressure.maxCoeff() < problem.cap))
+    Index lowest = 0;
+    if (!(state.pressure.minCoeff(&lowest) > 0 && state.pressure.maxCoeff() < problem.cap))
         return {};
     ContactSet set(problem.nodes());
-    set.assign([&](Index i) { return i != least; });
+    set.assign([&](Index i) { return i != lowest; });
     SetSolver(problem).tangent(set, 1e-10, true, tangent);
     const double stiffness = step_solution(set, state, tangent, false).stiffness;
     set.assign([](Index) { return true; });
@@ -197,7 +197,7 @@ std::optional<StepSolution> pressed_flat(double load, const ContactProblem& prob
 /// First guess of the first load's displacement, mm: that of every fourth node, or fewer of a fine grid, by
 /// the factor. 0 if it is not known.
 double first_guess(ContactProblem problem, const ContactOptions& options) {
-    constexpr Index fewest = 64, stride = 4, most = 1024;
+    constexpr Index fewest = 64, stride = 4, largest = 1024;
     if (problem.nodes() < fewest)
         return 0;
     Index highest = 0;
@@ -205,7 +205,8 @@ double first_guess(ContactProblem problem, const ContactOptions& options) {
     problem.load.resize(1);
     try {
         Solution found;
-        solve_nested(coarsened(problem, std::max(stride, problem.nodes() / most), highest), options, found);
+        solve_nested(coarsened(problem, std::max(stride, problem.nodes() / largest), highest), options,
+                     found);
         return found.steps[0].approach * problem.displacement_unit;
     } catch (const NotConverged&) { // the coarse grid is in full contact below the load
         check_stop(options);
@@ -259,15 +260,16 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
                                         const std::vector<double>& pressures, const ContactOptions& options) {
     check_options(body, options);
     make_problem(profile, body, {});
-    const double most = body.hardness * static_cast<double>(profile.nodes()) / elements(profile, body.kernel);
+    const double largest =
+        body.hardness * static_cast<double>(profile.nodes()) / elements(profile, body.kernel);
     double previous = 0;
     for (const double pressure : pressures) {
         if (!std::isfinite(pressure) || !(pressure > previous))
             refuse("mean pressure: ", pressure, " MPa after ", previous,
                    " MPa is not a larger finite value; sort the pressures");
-        if (!(pressure < most))
-            refuse("mean pressure: ", pressure, " MPa is not below that of all nodes at the hardness, ", most,
-                   " MPa");
+        if (!(pressure < largest))
+            refuse("mean pressure: ", pressure, " MPa is not below that of all nodes at the hardness, ",
+                   largest, " MPa");
         previous = pressure;
     }
     if (pressures.empty())

@@ -67,13 +67,13 @@ std::vector<double> ranks(const std::vector<double>& values) {
 }
 
 double rank_sum_p(const std::vector<double>& first, const std::vector<double>& second) {
-    constexpr std::size_t most_counted = 60;
+    constexpr std::size_t max_counted = 60;
     std::vector<double> all = first;
     all.insert(all.end(), second.begin(), second.end());
     const std::size_t n = first.size(), total = all.size();
     if (n == 0 || n == total)
         return 1;
-    if (total > most_counted) {
+    if (total > max_counted) {
         const std::vector<double> rank = ranks(all);
         const double N = static_cast<double>(total), share = static_cast<double>(n) / N;
         const double seen = std::accumulate(rank.begin(), rank.begin() + static_cast<long>(n), 0.0);
@@ -96,14 +96,14 @@ double rank_sum_p(const std::vector<double>& first, const std::vector<double>& s
 }
 
 double signed_rank_p(std::vector<double> differences) {
-    constexpr std::size_t most_counted = 400;
+    constexpr std::size_t max_counted = 400;
     std::erase(differences, 0.0);
     if (differences.empty())
         return 1;
     std::vector<double> sizes;
     for (const double difference : differences)
         sizes.push_back(std::abs(difference));
-    if (sizes.size() > most_counted) {
+    if (sizes.size() > max_counted) {
         const std::vector<double> rank = ranks(sizes);
         double seen = 0;
         for (std::size_t i = 0; i < rank.size(); ++i)
@@ -152,10 +152,10 @@ Friedman friedman(const std::vector<std::vector<double>>& blocks) {
 
 std::vector<double> holm(const std::vector<double>& p) {
     std::vector<double> corrected(p.size());
-    double least = 0;
+    double lowest = 0;
     std::size_t left = p.size();
     for (const std::size_t i : ascending(p))
-        corrected[i] = least = std::max(least, std::min(1.0, static_cast<double>(left--) * p[i]));
+        corrected[i] = lowest = std::max(lowest, std::min(1.0, static_cast<double>(left--) * p[i]));
     return corrected;
 }
 

@@ -35,9 +35,9 @@ struct VectorLoops {
 
     /// Eliminates eight rows of L, panel number `panel`, whose columns before block `first_block` are already
     /// those of L and whose others hold H. `one` and `gap` (8 each) are the rows' entries of 1 and g0.
-    /// Returns the first row whose pivot is not over `least_pivot` times its diagonal of H, or 8.
+    /// Returns the first row whose pivot is not over `min_pivot` times its diagonal of H, or 8.
     std::ptrdiff_t (*eliminate)(const PanelFactor& factor, std::ptrdiff_t panel, std::ptrdiff_t first_block,
-                                const double* one, const double* gap, double least_pivot);
+                                const double* one, const double* gap, double min_pivot);
     /// x = L^-T x in place, 8 `panels` entries.
     void (*back_substitute)(const PanelFactor& factor, std::ptrdiff_t panels, double* x);
     /// u_i = sum_k h[i - nodes_k] p_k, i = 0..size-1; `centre` is h[0], `size` a multiple of 64.

@@ -45,10 +45,10 @@ TheoryCurve curve_of(const Eigen::VectorXd& pressures, double unit, double mean,
     const Eigen::VectorXd none =
         Eigen::VectorXd::Constant(pressures.size(), std::numeric_limits<double>::quiet_NaN());
     TheoryCurve curve{pressures, none, none, none};
-    const double most = at(0).pressure;
+    const double largest = at(0).pressure;
     for (Index j = 0; j < pressures.size(); ++j) {
         const double wanted = pressures[j];
-        if (!(wanted <= most))
+        if (!(wanted <= largest))
             continue;
         const auto excess = [&](double d) { return std::log(at(d).pressure / wanted); };
         double far = unit;

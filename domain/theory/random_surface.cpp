@@ -41,10 +41,10 @@ RandomSurface random_surface(const SelfAffine& of) {
         refuse("rms slope: ", of.rms_slope, " is not a positive finite number");
     RandomSurface random{{Eigen::VectorXd(of.wave_numbers), {}, Eigen::VectorXd(of.wave_numbers)},
                          of.is_area};
-    const double least = 2 * std::numbers::pi / of.longest,
+    const double lowest = 2 * std::numbers::pi / of.longest,
                  step = std::log(of.longest / of.shortest) / static_cast<double>(of.wave_numbers);
     for (Index k = 0; k < of.wave_numbers; ++k) {
-        const double from = least * std::exp(step * static_cast<double>(k)), to = from * std::exp(step);
+        const double from = lowest * std::exp(step * static_cast<double>(k)), to = from * std::exp(step);
         // Around the circle an area's q^-2(1 + H) is a profile's q^-(1 + 2 H).
         const double heights = power_integral(-1 - 2 * of.hurst, from, to),
                      slopes = power_integral(1 - 2 * of.hurst, from, to);
@@ -70,9 +70,9 @@ Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t s
                "area for an area");
     const Extent shape = grid.shape();
     const double dx = 1 / grid.length, dy = grid.is_2d() ? 1 / grid.width : 0;
-    const double least = (1 - 1e-12) / parameters.longest, most = (1 + 1e-12) / parameters.shortest;
-    const auto last = static_cast<Index>(most / dx),
-               last_row = grid.is_2d() ? static_cast<Index>(most / dy) : 0;
+    const double lowest = (1 - 1e-12) / parameters.longest, largest = (1 + 1e-12) / parameters.shortest;
+    const auto last = static_cast<Index>(largest / dx),
+               last_row = grid.is_2d() ? static_cast<Index>(largest / dy) : 0;
     AlignedBuffer<fftw_complex> waves(shape.nodes());
     for (Index k = 0; k < shape.nodes(); ++k)
         waves[k][0] = waves[k][1] = 0;
@@ -81,7 +81,7 @@ Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t s
     for (Index j = -last_row; j <= last_row; ++j)
         for (Index i = j > 0 ? 0 : 1; i <= last; ++i) { // one of q and -q
             const double q = std::hypot(dx * static_cast<double>(i), dy * static_cast<double>(j));
-            if (q < least || q > most)
+            if (q < lowest || q > largest)
                 continue;
             const double amplitude = std::pow(q, -parameters.hurst - (parameters.is_area ? 1 : 0.5)),
                          phase = random.uniform(0, 2 * std::numbers::pi);

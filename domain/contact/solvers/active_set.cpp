@@ -19,12 +19,12 @@ constexpr double finest = 1e-12;
 constexpr double loosening = 0.05, area_loosening = 0.1;
 /// Accuracy of displacements over the approach while the residual is far above it.
 constexpr double rough_accuracy = 1e-5;
-constexpr int most_rounds = 200;
+constexpr int max_rounds = 200;
 /// An area's contact set swings if this many rounds in a row leave more than this share of the lowest
 /// residual.
-constexpr int most_swings = 2;
+constexpr int max_swings = 2;
 constexpr double share_left = 0.9;
-constexpr long most_iterations = 2000;
+constexpr long max_iterations = 2000;
 /// Up to this many nodes a dense factor is cheaper than a coarser grid. It is lower for an area, whose grids
 /// shrink faster.
 constexpr Index coarsest_line = 1024, coarsest_area = 256;
@@ -85,16 +85,16 @@ class ActiveSet {
     /// Finds the tangent. All nodes of a periodic area together have none: there it is that of all but the
     /// least loaded node, which is the tangent just below full contact.
     void find_tangent() {
-        Index least = problem_.nodes();
+        Index lowest = problem_.nodes();
         if (problem_.is_2d() && problem_.is_singular() &&
             static_cast<Index>(set_.nodes().size()) == problem_.nodes()) {
-            load_.pressure.minCoeff(&least);
-            set_.erase(least);
+            load_.pressure.minCoeff(&lowest);
+            set_.erase(lowest);
             set_.collect();
         }
         tangent_blur_ = solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
-        if (least < problem_.nodes()) {
-            set_.insert(least);
+        if (lowest < problem_.nodes()) {
+            set_.insert(lowest);
             set_.collect();
         }
     }
@@ -140,7 +140,7 @@ class ActiveSet {
         double level = 0;
         solver_.improve(
             set_, [&](Index i) { return approach - problem_.gap[i]; }, load_,
-            Enough{target * approach, [&](double) { return check_stop(options_), false; }}, most_iterations,
+            Enough{target * approach, [&](double) { return check_stop(options_), false; }}, max_iterations,
             problem_.is_2d() ? &product_ : nullptr, sum_ ? &level : nullptr);
         approach -= level;
         stale_ = !problem_.is_2d();
@@ -189,9 +189,9 @@ class ActiveSet {
     /// round in which any leaves. On an area many nodes are at the edge of touching, and which of them touch
     /// is known no better than the residual.
     void settle_area(double& approach, double tolerance) {
-        double target = 1, least = std::numeric_limits<double>::infinity();
+        double target = 1, lowest = std::numeric_limits<double>::infinity();
         int swings = 0;
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int round = 0; round < max_rounds; ++round) {
             check_stop(options_);
             change_set(approach, 0.3 * tolerance * approach,
                        std::min(rough_accuracy, 0.1 * target) * approach);
@@ -203,9 +203,9 @@ class ActiveSet {
             }
             if (worst <= tolerance)
                 return;
-            swings = worst < share_left * least ? 0 : swings + 1;
-            least = std::min(least, worst);
-            swinging_ = swinging_ || swings == most_swings;
+            swings = worst < share_left * lowest ? 0 : swings + 1;
+            lowest = std::min(lowest, worst);
+            swinging_ = swinging_ || swings == max_swings;
             target = std::max(0.5 * tolerance, area_loosening * worst);
             improve(approach, target);
         }
@@ -213,11 +213,11 @@ class ActiveSet {
 
     void settle_line(double& approach, double tolerance) {
         double target = 1;
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int round = 0; round < max_rounds; ++round) {
             check_stop(options_);
-            const double least = 0.3 * std::min(target, tolerance) * approach;
+            const double min_depth = 0.3 * std::min(target, tolerance) * approach;
             const double accuracy = std::min(rough_accuracy, 0.1 * target) * approach;
-            if (change_set(approach, least, accuracy)) {
+            if (change_set(approach, min_depth, accuracy)) {
                 double worst = 0;
                 for (const int i : set_.nodes())
                     worst = std::max(worst, std::abs(depth_[i]) / approach);
@@ -238,9 +238,9 @@ class ActiveSet {
         }
     }
 
-    /// Drops the nodes under tension and adds those that penetrate by more than `least`, with displacements
-    /// known to `accuracy`. Returns false if the set stays the same.
-    bool change_set(double& approach, double least, double accuracy) {
+    /// Drops the nodes under tension and adds those that penetrate by more than `min_depth`, with
+    /// displacements known to `accuracy`. Returns false if the set stays the same.
+    bool change_set(double& approach, double min_depth, double accuracy) {
         std::vector<int> dropped;
         for (const int i : set_.nodes())
             if (!(load_.pressure[i] > 0))
@@ -262,7 +262,7 @@ class ActiveSet {
         look(approach);
         std::vector<int> added;
         if (dropped.empty() || problem_.is_2d())
-            added = advancing_nodes(depth_, set_.touching(), problem_.shape, least + ahead_);
+            added = advancing_nodes(depth_, set_.touching(), problem_.shape, min_depth + ahead_);
         ahead_ = 0;
         if (swinging_ && !dropped.empty())
             added.clear();

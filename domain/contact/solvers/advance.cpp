@@ -43,9 +43,9 @@ Index assess_run(const Eigen::ArrayXd& depth, Index first, Index stride, Index p
 } // namespace
 
 std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<char>& touching, Extent shape,
-                                 double least) {
+                                 double min_depth) {
     auto touches = [&](Index i) { return touching[static_cast<std::size_t>(i)] != 0; };
-    auto penetrates = [&](Index i) { return depth[i] > least && !touches(i); };
+    auto penetrates = [&](Index i) { return depth[i] > min_depth && !touches(i); };
     std::vector<int> deep;
     for (Index i = 0; i < depth.size(); ++i)
         if (penetrates(i))

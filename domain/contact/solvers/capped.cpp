@@ -16,8 +16,8 @@ constexpr double settled = 1e-11;
 constexpr double loosening = 0.01;
 /// Armijo's share of the descent that the gradient predicts.
 constexpr double share = 1e-4;
-constexpr int most_rounds = 500, most_halvings = 40;
-constexpr long most_iterations = 2000;
+constexpr int max_rounds = 500, max_halvings = 40;
+constexpr long max_iterations = 2000;
 constexpr double tangent_tolerance = 1e-10;
 
 class CappedContact {
@@ -31,7 +31,7 @@ class CappedContact {
         solver_.load(load_);
         const double enough = settled * approach;
         double worst = std::numeric_limits<double>::infinity();
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int round = 0; round < max_rounds; ++round) {
             check_stop(options_);
             const double before = worst;
             worst = find_free(0.5 * enough);
@@ -74,11 +74,11 @@ class CappedContact {
     bool descend(double residual) {
         Loaded newton = load_;
         solver_.improve(
-            free_, [&](Index i) { return goal_[i]; }, newton, Enough{residual}, most_iterations);
+            free_, [&](Index i) { return goal_[i]; }, newton, Enough{residual}, max_iterations);
         const Eigen::VectorXd direction = newton.pressure - load_.pressure;
         Loaded next(problem_.nodes());
         double length = 1;
-        for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
+        for (int halving = 0; halving < max_halvings; ++halving, length /= 2) {
             next.pressure = (load_.pressure + length * direction).cwiseMax(0).cwiseMin(problem_.cap);
             solver_.load(next);
             const Eigen::VectorXd step = next.pressure - load_.pressure;

@@ -39,9 +39,9 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
     const auto over_mean = [mean](double excess) {
         return !(excess > 0) ? 0 : mean > 0 ? excess / mean : none;
     };
-    const double least = pressure.size() ? pressure.minCoeff() : 0,
-                 most = pressure.size() ? pressure.maxCoeff() : 0;
-    return {misfit / scale, penetration / scale, over_mean(-least), over_mean(most - problem.cap)};
+    const double lowest = pressure.size() ? pressure.minCoeff() : 0,
+                 largest = pressure.size() ? pressure.maxCoeff() : 0;
+    return {misfit / scale, penetration / scale, over_mean(-lowest), over_mean(largest - problem.cap)};
 }
 
 double direct_tolerance(const ContactProblem& problem, const StepSolution& step) {

@@ -82,7 +82,7 @@ double predicted_cost(double nodes, double contact, double steps) {
     return std::min(nested_cost(nodes, contact, steps), active_set_cost(nodes, steps));
 }
 
-double most_nested_work(const ContactProblem& problem) {
+double max_nested_work(const ContactProblem& problem) {
     if (problem.nodes() <= always_nested)
         return std::numeric_limits<double>::infinity();
     const double steps = static_cast<double>(problem.steps());

@@ -22,7 +22,7 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
 
 /// Multiplications of the factor after which the active set would have been several times cheaper. Infinite
 /// if the factor is always taken.
-double most_nested_work(const ContactProblem& problem);
+double max_nested_work(const ContactProblem& problem);
 
 /// Throws InputError, before the nested solver begins, if its factor is predicted not to fit into memory.
 void expect_factor_to_fit(const ContactProblem& problem, const ContactOptions& options);

@@ -9,7 +9,7 @@ namespace {
 constexpr Index width = panel_width;
 /// Smallest accepted pivot over the diagonal of H. Pivots of a contact set are some hundredths of it. Only
 /// those of all nodes of a periodic profile, whose matrix is singular, are of the size of rounding.
-constexpr double least_pivot = 1e-10;
+constexpr double min_pivot = 1e-10;
 
 Eigen::Map<const Eigen::VectorXd> vector(const std::vector<double>& values) {
     return {values.data(), static_cast<Index>(values.size())};
@@ -127,7 +127,7 @@ Index GrowingFactor::build_panel(Index panel, Index first_block) {
         one[r] = 1;
         gap[r] = gap_[nodes_[static_cast<std::size_t>(first + r)]];
     }
-    return vector_loops().eliminate(factor(), panel, first_block, one, gap, least_pivot);
+    return vector_loops().eliminate(factor(), panel, first_block, one, gap, min_pivot);
 }
 
 PanelFactor GrowingFactor::factor() {

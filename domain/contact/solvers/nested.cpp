@@ -13,8 +13,8 @@ namespace {
 
 /// Gaps and penetrations below this, over the approach, are rounding.
 constexpr double rounding = 1e-13;
-constexpr int most_rounds = 200;
-constexpr std::size_t least_batch = 64;
+constexpr int max_rounds = 200;
+constexpr std::size_t min_batch = 64;
 
 /// Solves one load step after the other on one factor.
 class NestedContact {
@@ -29,7 +29,7 @@ class NestedContact {
         double residual = 0;
         if (load && factor_.size() == 0)
             touch_first();
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int round = 0; round < max_rounds; ++round) {
             check_stop(options_);
             find_pressures(approach, load);
             drop_tension(approach, load);
@@ -94,15 +94,15 @@ class NestedContact {
         depth_ = approach - (problem_.gap + Eigen::Map<const Eigen::VectorXd>(u, problem_.nodes())).array();
         std::vector<int> added = advancing_nodes(depth_, touching_, problem_.shape, rounding * approach);
         // Only the surest ones: far from the solution most of the others would be dropped again.
-        added.resize(std::min(added.size(), std::max(least_batch, factor_.nodes().size() / 2)));
+        added.resize(std::min(added.size(), std::max(min_batch, factor_.nodes().size() / 2)));
         refuse_factor(factor_.size() + static_cast<Index>(added.size()), options_);
         Index appended = factor_.append(added);
         if (appended == 0 && !added.empty() && by_load) {
             // All nodes of a periodic body have a singular matrix: the last node takes the place of the least
             // loaded one.
-            Index least = 0;
-            pressure_.minCoeff(&least);
-            remove({least});
+            Index lowest = 0;
+            pressure_.minCoeff(&lowest);
+            remove({lowest});
             appended = factor_.append(added);
         }
         added.resize(static_cast<std::size_t>(appended));

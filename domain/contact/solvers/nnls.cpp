@@ -81,11 +81,11 @@ class LawsonHanson {
     Index most_violated(double approach) {
         const double* u = direct_.apply(factor_.nodes(), pressure_);
         Index worst = -1;
-        double most = rounding * approach;
+        double deepest = rounding * approach;
         for (Index i = 0; i < problem_.nodes(); ++i) {
             const double depth = approach - problem_.gap[i] - u[i];
-            if (depth > most && !passive_[static_cast<std::size_t>(i)]) {
-                most = depth;
+            if (depth > deepest && !passive_[static_cast<std::size_t>(i)]) {
+                deepest = depth;
                 worst = i;
             }
         }

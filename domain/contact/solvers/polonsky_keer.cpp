@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::ArrayXd;
 
-constexpr long most_iterations = 5000;
+constexpr long max_iterations = 5000;
 /// The residual below which rounding makes further iterations pointless.
 constexpr double finest = 1e-12;
 
@@ -68,7 +68,7 @@ class PolonskyKeer {
         direction_.pressure.setZero();
         double previous = 1, residual = 1;
         bool conjugate = false;
-        for (long iteration = 0; iteration < most_iterations; ++iteration) {
+        for (long iteration = 0; iteration < max_iterations; ++iteration) {
             if (iteration % 16 == 0)
                 check_stop(options_);
             auto& p = load_.pressure;

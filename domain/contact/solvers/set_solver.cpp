@@ -22,9 +22,9 @@ constexpr double single_depth = 1e-4;
 /// A stiffness whose H w was improved in single precision is good to this: ten times the largest error seen.
 constexpr double single_stiffness = 3e-7;
 /// Maximum number of iterations for the tangent, far above the number ever needed.
-constexpr long most_iterations = 5000;
+constexpr long max_iterations = 5000;
 
-constexpr Index most_columns = 64; ///< largest number of columns of a deflation
+constexpr Index max_columns = 64; ///< largest number of columns of a deflation
 
 /// Half-open ranges of positions in `nodes` whose nodes are neighbours.
 std::vector<std::pair<Index, Index>> runs_of(const std::vector<int>& nodes) {
@@ -62,7 +62,7 @@ class Deflation {
     Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums) {
         const auto runs = sums.size() > 0 ? runs_of(nodes) : std::vector<std::pair<Index, Index>>();
         const Index count = static_cast<Index>(nodes.size()), many = static_cast<Index>(runs.size());
-        const Index columns = std::min(most_columns, many), n = sums.size() / 2;
+        const Index columns = std::min(max_columns, many), n = sums.size() / 2;
         const auto node = [&](Index k) { return static_cast<Index>(nodes[static_cast<std::size_t>(k)]); };
         image_.resize(count, columns);
         for (Index run = 0; run < many; ++run) {
@@ -223,9 +223,9 @@ void SetSolver::load(Loaded& x, KnownProduct& known, double accuracy) {
             float* input = single_.input();
             for (Index i = 0; i < n; ++i)
                 input[i] = static_cast<float>(change[i] * inverse);
-            const float most = add(scale, single_.apply(), known.displacement);
+            const float largest_entry = add(scale, single_.apply(), known.displacement);
             ++applies_;
-            known.blur += single_rounding * scale * static_cast<double>(most);
+            known.blur += single_rounding * scale * static_cast<double>(largest_entry);
         }
         if (known.blur <= accuracy) { // false for NaN
             known.pressure = x.pressure;
@@ -265,7 +265,7 @@ void SetSolver::multiply(SingleFourierOperator& matrix, const std::vector<int>& 
 }
 
 bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                        const Enough& enough, long most, KnownProduct* known, double* level) {
+                        const Enough& enough, long limit, KnownProduct* known, double* level) {
     const auto& nodes = set.nodes();
     const Index m = static_cast<Index>(nodes.size());
     if (m == 0)
@@ -318,7 +318,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                 z -= z.sum() / even.sum() * even;
             const double energy = r.dot(z);
             solved = std::isfinite(energy) && enough.energy && enough.energy(energy);
-            if (solved || iteration >= most || !progress || !(energy > 0) || largest <= single_depth * scale)
+            if (solved || iteration >= limit || !progress || !(energy > 0) || largest <= single_depth * scale)
                 break;
             deflation.purge(z);
             q = first ? z : z + energy / rz * q;
@@ -330,8 +330,8 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                 break;
             const double step = rz / curvature;
             if (known) {
-                const float most = add(step * scale, single_.applied(), known->displacement);
-                known->blur += single_rounding * std::abs(step * scale) * static_cast<double>(most);
+                const float largest_entry = add(step * scale, single_.applied(), known->displacement);
+                known->blur += single_rounding * std::abs(step * scale) * static_cast<double>(largest_entry);
             }
             r -= step * hq;
             centre();
@@ -348,7 +348,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             known->pressure = x.pressure;
             x.displacement = known->displacement;
         }
-        if (solved || iteration >= most || !progress)
+        if (solved || iteration >= limit || !progress)
             return solved;
         load(x);
         if (known)
@@ -368,7 +368,7 @@ double SetSolver::tangent(const ContactSet& set, double tolerance, bool each_ent
     if (is_2d())
         known = {w.pressure, w.displacement, 0};
     improve(
-        set, [](Index) { return 1.0; }, w, enough, most_iterations, is_2d() ? &known : nullptr);
+        set, [](Index) { return 1.0; }, w, enough, max_iterations, is_2d() ? &known : nullptr);
     if (tolerance >= single_stiffness)
         return known.blur;
     load(w);

@@ -75,12 +75,12 @@ class SetSolver {
     /// to the known product that of the change since then, in single precision.
     void load(Loaded& x, KnownProduct& known, double accuracy);
     /// Improves x until it is good enough. x.displacement is then up to date on A only, or at every node if
-    /// `known` holds its product, which is updated too. Returns false if `most` iterations are not enough or
+    /// `known` holds its product, which is updated too. Returns false if `limit` iterations are not enough or
     /// rounding stops it.
     /// With a `level` the sum of x is kept and b is met up to a constant, which is written to `level`: b -
     /// level = H x, by gradients that sum to zero (Gould, Hribar & Nocedal 2001).
     bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                 const Enough& enough, long most, KnownProduct* known = nullptr, double* level = nullptr);
+                 const Enough& enough, long limit, KnownProduct* known = nullptr, double* level = nullptr);
     /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
     /// entries. On an area w.displacement is then up to date at every node; the return value bounds its
     /// error.

@@ -38,20 +38,20 @@ Profile raised(Index nodes, const std::vector<Index>& where, double height, doub
 
 const Body periodic{Kernel::periodic, 1, 1, 0};
 
-constexpr double most_touch = 0.3, few_touch = 1e-3; // displacements
+constexpr double most_nodes_touch = 0.3, few_touch = 1e-3; // displacements
 
 } // namespace
 
 TEST_CASE("auto takes nested if few nodes touch, active-set if most of a fine grid do", "[contact]") {
     for (const Index nodes : {1024, 4096}) {
-        const ContactCurve many = pressed(nodes, most_touch), few = pressed(nodes, few_touch);
+        const ContactCurve many = pressed(nodes, most_nodes_touch), few = pressed(nodes, few_touch);
         INFO(many.choice << "\n" << few.choice);
         CHECK(many.steps.back().contact_fraction > 0.6);
         CHECK(many.solver == Solver::active_set);
         CHECK(few.steps.back().contact_fraction < 0.1);
         CHECK(few.solver == Solver::nested);
     }
-    CHECK(pressed(512, most_touch).solver == Solver::nested);
+    CHECK(pressed(512, most_nodes_touch).solver == Solver::nested);
 }
 
 TEST_CASE("auto takes active-set, with the reason, when the factor would not fit", "[contact]") {
@@ -89,9 +89,9 @@ TEST_CASE("a factor is refused only if the nodes that will touch do not fit", "[
     };
     options.memory_limit = 1e-2 * GrowingFactor::bytes(4096);
     CHECK_NOTHROW(expected_to_fit(few_touch));
-    CHECK_THROWS_AS(expected_to_fit(most_touch), InputError);
+    CHECK_THROWS_AS(expected_to_fit(most_nodes_touch), InputError);
     options.memory_limit = GrowingFactor::bytes(4096);
-    CHECK_NOTHROW(expected_to_fit(most_touch));
+    CHECK_NOTHROW(expected_to_fit(most_nodes_touch));
 }
 
 TEST_CASE("auto predicts the contact correctly when a single node is raised", "[contact]") {

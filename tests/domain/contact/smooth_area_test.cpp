@@ -125,10 +125,10 @@ TEST_CASE("the smooth contact fraction of an area does not jump when a node ente
         };
         double below = scene.displacements[8], above = scene.displacements[9];
         REQUIRE(count(below) < count(above));
-        const std::size_t least = count(below);
+        const std::size_t lowest = count(below);
         while (above - below > 1e-11 * above) {
             const double middle = 0.5 * (below + above);
-            (count(middle) == least ? below : above) = middle;
+            (count(middle) == lowest ? below : above) = middle;
         }
         const auto at = [&](double displacement) {
             return smooth_area(scene.profile, scene.body, pressed(scene.profile, scene.body, {displacement}))

@@ -37,17 +37,17 @@ TEST_CASE("a continued field keeps its values at the nodes and stays within thei
         for (const int i : scene.nodes)
             field[static_cast<std::size_t>(i)] = static_cast<float>(1 + random() % 100);
         const std::vector<float> before = field;
-        float least = 1000, most = 0;
+        float lowest = 1000, largest = 0;
         for (const int i : scene.nodes) {
-            least = std::min(least, field[static_cast<std::size_t>(i)]);
-            most = std::max(most, field[static_cast<std::size_t>(i)]);
+            lowest = std::min(lowest, field[static_cast<std::size_t>(i)]);
+            largest = std::max(largest, field[static_cast<std::size_t>(i)]);
         }
         Extension(shape, scene.nodes).extend(field.data());
         for (const int i : scene.nodes)
             CHECK(field[static_cast<std::size_t>(i)] == before[static_cast<std::size_t>(i)]);
         const auto [low, high] = std::minmax_element(field.begin(), field.end());
-        CHECK(*low >= least * (1 - 1e-5F)); // so a constant stays one
-        CHECK(*high <= most * (1 + 1e-5F));
+        CHECK(*low >= lowest * (1 - 1e-5F)); // so a constant stays one
+        CHECK(*high <= largest * (1 + 1e-5F));
     }
 }
 

@@ -26,7 +26,7 @@ void check_paths(const UnitBody& body, Extent shape) {
         return sums;
     };
     const Eigen::VectorXd expected = direct(p);
-    const double least = 1e-14 * column.cwiseAbs().sum();
+    const double rounding = 1e-14 * column.cwiseAbs().sum();
     const auto apply = [&](FourierOperator op) {
         std::copy_n(p.data(), nodes, op.input());
         return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(op.apply(), nodes));
@@ -35,12 +35,12 @@ void check_paths(const UnitBody& body, Extent shape) {
     Eigen::VectorXf::Map(single.input(), nodes) = p.cast<float>();
     const Eigen::VectorXf rounded = Eigen::VectorXf::Map(single.apply(), nodes);
     CHECK((rounded.cast<double>() - expected).cwiseAbs().maxCoeff() < 1e-6 * column.cwiseAbs().sum());
-    CHECK((apply(FourierOperator::toeplitz(column, shape)) - expected).cwiseAbs().maxCoeff() < least);
-    CHECK((SplitOperator(column, shape).apply(p) - expected).cwiseAbs().maxCoeff() < least);
+    CHECK((apply(FourierOperator::toeplitz(column, shape)) - expected).cwiseAbs().maxCoeff() < rounding);
+    CHECK((SplitOperator(column, shape).apply(p) - expected).cwiseAbs().maxCoeff() < rounding);
     if (body.kernel == Kernel::periodic)
         CHECK((apply(FourierOperator::circulant(shape, periodic_spectrum(body, shape))) - expected)
                   .cwiseAbs()
-                  .maxCoeff() < least);
+                  .maxCoeff() < rounding);
     std::vector<int> some;
     Eigen::VectorXd on_some(nodes), elsewhere = Eigen::VectorXd::Zero(nodes);
     for (Index i = nodes - 1; i >= 0; i -= 1 + i % 3) { // in any order
@@ -51,7 +51,7 @@ void check_paths(const UnitBody& body, Extent shape) {
     CHECK((Eigen::Map<const Eigen::VectorXd>(DirectOperator(table).apply(some, on_some), nodes) -
            direct(elsewhere))
               .cwiseAbs()
-              .maxCoeff() < least);
+              .maxCoeff() < rounding);
 }
 
 } // namespace
