@@ -74,10 +74,6 @@ Contact wave(double amplitude, double wavelength, double a, double effective_mod
     return two_waves(amplitude, 0, wavelength, a, effective_modulus);
 }
 
-double wave_full_contact(double amplitude, double wavelength, double effective_modulus) {
-    return pi * effective_modulus * amplitude / wavelength;
-}
-
 Contact two_waves(double h1, double h2, double wavelength, double a, double effective_modulus) {
     const double s = std::sin(pi * a / wavelength), s2 = s * s, s4 = s2 * s2, log_s = std::log(s);
     return {pi * effective_modulus * ((h1 + 4 * h2) * s2 - 6 * h2 * s4),

@@ -43,8 +43,6 @@ Contact punch(double displacement, double a, const HalfPlane& body);
 /// Westergaard: height h (1 - cos 2 pi x/wavelength) below the crests, one contact per wavelength; 0 < a <=
 /// wavelength/2.
 Contact wave(double amplitude, double wavelength, double a, double effective_modulus);
-/// Mean pressure of full contact, pi E* h/wavelength, MPa.
-double wave_full_contact(double amplitude, double wavelength, double effective_modulus);
 
 /// h1 (1 - cos 2 pi x/wavelength) + h2 (1 - cos 4 pi x/wavelength), -h1/4 < h2 <= h1/8.
 Contact two_waves(double h1, double h2, double wavelength, double a, double effective_modulus);

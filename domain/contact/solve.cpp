@@ -113,21 +113,11 @@ Solution solve(SolverChoice& choice, ContactProblem problem, const ContactOption
     return solution;
 }
 
-SolverChoice chosen(const ContactProblem& problem, const ContactOptions& options) {
-    return options.solver == Solver::automatic ? choose_solver(problem, options)
-                                               : SolverChoice{options.solver, "asked for"};
-}
-
 void check_options(const Body& body, const ContactOptions& options) {
     if (!(options.tolerance >= 1e-10 && options.tolerance <= 0.01))
         refuse("solver tolerance: ", options.tolerance, " is out of range (1e-10 to 0.01)");
     if (body.yields() && !row_of(options.solver).capped)
         refuse("solver: ", name_of(options.solver), " cannot hold a hardness; choose auto or active-set");
-}
-
-/// Tolerance of a mean pressure, relative: half that of an iterative solver, otherwise rounding.
-double load_tolerance(Solver solver, const Body& body, const ContactOptions& options) {
-    return body.yields() ? 1e-12 : is_direct(solver) ? 0 : 0.5 * options.tolerance;
 }
 
 [[noreturn]] void refuse_beyond_full_contact(double pressure, double full) {
@@ -162,7 +152,11 @@ LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, c
         if (next == highest && from.pressure < pressure * (1 - 1e-12))
             refuse_beyond_full_contact(pressure, from.pressure);
         const double left = std::abs(pressure - from.pressure);
-        if (left <= load_tolerance(curve.solver, body, options) * pressure)
+        // Half the tolerance of an iterative solver, otherwise rounding.
+        const double tolerance = body.yields()             ? 1e-12
+                                 : is_direct(curve.solver) ? 0
+                                                           : 0.5 * options.tolerance;
+        if (left <= tolerance * pressure)
             return from;
         (from.pressure < pressure ? below : above) = next;
         halve = from_above && from.pressure > pressure && left > little * missing;
@@ -251,7 +245,7 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
                            const ContactOptions& options) {
     check_options(body, options);
     const ContactProblem problem = make_problem(profile, body, displacements);
-    SolverChoice choice = chosen(problem, options);
+    SolverChoice choice = choose_solver(problem, options);
     Solution solution = solve(choice, problem, options);
     return in_units(problem, displacements, std::move(solution), choice, options);
 }
@@ -278,7 +272,7 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
     if (body.relative_to_mean() && !body.yields())
         if (const double full = full_contact_load(profile, body); pressures.back() > full)
             refuse_beyond_full_contact(pressures.back(), full);
-    SolverChoice choice = chosen(problem, options);
+    SolverChoice choice = choose_solver(problem, options);
     if (takes_loads(choice.solver, problem)) {
         try {
             return in_units(problem, {}, solve(choice, problem, options), choice, options);

@@ -18,7 +18,7 @@ struct ContactOptions {
     double tolerance = 1e-6;           ///< relative, iterative solvers only
     bool states = false;       ///< keep each step's contact set, pressures and tangent vector for the adjoint
     double memory_limit = 2e9; ///< bytes; a factor predicted to need more is refused
-    std::function<bool()> stop; ///< called now and then if set; true ends the solution with NotConverged
+    std::function<bool()> stop = {}; ///< called now and then if set; true ends the solution with NotConverged
 };
 
 /// Whether `stop` is set and returns true.

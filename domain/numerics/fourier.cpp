@@ -209,31 +209,16 @@ static void each_column(std::complex<Real>* numbers, Extent shape, Index padded,
 }
 
 template <typename Real>
-void BasicFourierOperator<Real>::spread() {
-    if (padded_.columns == shape_.columns)
-        return;
+const Real* BasicFourierOperator<Real>::apply() {
     Real* real = real_.data();
-    for (Index j = shape_.rows - 1; j >= 0; --j) {
+    const bool pads = padded_.columns != shape_.columns;
+    for (Index j = pads ? shape_.rows - 1 : -1; j >= 0; --j) { // from N entries to the padded rows
         Real* row = real + j * padded_.columns;
         if (j > 0)
             std::copy_backward(real + j * shape_.columns, real + (j + 1) * shape_.columns,
                                row + shape_.columns);
         std::fill(row + shape_.columns, row + padded_.columns, Real(0));
     }
-}
-
-template <typename Real>
-void BasicFourierOperator<Real>::gather() {
-    Real* real = real_.data();
-    if (padded_.columns != shape_.columns)
-        for (Index j = 1; j < shape_.rows; ++j)
-            std::copy_n(real + j * padded_.columns, shape_.columns, real + j * shape_.columns);
-}
-
-template <typename Real>
-const Real* BasicFourierOperator<Real>::apply() {
-    Real* real = real_.data();
-    spread();
     Call<Real>::forward(rows_.forward, real, as_fftw(transform_.data()));
     const Index rows = padded_.rows;
     if (rows == 1)
@@ -244,7 +229,8 @@ const Real* BasicFourierOperator<Real>::apply() {
                         multiply(column, spectrum_.data() + k * rows, rows);
                     });
     Call<Real>::backward(rows_.backward, as_fftw(transform_.data()), real);
-    gather();
+    for (Index j = 1; pads && j < shape_.rows; ++j) // and back
+        std::copy_n(real + j * padded_.columns, shape_.columns, real + j * shape_.columns);
     return real;
 }
 
@@ -306,6 +292,12 @@ SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape)
 
 template <class Visit>
 void SplitOperator::transform(const Part& part, Visit visit) {
+    const auto transform_rows = [&](fftw_plan plan) {
+        for (Index j = 0; j < shape_.rows; ++j) {
+            fftw_complex* row = as_fftw(work_.data() + j * shape_.columns);
+            fftw_execute_dft(plan, row, row);
+        }
+    };
     twist(part, false);
     transform_rows(rows_.forward);
     if (shape_.rows > 1)
@@ -315,13 +307,6 @@ void SplitOperator::transform(const Part& part, Visit visit) {
             visit(work_.data() + i, i);
     transform_rows(rows_.backward);
     twist(part, true);
-}
-
-void SplitOperator::transform_rows(fftw_plan plan) {
-    for (Index j = 0; j < shape_.rows; ++j) {
-        fftw_complex* row = as_fftw(work_.data() + j * shape_.columns);
-        fftw_execute_dft(plan, row, row);
-    }
 }
 
 void SplitOperator::twist(const Part& part, bool back) {

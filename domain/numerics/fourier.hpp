@@ -59,8 +59,6 @@ class BasicFourierOperator {
 
   private:
     BasicFourierOperator(Extent shape, Extent padded);
-    void spread(); ///< from N entries to the padded rows
-    void gather(); ///< back
     Extent shape_, padded_;
     Index half_; ///< numbers of a half-complex row
     PlanPair<Real> rows_;
@@ -90,7 +88,6 @@ class SplitOperator {
         Eigen::ArrayXd eigenvalues; ///< divided by 2 N, for an area by 4 N; column after column
     };
     void twist(const Part& part, bool back);
-    void transform_rows(fftw_plan plan);
     /// Transforms work_, visits each column with its number, and transforms back.
     template <class Visit>
     void transform(const Part& part, Visit visit);

@@ -98,8 +98,8 @@ Ellipse ellipse(double kappa) {
 /// difference is kappa times their sum, and kappa's part of the density is 2 kappa (1 - kappa^2) x^4
 /// exp(-kappa^2 x^2).
 struct Sharpness {
-    double x, weight;          ///< node and weight of Gauss' rule over x
-    double number, area, load; ///< sums over the summits, each pressed by an approach of 1
+    double x, weight;  ///< node and weight of Gauss' rule over x
+    double area, load; ///< sums over the summits, each pressed by an approach of 1
 };
 
 const std::vector<Sharpness>& sharpnesses() {
@@ -111,16 +111,14 @@ const std::vector<Sharpness>& sharpnesses() {
             ellipses.push_back(ellipse(std::sin(angle.at)));
         std::vector<Sharpness> made;
         for (const auto& [x, weight] : nodes_on(0, sharpest)) {
-            Sharpness one{x, weight, 0, 0, 0};
+            Sharpness one{x, weight, 0, 0};
             for (std::size_t k = 0; k < angles.size(); ++k) {
                 const double kappa = std::sin(angles[k].at), cosine = std::cos(angles[k].at);
                 const double density =
                     2 * kappa * std::exp(-kappa * kappa * x * x) * cosine * angles[k].weight;
-                one.number += density * cosine * cosine;
                 one.area += density * cosine * ellipses[k].area;
                 one.load += density * std::pow(cosine, 1.5) * ellipses[k].load;
             }
-            one.number *= normal_density(x) * std::pow(x, 4);
             one.area *= normal_density(x) * std::pow(x, 3);
             one.load *= normal_density(x) * std::pow(x, 3.5);
             made.push_back(one);
@@ -188,13 +186,6 @@ TheoryCurve bush_gibson_thomas(const SpectralMoments& m, double effective_modulu
         }
         return state;
     });
-}
-
-double summit_density(const SpectralMoments& m) {
-    double number = 0;
-    for (const Sharpness& s : sharpnesses())
-        number += s.weight * s.number;
-    return 2 * m.m4 / 3 / (2 * pi * m.m2) * number;
 }
 
 const std::vector<std::string>& theory_names() {

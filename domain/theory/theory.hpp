@@ -12,8 +12,7 @@ enum class Theory { greenwood_williamson, bush_gibson_thomas, persson };
 
 /// greenwood-williamson, bush-gibson-thomas and persson, in the order of Theory.
 const std::vector<std::string>& theory_names();
-/// The name of a theory.
-const std::string& name_of(Theory theory);
+const std::string& name_of(Theory theory); ///< one of them
 
 /// The prediction of a theory at some mean pressures; NaN if it has none.
 struct TheoryCurve {
@@ -56,9 +55,6 @@ TheoryCurve greenwood_williamson(const SpectralMoments& moments, double effectiv
 /// Holds at light load; NaN beyond the mean plane (u < 0).
 TheoryCurve bush_gibson_thomas(const SpectralMoments& moments, double effective_modulus,
                                const Eigen::VectorXd& pressures);
-
-/// Summits per unit area, 1/mm^2, integrated over the distribution that bush_gibson_thomas presses.
-double summit_density(const SpectralMoments& moments);
 
 /// Persson's theory (2001, J. Chem. Phys. 115, 3840; 2007, Phys. Rev. Lett. 99, 125502): the distribution of
 /// the pressure widens as shorter waves are included, and is cut off at zero. A/A0 = erf(sqrt 2 P/(E* h')) at

@@ -146,24 +146,18 @@ class ActiveSet {
         stale_ = !problem_.is_2d();
     }
 
-    /// Under load control, sets the approach to the mean over the nodes in contact.
-    void follow(double& approach) const {
-        if (!sum_)
-            return;
+    /// Finds the depth of every node; under load control first the approach, the mean over the contact nodes.
+    void look(double& approach) {
         double sum = 0;
         Index count = 0;
-        for (const int i : set_.nodes())
-            if (load_.pressure[i] > 0) {
-                sum += problem_.gap[i] + load_.displacement[i];
-                ++count;
-            }
+        if (sum_)
+            for (const int i : set_.nodes())
+                if (load_.pressure[i] > 0) {
+                    sum += problem_.gap[i] + load_.displacement[i];
+                    ++count;
+                }
         if (count > 0)
             approach = sum / static_cast<double>(count);
-    }
-
-    /// Finds the depth of every node.
-    void look(double& approach) {
-        follow(approach);
         depth_ = approach - (problem_.gap + load_.displacement).array();
     }
 

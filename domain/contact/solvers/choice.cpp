@@ -72,10 +72,6 @@ double turned(const ContactProblem& problem) {
     return !problem.is_2d() ? 1 : problem.kernel == Kernel::periodic ? 0.5 : 2;
 }
 
-double iterative_cost(const ContactProblem& problem, double steps) {
-    return turned(problem) * active_set_cost(static_cast<double>(problem.nodes()), steps);
-}
-
 } // namespace
 
 double predicted_cost(double nodes, double contact, double steps) {
@@ -86,11 +82,14 @@ double max_nested_work(const ContactProblem& problem) {
     if (problem.nodes() <= always_nested)
         return std::numeric_limits<double>::infinity();
     const double steps = static_cast<double>(problem.steps());
-    return patience * iterative_cost(problem, steps) / per_elimination;
+    return patience * turned(problem) * active_set_cost(static_cast<double>(problem.nodes()), steps) /
+           per_elimination;
 }
 
 SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options) {
     PlainStream reason;
+    if (options.solver != Solver::automatic)
+        return {options.solver, "requested"};
     if (std::isfinite(problem.cap))
         return {Solver::active_set, "active-set: pressures are held at the hardness, contact is not nested"};
     if (!contact_sets_nest(problem, problem.shape))
@@ -103,7 +102,7 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
     }
     const double n = static_cast<double>(problem.nodes()), steps = static_cast<double>(problem.steps());
     const double m = std::ceil(expected_contact(problem, options) * n);
-    const double nested = nested_cost(n, m, steps), active_set = iterative_cost(problem, steps);
+    const double nested = nested_cost(n, m, steps), active_set = turned(problem) * active_set_cost(n, steps);
     // Half as much again, because the estimate comes from a coarse grid.
     const double memory = 1.5 * GrowingFactor::bytes(static_cast<Index>(m));
     reason.precision(2);

@@ -27,8 +27,12 @@ class NestedContact {
     /// The solution at an approach that is above the one before, or at a load (a sum of pressures) that is.
     StepSolution press(double approach, std::optional<double> load) {
         double residual = 0;
-        if (load && factor_.size() == 0)
-            touch_first();
+        if (load && factor_.size() == 0) { // the highest node first
+            Index highest = 0;
+            problem_.gap.minCoeff(&highest);
+            factor_.append({static_cast<int>(highest)});
+            touching_[static_cast<std::size_t>(highest)] = 1;
+        }
         for (int round = 0; round < max_rounds; ++round) {
             check_stop(options_);
             find_pressures(approach, load);
@@ -49,13 +53,6 @@ class NestedContact {
     long rounds() const { return rounds_; }
 
   private:
-    void touch_first() {
-        Index highest = 0;
-        problem_.gap.minCoeff(&highest);
-        factor_.append({static_cast<int>(highest)});
-        touching_[static_cast<std::size_t>(highest)] = 1;
-    }
-
     const double* displacement() {
         if (direct_.pays(factor_.nodes().size()))
             return direct_.apply(factor_.nodes(), pressure_);

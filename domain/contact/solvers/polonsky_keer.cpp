@@ -24,10 +24,19 @@ class PolonskyKeer {
 
     /// One step to an approach, or to a load if one is given.
     StepSolution press(double approach, std::optional<double> load = {}) {
-        if (load)
-            start_at_load(*load);
-        else if (load_.pressure.maxCoeff() == 0)
-            start_at_approach(approach);
+        if (load) {
+            const double sum = load_.pressure.sum();
+            if (sum > 0)
+                load_.pressure *= *load / sum;
+            else
+                load_.pressure.setConstant(*load / static_cast<double>(problem_.nodes()));
+        } else if (load_.pressure.maxCoeff() == 0) { // the overlap, scaled to the lowest energy
+            load_.pressure = (approach - problem_.gap.array()).max(0);
+            solver_.load(load_);
+            const double work = load_.pressure.dot(load_.displacement);
+            if (work > 0)
+                load_.pressure *= load_.pressure.squaredNorm() / work;
+        }
         for (double tolerance = options_.tolerance;;) {
             iterate(approach, load, tolerance);
             set_.assign([&](Index i) { return load_.pressure[i] > 0; });
@@ -47,23 +56,6 @@ class PolonskyKeer {
     long iterations() const { return iterations_; }
 
   private:
-    void start_at_load(double load) {
-        const double sum = load_.pressure.sum();
-        if (sum > 0)
-            load_.pressure *= load / sum;
-        else
-            load_.pressure.setConstant(load / static_cast<double>(problem_.nodes()));
-    }
-
-    /// Starts from the overlap, scaled to the lowest energy.
-    void start_at_approach(double approach) {
-        load_.pressure = (approach - problem_.gap.array()).max(0);
-        solver_.load(load_);
-        const double work = load_.pressure.dot(load_.displacement);
-        if (work > 0)
-            load_.pressure *= load_.pressure.squaredNorm() / work;
-    }
-
     void iterate(double& approach, std::optional<double> load, double target) {
         direction_.pressure.setZero();
         double previous = 1, residual = 1;

