@@ -47,7 +47,7 @@ TEST_CASE("a correct solution changed by a millionth fails its certificate", "[c
 
 namespace {
 
-/// Five nodes, the first three in contact at half of the largest displacement, in the problem's own units.
+/// Five nodes, the first three in contact at half of the largest displacement, in the problem's units.
 struct Pressed {
     ContactProblem problem =
         make_problem({(Eigen::VectorXd(5) << 0, -0.1, -0.2, -0.3, -3).finished(), 0.25}, Body{}, {0.5, 1});

@@ -128,17 +128,6 @@ TEST_CASE("the curve stays the same when a factor hands over for work or memory"
     }
 }
 
-TEST_CASE("the nested factor keeps the solved steps when its work limit stops it", "[contact]") {
-    const Profile profile = raised(1000, {500}, 1e-3, 1e-4);
-    ContactProblem problem = make_problem(profile, periodic, scenes::load_steps(profile, 5, 0.8));
-    Solution whole, part;
-    solve_nested(problem, {}, whole);
-    const double last = static_cast<double>(whole.steps.back().nodes.size());
-    problem.work_limit = 0.1 * last * last * last / 6;
-    CHECK_THROWS_AS(solve_nested(problem, {}, part), NotConverged);
-    CHECK(part.steps.size() < 5); // what was solved stays
-}
-
 TEST_CASE("a rough periodic profile passes its certificate near full contact", "[contact]") {
     std::mt19937_64 random(51);
     std::normal_distribution<double> normal;

@@ -12,46 +12,14 @@ using namespace rough;
 
 namespace {
 
-struct Scene {
-    Profile profile;
-    Body body;
-    std::vector<double> displacements;
-};
+using scenes::Scene;
 
-/// Sums of cosines of random wavelength, amplitude and phase, between smooth and rough, on every kernel.
+/// Random scenes of 20 to 200 nodes on every kernel, pressed in 12 steps.
 std::vector<Scene> random_scenes(int count) {
     std::mt19937 random(20);
-    std::uniform_real_distribution<double> uniform(0, 1);
     std::vector<Scene> scenes;
-    for (int k = 0; k < count; ++k) {
-        Scene scene;
-        scene.body.kernel =
-            std::array{Kernel::free, Kernel::periodic, Kernel::strip}[static_cast<std::size_t>(k % 3)];
-        const Index nodes = 20 + static_cast<Index>(uniform(random) * 180);
-        const double length = std::pow(10, 4 * uniform(random) - 2);
-        const bool periodic = scene.body.kernel == Kernel::periodic;
-        scene.profile = {Eigen::VectorXd::Zero(nodes),
-                         length / static_cast<double>(periodic ? nodes : nodes - 1)};
-        scene.body.effective_modulus = std::pow(10, 6 * uniform(random));
-        scene.body.datum = length * (k % 2 ? 0.3 + 0.6 * uniform(random) : std::pow(10, uniform(random)));
-        scene.body.strip_width = scene.profile.spacing * std::pow(10, 4 * uniform(random) - 2);
-        const double decay = 0.5 + 1.5 * uniform(random);
-        for (int wave = 1; wave < 30; ++wave) {
-            const double amplitude = length * std::pow(wave, -decay) * uniform(random),
-                         phase = 7 * uniform(random);
-            for (Index i = 0; i < nodes; ++i)
-                scene.profile.heights[i] +=
-                    amplitude * std::cos(6.283185307179586 * wave * static_cast<double>(i) *
-                                             scene.profile.spacing / length +
-                                         phase);
-        }
-        const double highest = scene.profile.heights.maxCoeff();
-        const double reach = periodic ? 0.95 * (highest - scene.profile.heights.mean())
-                                      : highest - scene.profile.heights.minCoeff();
-        for (int j = 1; j <= 12; ++j)
-            scene.displacements.push_back(reach * j / 12);
-        scenes.push_back(scene);
-    }
+    for (int k = 0; k < count; ++k)
+        scenes.push_back(scenes::random_scene(random, k, 20, 180, 12));
     return scenes;
 }
 
@@ -220,18 +188,17 @@ TEST_CASE("a curve with another datum follows without a new solution", "[contact
 TEST_CASE("datum and strip width default to those of the profile's length, to the bit", "[contact]") {
     const Profile profile = two_mm();
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
-        Body open{kernel}, stated{kernel};
-        stated.datum = kernel == Kernel::free ? 0.01 * 200 : 0;
-        stated.strip_width = kernel == Kernel::strip ? 0.01 * 200 / 511 : 0;
-        const Response left = respond(profile, open);
-        const Response right = respond(profile, stated, {20, kernel == Kernel::periodic ? 0.95 : 1});
+        const bool periodic = kernel == Kernel::periodic;
+        const Body stated{.kernel = kernel, .datum = 0.01 * 200, .strip_width = 0.01 * 200 / 511};
+        const Response left = respond(profile, {.kernel = kernel});
+        const Response right = respond(profile, stated, {20, periodic ? 0.95 : 1});
         CHECK(left.pressure == right.pressure);
         CHECK(left.tangent_stiffness == right.tangent_stiffness);
         Model model;
         model.body.kernel = kernel;
-        model.grid = {201, kernel == Kernel::periodic ? 0.01 * 201 : 0.01 * 200};
+        model.grid = {201, periodic ? 0.01 * 201 : 0.01 * 200};
         CHECK(respond(profile, model).pressure == left.pressure);
-        CHECK(completed(model).grid.periodic == (kernel == Kernel::periodic));
+        CHECK(completed(model).grid.periodic == periodic);
     }
 }
 

@@ -11,47 +11,24 @@ using namespace rough;
 
 namespace {
 
-struct Scene {
-    Profile profile;
-    Body body;
-    std::vector<double> displacements;
-    double highest = 0; ///< node pressure without a hardness, MPa
-};
+using scenes::Scene;
 
-/// Waves and noise on a random body, pressed far.
-Scene random_scene(std::mt19937_64& random, Kernel kernel, Index nodes) {
-    std::uniform_real_distribution<double> uniform(0, 1);
-    const bool periodic = kernel == Kernel::periodic;
-    const double length = std::pow(10, 3 * uniform(random) - 2);
-    Scene scene;
-    scene.profile = {Eigen::VectorXd(nodes), length / static_cast<double>(periodic ? nodes : nodes - 1)};
-    const double phase = 6 * uniform(random), noise = 0.3 * uniform(random);
-    for (Index i = 0; i < nodes; ++i) {
-        const double x = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(nodes);
-        scene.profile.heights[i] =
-            0.01 * length * (std::cos(x + phase) + 0.4 * std::cos(3 * x) + noise * uniform(random));
-    }
-    scene.body = {kernel, std::pow(10, 5 * uniform(random)), length * (0.3 + 2 * uniform(random)),
-                  length * std::pow(10, -3 * uniform(random))};
-    const double range = periodic ? scene.profile.heights.maxCoeff() - scene.profile.heights.mean()
-                                  : scene.profile.heights.maxCoeff() - scene.profile.heights.minCoeff();
-    for (const double part : {0.05, 0.2, 0.5, 0.9})
-        scene.displacements.push_back(part * range);
-    scene.highest = solve_contact(scene.profile, scene.body, scene.displacements, {.states = true})
-                        .states.back()
-                        .pressure.maxCoeff();
-    return scene;
+/// The highest node pressure without a hardness, MPa.
+double highest_pressure(const Scene& scene) {
+    return solve_contact(scene.profile, scene.body, scene.displacements, {.states = true})
+        .states.back()
+        .pressure.maxCoeff();
 }
 
 } // namespace
 
 TEST_CASE("pressures held at a hardness are the oracle's, on every kernel", "[contact]") {
-    std::mt19937_64 random(41);
+    std::mt19937 random(41);
     Index held = 0;
     for (int trial = 0; trial < 24; ++trial) {
-        Scene scene = random_scene(random, static_cast<Kernel>(trial % 3), 16 + trial);
+        Scene scene = scenes::random_scene(random, trial, 16, 24, 4);
         scene.body.hardness =
-            scene.highest * std::array{0.05, 0.3, 0.6, 0.9}[static_cast<std::size_t>(trial % 4)];
+            highest_pressure(scene) * std::array{0.05, 0.3, 0.6, 0.9}[static_cast<std::size_t>(trial % 4)];
         const ContactCurve curve =
             solve_contact(scene.profile, scene.body, scene.displacements, {.states = true});
         const Oracle oracle = consult_oracle(scene.profile, scene.body, scene.displacements);
@@ -80,11 +57,12 @@ TEST_CASE("pressures held at a hardness are the oracle's, on every kernel", "[co
 }
 
 TEST_CASE("a hardness changes the curve only if a node reaches it", "[contact]") {
-    std::mt19937_64 random(42);
+    std::mt19937 random(42);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
-        Scene scene = random_scene(random, kernel, 1500);
+        Scene scene = scenes::random_scene(random, static_cast<int>(kernel), 1500, 0, 4);
+        const double highest = highest_pressure(scene);
         const ContactCurve elastic = solve_contact(scene.profile, scene.body, scene.displacements);
-        scene.body.hardness = 1.01 * scene.highest;
+        scene.body.hardness = 1.01 * highest;
         const ContactCurve hard = solve_contact(scene.profile, scene.body, scene.displacements);
         for (std::size_t j = 0; j < elastic.steps.size(); ++j) {
             CHECK(hard.steps[j].pressure == Approx(elastic.steps[j].pressure).epsilon(2e-6));
@@ -92,12 +70,12 @@ TEST_CASE("a hardness changes the curve only if a node reaches it", "[contact]")
                   Approx(elastic.steps[j].tangent_stiffness).epsilon(2e-6));
             CHECK(hard.steps[j].held_nodes == 0);
         }
-        scene.body.hardness = 0.1 * scene.highest;
+        scene.body.hardness = 0.1 * highest;
         const ContactCurve soft = solve_contact(scene.profile, scene.body, scene.displacements);
         for (std::size_t j = 0; j < soft.steps.size(); ++j)
             CHECK(soft.steps[j].pressure < elastic.steps[j].pressure);
         CHECK(soft.steps.back().held_nodes > 0);
-        // By load: the same curve.
+        // The curve is the same under load control.
         const double between = 0.5 * (soft.steps[1].pressure + soft.steps[2].pressure);
         const ContactCurve loaded = solve_contact_at_pressures(scene.profile, scene.body, {between});
         CHECK(loaded.steps[0].pressure == Approx(between).epsilon(1e-9));
@@ -109,10 +87,10 @@ TEST_CASE("a hardness changes the curve only if a node reaches it", "[contact]")
 }
 
 TEST_CASE("every direct solver's tangent is the derivative of its pressures", "[contact]") {
-    std::mt19937_64 random(43);
+    std::mt19937 random(43);
     for (const Solver solver : {Solver::nested, Solver::nnls})
         for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
-            const Scene scene = random_scene(random, kernel, 40);
+            const Scene scene = scenes::random_scene(random, static_cast<int>(kernel), 40, 0, 4);
             const double d = scene.displacements[2], step = 1e-7 * d;
             const auto at = [&](double displacement) {
                 const ContactCurve curve = solve_contact(scene.profile, scene.body, {displacement},
@@ -130,7 +108,8 @@ TEST_CASE("every direct solver's tangent is the derivative of its pressures", "[
 }
 
 TEST_CASE("a periodic profile carries every load below that of all nodes at the hardness", "[contact]") {
-    // Heights in nm, spacing 1 m; the elastic approach of full contact is no limit when nodes sink in.
+    // Heights in nm, spacing 1 m. When nodes sink in, the elastic approach of full contact does not limit the
+    // load.
     Profile profile{(Eigen::VectorXd(8) << 3.488361934, 0.5285306326, 1.211154584, 2.732274234, 9.836153812,
                      -0.6971507176, 7.815714301, -0.4819841083)
                             .finished() *

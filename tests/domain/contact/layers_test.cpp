@@ -72,7 +72,7 @@ TEST_CASE("thick and thin layers have the limits of their half-space and of the 
           Approx(2 / 1e-3 * relative_compliance(thin, own, 1e-3) / own).epsilon(1e-5));
 }
 
-TEST_CASE("layers of the body's own modulus change nothing") {
+TEST_CASE("layers of the body's modulus leave the curve unchanged") {
     for (const Extent shape : {Extent{96, 1}, Extent{16, 24}}) {
         const Profile profile = waves(shape, 3);
         Body plain{Kernel::periodic, effective_modulus(3, 0.3)}, same = plain;
@@ -130,7 +130,7 @@ TEST_CASE("all solvers agree under layers, by displacement and by load") {
 }
 
 TEST_CASE("full contact under layers is that of each wave's compliance") {
-    // z = h cos q x is in full contact from P = h/(u/p) on; on a rigid base P goes on to rise by 1/C0.
+    // z = h cos q x is in full contact from P = h/(u/p) on. On a rigid base P then continues to rise by 1/C0.
     const double h = 0.01, nu = 0.3, t = 0.1, modulus = 7;
     const Profile wave = scenes::line_of(128, 1.0 / 128, [&](double x) { return h * std::cos(2 * pi * x); });
     const double own = effective_modulus(modulus, nu), q = 2 * pi,

@@ -4,10 +4,10 @@
 
 namespace rough {
 
-/// A slow second opinion for grids of up to some hundred nodes. It shares nothing with the solvers: influence
-/// coefficients by the printed formulas in extended precision (80 bits here), and each contact set factored
-/// from the start, its nodes released from full contact downwards. With a hardness, it presses node after
-/// node within its bounds until nothing moves (projected Gauss-Seidel). One entry per displacement.
+/// A slow independent solution for grids of up to some hundred nodes. Influence coefficients are the printed
+/// formulas in extended precision (80 bits here). Each contact set is factored from the start, and its nodes
+/// are released from full contact downwards. With a hardness, it presses node after node within its bounds
+/// until nothing moves (projected Gauss-Seidel). One entry per displacement.
 struct Oracle {
     std::vector<double> pressure;                   ///< P, MPa
     std::vector<double> tangent_stiffness;          ///< dP/dDelta on the contact set, MPa/mm

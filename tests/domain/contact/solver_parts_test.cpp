@@ -1,6 +1,4 @@
 #include "domain/contact/solvers/extension.hpp"
-#include "domain/contact/solvers/problem.hpp"
-#include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -71,26 +69,5 @@ TEST_CASE("Extension::transpose is the transpose of extend", "[contact][areas]")
             there += static_cast<double>(given[static_cast<std::size_t>(i)]) *
                      static_cast<double>(carried[static_cast<std::size_t>(i)]);
         CHECK(there == Approx(all).epsilon(1e-5));
-    }
-}
-
-TEST_CASE("a coarsened problem is that of every fourth node", "[contact]") {
-    for (const Kernel kernel : {Kernel::free, Kernel::strip, Kernel::periodic}) {
-        const Index nodes = kernel == Kernel::periodic ? 32 : 33;
-        const Body body{kernel, 1.7, 5, 0.02};
-        const auto height = [](double x) { return std::cos(7 * x); }; // highest at the first node
-        const ContactProblem coarse =
-            coarsened(make_problem(scenes::line_of(nodes, 0.1, height), body, {0.01, 0.03}), 4);
-        const ContactProblem direct =
-            make_problem(scenes::line_of((nodes + 3) / 4, 0.4, height), body, {0.01, 0.03});
-        CHECK(coarse.gap.isApprox(direct.gap, 1e-12));
-        CHECK(coarse.approach == direct.approach);
-        CHECK(coarse.datum == Approx(direct.datum));
-        CHECK(coarse.strip_width == Approx(direct.strip_width));
-        CHECK(coarse.column.isApprox(direct.column, 1e-12));
-        CHECK(coarse.elements == Approx(direct.elements));
-        CHECK(coarse.pressure_unit == Approx(direct.pressure_unit));
-        CHECK(coarse.displacement_unit == direct.displacement_unit);
-        CHECK(coarse.stiffness_unit == Approx(direct.stiffness_unit));
     }
 }

@@ -83,22 +83,3 @@ TEST_CASE("Holm's correction gives the p-values of its definition") {
     CHECK(holm({0.4, 0.9})[0] == Approx(0.8));
     CHECK(holm({0.7, 0.9}) == Values{1, 1});
 }
-
-TEST_CASE("rank tests reject a true hypothesis as rarely as their level") {
-    int summed = 0, signs = 0;
-    for (std::uint64_t trial = 0; trial < 1000; ++trial) {
-        ga::Stream stream(ga::fold(9, trial));
-        Values a, b, differences;
-        for (int i = 0; i < 10; ++i) {
-            a.push_back(stream.normal());
-            b.push_back(stream.normal());
-            differences.push_back(a.back() - b.back());
-        }
-        summed += rank_sum_p(a, b) <= 0.05;
-        signs += signed_rank_p(differences) <= 0.05;
-    }
-    for (const int rejected : {summed, signs}) {
-        CHECK(rejected > 25);
-        CHECK(rejected < 70); // 50 and three deviations
-    }
-}
