@@ -35,8 +35,8 @@ struct StatisticalProblem {
                 .is_area = task->is_area};
     }
     Eigen::VectorXd foretold(const Genome& genes) const {
-        const TheoryCurve curve = foretold_curve(task->theory, random_surface(parameters(genes)),
-                                                 task->effective_modulus, task->target.x);
+        const TheoryCurve curve = predicted_curve(task->theory, random_surface(parameters(genes)),
+                                                  task->effective_modulus, task->target.x);
         return is_contact_fraction(task->target.quantity) ? curve.contact_fraction : curve.stiffness;
     }
     double evaluate(const Genome& genes) const { return likeness(foretold(genes)); }

@@ -197,8 +197,8 @@ const std::string& name_of(Theory theory) { return theory_names()[static_cast<st
 
 bool holds_for(Theory theory, bool is_area) { return is_area || theory == Theory::persson; }
 
-TheoryCurve foretold_curve(Theory theory, const RandomSurface& surface, double effective_modulus,
-                           const Eigen::VectorXd& pressures) {
+TheoryCurve predicted_curve(Theory theory, const RandomSurface& surface, double effective_modulus,
+                            const Eigen::VectorXd& pressures) {
     if (!holds_for(theory, surface.is_area))
         refuse(name_of(theory), ": this theory is for areas only; choose persson for a profile");
     if (!(effective_modulus > 0) || !(pressures.array() > 0).all())

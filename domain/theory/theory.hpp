@@ -28,8 +28,8 @@ bool holds_for(Theory theory, bool is_area);
 
 /// The curve of a theory. `effective_modulus` is E*, MPa; pressures are > 0, in any order, MPa. Throws
 /// InputError for moments that no Gaussian surface has and for a profile with a theory of areas.
-TheoryCurve foretold_curve(Theory theory, const RandomSurface& surface, double effective_modulus,
-                           const Eigen::VectorXd& pressures);
+TheoryCurve predicted_curve(Theory theory, const RandomSurface& surface, double effective_modulus,
+                            const Eigen::VectorXd& pressures);
 
 /// Summits as Greenwood & Williamson (1966, Proc. R. Soc. A 295, 300) take them: spheres of one radius,
 /// heights normal. Their parameters from a surface's moments after McCool (1986, Wear 107, 37).

@@ -91,7 +91,7 @@ ModelScene modelled(const std::function<bool()>& stop, const std::string& name, 
     for (const std::string& theory : rough::theory_names()) {
         const auto which = static_cast<rough::Theory>(&theory - rough::theory_names().data());
         if (holds_for(which, is_map))
-            measure("theories", theory, 0, [&] { return foretold_curve(which, random, 1, scene.pressure); });
+            measure("theories", theory, 0, [&] { return predicted_curve(which, random, 1, scene.pressure); });
     }
     if (is_map) {
         const auto [columns, rows] = surface.shape();

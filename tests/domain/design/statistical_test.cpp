@@ -17,7 +17,7 @@ StatisticalTask foretold_target(Quantity quantity) {
     task.target.quantity = quantity;
     task.target.x = Eigen::VectorXd::LinSpaced(6, 1e-3, 2e-2);
     const TheoryCurve curve =
-        foretold_curve(task.theory, random_surface({0.7, 0.4, 0.12, 0.08}), 1, task.target.x);
+        predicted_curve(task.theory, random_surface({0.7, 0.4, 0.12, 0.08}), 1, task.target.x);
     task.target.y = is_contact_fraction(quantity) ? curve.contact_fraction : curve.stiffness;
     return task;
 }

@@ -75,12 +75,12 @@ TEST_CASE("stiffness of each theory is the slope of pressure over separation", "
     const RandomSurface surface = random_surface(usual);
     for (const Theory theory : {Theory::greenwood_williamson, Theory::bush_gibson_thomas, Theory::persson})
         for (const double p : {1e-5, 1e-3, 5e-3}) {
-            const TheoryCurve curve = foretold_curve(theory, surface, 1, at({p, p * 1.001}));
+            const TheoryCurve curve = predicted_curve(theory, surface, 1, at({p, p * 1.001}));
             INFO(name_of(theory) << " at " << p);
             CHECK(p * 0.001 / (curve.separation[0] - curve.separation[1]) ==
                   Approx(curve.stiffness.mean()).epsilon(1e-5));
             CHECK(curve.contact_fraction[1] > curve.contact_fraction[0]);
-            const TheoryCurve stiffer = foretold_curve(theory, surface, 3, at({3 * p}));
+            const TheoryCurve stiffer = predicted_curve(theory, surface, 3, at({3 * p}));
             CHECK(stiffer.contact_fraction[0] == Approx(curve.contact_fraction[0]).epsilon(1e-9));
             CHECK(stiffer.stiffness[0] == Approx(3 * curve.stiffness[0]).epsilon(1e-9));
         }
@@ -148,7 +148,7 @@ TEST_CASE("solved isotropic maps lie between Persson and Bush in area", "[theory
     for (const double share : {0.02, 0.04, 0.08, 0.12, 0.16})
         pressures.push_back(share * slope / 2);
     const ContactCurve exact = solve_contact_at_pressures(map, {Kernel::periodic}, pressures);
-    const TheoryCurve foretold =
+    const TheoryCurve predicted =
         persson(surface, 1, Eigen::Map<const Eigen::VectorXd>(pressures.data(), Index(pressures.size())));
     std::vector<double> lengths;
     for (std::size_t j = 0; j < pressures.size(); ++j) {
@@ -159,12 +159,12 @@ TEST_CASE("solved isotropic maps lie between Persson and Bush in area", "[theory
             CHECK(kappa < asperity_slope);
         }
         lengths.push_back(pressures[j] / step.tangent_stiffness / height);
-        CHECK(step.tangent_stiffness == Approx(foretold.stiffness[Index(j)]).epsilon(j < 2 ? 0.25 : 0.06));
+        CHECK(step.tangent_stiffness == Approx(predicted.stiffness[Index(j)]).epsilon(j < 2 ? 0.25 : 0.06));
     }
-    const double foretold_length = persson_length(surface) / height;
-    CHECK(foretold_length == Approx(0.42).epsilon(0.05));
+    const double predicted_length = persson_length(surface) / height;
+    CHECK(predicted_length == Approx(0.42).epsilon(0.05));
     for (const std::size_t j : {2, 3, 4}) // P/K grows with the load, in theory as well
-        CHECK(lengths[j] == Approx(foretold_length).epsilon(0.25));
+        CHECK(lengths[j] == Approx(predicted_length).epsilon(0.25));
 }
 
 TEST_CASE("a realised surface has its parameters' spectrum and is independent of the grid", "[theory]") {
