@@ -153,10 +153,8 @@ LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, c
             refuse_beyond_full_contact(pressure, from.pressure);
         const double left = std::abs(pressure - from.pressure);
         // Half the tolerance of an iterative solver, otherwise rounding.
-        const double tolerance = body.yields()             ? 1e-12
-                                 : is_direct(curve.solver) ? 0
-                                                           : 0.5 * options.tolerance;
-        if (left <= tolerance * pressure)
+        const double tolerance = is_direct(curve.solver) ? 0 : 0.5 * options.tolerance;
+        if (left <= (body.yields() ? 1e-12 : tolerance) * pressure)
             return from;
         (from.pressure < pressure ? below : above) = next;
         halve = from_above && from.pressure > pressure && left > little * missing;

@@ -5,7 +5,9 @@
 #include "domain/contact/solvers/problem.hpp"
 #include "domain/plain_stream.hpp"
 
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace app {
 
