@@ -6,7 +6,6 @@
 #include "apps/report/record.hpp"
 #include "apps/report/render.hpp"
 #include "apps/report/units.hpp"
-#include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"

@@ -37,13 +37,19 @@ Eigen::MatrixXd influence_in_order(const Profile& surface, const Body& given, co
     return H;
 }
 
-} // namespace
-
-InverseProfile inverse_profile(Index nodes, double spacing, const Body& body, const std::vector<int>& order,
-                               const Advance& advance, double last_pressure, double last_displacement) {
-    return inverse_profile({Eigen::VectorXd(nodes), spacing}, body, order, advance, last_pressure,
-                           last_displacement);
+/// How far each node that does not touch under the load is below touching, mm; else 0.
+Eigen::VectorXd depths(const InverseProfile& inverse) {
+    return (inverse.lowest_free - inverse.profile.heights).cwiseMax(0.0);
 }
+
+InverseProfile with_depths_times(InverseProfile inverse, const Eigen::VectorXd& depths, double factor) {
+    for (Index i = 0; i < depths.size(); ++i)
+        if (depths[i] > 0)
+            inverse.profile.heights[i] = inverse.lowest_free[i] - factor * depths[i];
+    return inverse;
+}
+
+} // namespace
 
 InverseProfile inverse_profile(const Profile& surface, const Body& body, const std::vector<int>& order,
                                const Advance& advance, double last_pressure, double last_displacement) {
@@ -102,32 +108,23 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
 }
 
 InverseProfile with_range_at_last(InverseProfile inverse) {
-    Eigen::VectorXd& z = inverse.profile.heights;
-    const Eigen::VectorXd below = inverse.lowest_free - z; // > 0 where a node does not touch
+    const Eigen::VectorXd below = depths(inverse);
     // With a factor c on `below` the lowest height is -last_displacement; it falls as c grows.
     double factor = std::numeric_limits<double>::infinity();
-    for (Index i = 0; i < z.size(); ++i)
+    for (Index i = 0; i < below.size(); ++i)
         if (below[i] > 1e-9 * inverse.last_displacement)
             factor = std::min(factor, (inverse.lowest_free[i] + inverse.last_displacement) / below[i]);
-    if (std::isfinite(factor))
-        for (Index i = 0; i < z.size(); ++i)
-            if (below[i] > 0)
-                z[i] = inverse.lowest_free[i] - factor * below[i];
-    return inverse;
+    return std::isfinite(factor) ? with_depths_times(std::move(inverse), below, factor) : inverse;
 }
 
 InverseProfile with_mean_at_full_approach(InverseProfile inverse, double reach) {
-    Eigen::VectorXd& z = inverse.profile.heights;
-    const Eigen::VectorXd below = (inverse.lowest_free - z).cwiseMax(0.0);
+    const Eigen::VectorXd below = depths(inverse);
     if (!(below.sum() > 1e-9 * inverse.last_displacement))
         return inverse;
     // The body's mean plane does not move: lowest_free has the mean -last_displacement.
     const double factor =
-        (1 / reach - 1) * inverse.last_displacement * static_cast<double>(z.size()) / below.sum();
-    for (Index i = 0; i < z.size(); ++i)
-        if (below[i] > 0)
-            z[i] = inverse.lowest_free[i] - factor * below[i];
-    return inverse;
+        (1 / reach - 1) * inverse.last_displacement * static_cast<double>(below.size()) / below.sum();
+    return with_depths_times(std::move(inverse), below, factor);
 }
 
 namespace {

@@ -38,9 +38,7 @@ Advance advance_for(const Target& target, Index nodes);
 /// The load ends at `last_pressure` (MPa) or at `last_displacement` (mm), whichever comes first; give
 /// infinity for the other. `order` holds each node once. O(N^3) work, N^2 memory: meant for up to some
 /// hundred nodes.
-InverseProfile inverse_profile(Index nodes, double spacing, const Body& body, const std::vector<int>& order,
-                               const Advance& advance, double last_pressure, double last_displacement);
-/// The same on the nodes of a surface, a line's or an area's, whose heights are not read.
+/// Only the nodes of `surface` are read, a line's or an area's, not its heights.
 InverseProfile inverse_profile(const Profile& surface, const Body& body, const std::vector<int>& order,
                                const Advance& advance, double last_pressure, double last_displacement);
 

@@ -13,19 +13,12 @@ namespace {
 /// Contact fractions are counts: with fewer nodes in contact at a target's first point one is too much.
 constexpr double first_nodes = 16;
 
-bool asks_for_area(const DesignSetup& setup) {
-    return std::any_of(setup.targets.begin(), setup.targets.end(),
-                       [](const Target& target) { return is_contact_fraction(target.quantity); });
-}
-
 Index enough_nodes(const DesignSetup& setup) {
-    if (!asks_for_area(setup))
-        return Grid().nodes;
-    double nodes = static_cast<double>(setup.like->nodes());
+    double nodes = 0;
     for (const Target& target : setup.targets)
         if (is_contact_fraction(target.quantity))
-            nodes = std::max(nodes, first_nodes / target.y[0]);
-    return static_cast<Index>(std::clamp(nodes, 512., 2048.));
+            nodes = std::max({nodes, static_cast<double>(setup.like->nodes()), first_nodes / target.y[0]});
+    return nodes == 0 ? Grid().nodes : static_cast<Index>(std::clamp(nodes, 512., 2048.));
 }
 
 } // namespace

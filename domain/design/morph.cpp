@@ -5,7 +5,9 @@
 #include "ga/refinement/levenberg_marquardt.hpp"
 #include "ga/refinement/nlopt.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 namespace rough {
@@ -27,86 +29,45 @@ constexpr double least_wanted = 1e-6;
 /// that no change saves it.
 constexpr double cost_of_misfit = 100;
 
-const Series* series_of(const Genome& genome, std::size_t place) {
-    return place >= 1 && place <= genome.series.size() ? &genome.series[place - 1] : nullptr;
-}
-
-bool has(const Genome& genome, const ChromosomeName& name) {
-    const Series* series = series_of(genome, name.series);
-    return series && std::any_of(series->chromosomes.begin(), series->chromosomes.end(),
-                                 [&](const Chromosome& chromosome) { return chromosome.n == name.n; });
-}
-
 /// "1:1 to 1:13, 2:1 to 2:9"
 std::string chromosomes_of(const Genome& genome) {
     std::string words;
     for (std::size_t s = 0; s < genome.series.size(); ++s) {
-        int least = genome.series[s].chromosomes[0].n, most = least;
-        for (const Chromosome& chromosome : genome.series[s].chromosomes)
-            least = std::min(least, chromosome.n), most = std::max(most, chromosome.n);
+        const auto& all = genome.series[s].chromosomes;
+        const auto [least, most] = std::minmax_element(
+            all.begin(), all.end(), [](const Chromosome& a, const Chromosome& b) { return a.n < b.n; });
         const std::string place = std::to_string(s + 1) + ":";
-        words += (s ? ", " : "") + place + std::to_string(least) + " to " + place + std::to_string(most);
+        words +=
+            (s ? ", " : "") + place + std::to_string(least->n) + " to " + place + std::to_string(most->n);
     }
     return words;
 }
 
-/// Misfits at a point of the box, with their columns of the controlled phases.
-struct Seen {
-    Eigen::VectorXd x;
-    ga::Sensitivity rows;
-};
-
-/// The landscape of the controlled phases: x = 0 is the genome as it was given, 1 the largest change.
-class Phases {
+/// Looks for the least change of the controlled phases whose misfits are `allowed`, or else for that of the
+/// least largest misfit. At x = 0 the phases are as they were given, at -1 and 1 they are changed the most.
+class LeastChange {
   public:
-    Phases(const DesignProblem& problem, const Genome& genome, const std::vector<ChromosomeName>& control,
-           double radius)
-        : problem_(problem), genome_(genome), values_(genes(genome)), radius_(radius) {
-        const auto places = gene_places(genome);
-        for (std::size_t g = 0; g < places.size(); ++g)
-            for (const ChromosomeName& name : control)
-                if (places[g].kind == GenePlace::Kind::phase && places[g].series + 1 == name.series &&
-                    genome.series[places[g].series].chromosomes[places[g].chromosome].n == name.n)
-                    chosen_.push_back(g);
+    LeastChange(const DesignProblem& problem, const Genome& genome,
+                const std::vector<ChromosomeName>& control, double radius, double allowed)
+        : problem_(problem), genome_(genome), values_(genes(genome)), radius_(radius), allowed_(allowed) {
+        const auto controlled = [&](std::size_t s, std::size_t c) {
+            return std::count(control.begin(), control.end(),
+                              ChromosomeName{s + 1, genome.series[s].chromosomes[c].n}) > 0;
+        };
+        for (const ga::Variable& phase : phase_variables(genome, {}, controlled))
+            chosen.push_back(phase.gene);
+        look(Eigen::VectorXd::Zero(size()));
     }
 
-    Index size() const { return static_cast<Index>(chosen_.size()); }
-    const std::vector<std::size_t>& chosen() const { return chosen_; }
-    long asked = 0; ///< curves with derivatives
+    std::vector<std::size_t> chosen; ///< the genes that are controlled
+    long asked = 0;                  ///< curves with derivatives
 
     Genome at(const Eigen::VectorXd& x) const {
         std::vector<double> values = values_;
         for (Index i = 0; i < size(); ++i)
-            values[chosen_[static_cast<std::size_t>(i)]] += radius_ * x[i];
+            values[chosen[static_cast<std::size_t>(i)]] += radius_ * x[i];
         return with_genes(genome_, values);
     }
-
-    /// Computed once for calls in a row at one point: a search asks for constraints and slopes apart.
-    const Seen& look(const Eigen::VectorXd& x) {
-        if (last_.x.size() == x.size() && last_.x == x)
-            return last_;
-        ++asked;
-        const ga::Sensitivity all = problem_.sensitivity(at(x), "similarity");
-        last_ = {x, {all.residuals, Eigen::MatrixXd(radius_ * all.jacobian(Eigen::all, chosen_))}};
-        return last_;
-    }
-
-  private:
-    const DesignProblem& problem_;
-    const Genome& genome_;
-    std::vector<double> values_;
-    double radius_; ///< rad
-    std::vector<std::size_t> chosen_;
-    Seen last_;
-};
-
-/// Looks for the point nearest to 0 whose misfits are `allowed`, or else that of the least largest misfit.
-class LeastChange {
-  public:
-    LeastChange(Phases& phases, double allowed) : phases_(phases), allowed_(allowed) {
-        look(Eigen::VectorXd::Zero(phases.size()));
-    }
-
     bool meets() const { return best_.merit > 0; }
     /// Of the best point so far: above 0 where it meets, else less the worst misfit.
     double merit() const { return best_.merit; }
@@ -125,8 +86,8 @@ class LeastChange {
         start << from, upper[n];
         ga::NloptSearch search(nlopt::LD_SLSQP, lower, upper, 10 * evaluations);
         search->set_ftol_rel(1e-4);
-        const long last = phases_.asked + evaluations;
-        bettered_ = phases_.asked;
+        const long last = asked + evaluations;
+        bettered_ = asked;
         search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
             if (gradient)
                 Eigen::Map<Eigen::VectorXd>(gradient, n + 1) << x.head(n), cost_of_misfit;
@@ -136,7 +97,7 @@ class LeastChange {
             using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
             Eigen::Map<Eigen::VectorXd> values(c, 2 * rows);
             values.setZero();
-            if (phases_.asked >= (meets() ? last : std::min(last, bettered_ + patience))) {
+            if (asked >= (meets() ? last : std::min(last, bettered_ + patience))) {
                 search->force_stop();
                 return;
             }
@@ -157,8 +118,8 @@ class LeastChange {
     /// Levenberg-Marquardt from 0, which goes round hills that the quadratic programmes run into.
     void least_misfit(int evaluations) {
         ga::Landscape land;
-        land.start = Eigen::VectorXd::Zero(phases_.size());
-        land.lower = Eigen::VectorXd::Constant(phases_.size(), -1);
+        land.start = Eigen::VectorXd::Zero(size());
+        land.lower = Eigen::VectorXd::Constant(size(), -1);
         land.upper = -land.lower;
         land.sensitivity = [&](const Eigen::VectorXd& x) { return std::optional(look(x)); };
         land.exhausted = [] { return false; };
@@ -166,55 +127,57 @@ class LeastChange {
     }
 
   private:
+    Index size() const { return static_cast<Index>(chosen.size()); }
+
+    /// Misfits at a point and their columns of the controlled phases. Computed once for calls in a row at one
+    /// point: a search asks for constraints and slopes apart.
     const ga::Sensitivity& look(const Eigen::VectorXd& x) {
-        const ga::Sensitivity& rows = phases_.look(x).rows;
-        const double worst = rows.residuals.cwiseAbs().maxCoeff();
+        if (!seen_ || x != *seen_) {
+            ++asked;
+            const ga::Sensitivity all = problem_.sensitivity(at(x), "similarity");
+            rows_ = {all.residuals, Eigen::MatrixXd(radius_ * all.jacobian(Eigen::all, chosen))};
+            seen_ = x;
+        }
+        const double worst = rows_.residuals.cwiseAbs().maxCoeff();
         const double merit = worst <= allowed_ ? 1 / (1 + x.norm()) : -worst;
         if (merit > best_.merit + betterment * std::abs(best_.merit))
-            bettered_ = phases_.asked;
+            bettered_ = asked;
         best_.offer(x, merit);
-        return rows;
+        return rows_;
     }
 
-    Phases& phases_;
+    const DesignProblem& problem_;
+    const Genome& genome_;
+    std::vector<double> values_; ///< the genes as they were given
+    double radius_;              ///< rad
     double allowed_;
+    std::optional<Eigen::VectorXd> seen_; ///< the last point
+    ga::Sensitivity rows_;                ///< its misfits
     ga::BestPoint best_;
-    long bettered_ = 0; ///< phases_.asked when the best point last got markedly better
+    long bettered_ = 0; ///< `asked` when the best point last got markedly better
 };
-
-std::vector<PointOff> points_off(const DesignSetup& setup, const std::vector<Eigen::VectorXd>& misfits,
-                                 double allowed) {
-    std::vector<PointOff> off;
-    for (std::size_t t = 0; t < misfits.size(); ++t)
-        for (Index k = 0; k < misfits[t].size(); ++k)
-            if (std::abs(misfits[t][k]) > allowed)
-                off.push_back({t, setup.targets[t].x[k], misfits[t][k]});
-    return off;
-}
 
 } // namespace
 
 std::vector<ChromosomeName> chromosomes_from(const std::string& text, const Genome& genome) {
     std::vector<ChromosomeName> names;
     for (const std::string& word : listed(text)) {
-        const auto colon = word.find(':');
-        const auto whole = [&](const std::string& digits) {
-            if (digits.empty() || digits.size() > 6 ||
-                digits.find_first_not_of("0123456789") != std::string::npos)
-                throw InputError("control: " + word + " given, expected SERIES:CHROMOSOME, e.g. 1:3",
-                                 "control");
-            return std::stoi(digits);
+        const auto expect = [&](bool holds, const std::string& problem) {
+            if (!holds)
+                throw InputError("control: " + word + " given" + problem, "control");
         };
-        const int series = whole(word.substr(0, colon));
-        const ChromosomeName name{static_cast<std::size_t>(series),
-                                  whole(colon == std::string::npos ? "" : word.substr(colon + 1))};
-        if (!has(genome, name))
-            throw InputError("control: " + word + " given, expected chromosomes of the genome, " +
-                                 chromosomes_of(genome),
-                             "control");
-        for (const ChromosomeName& other : names)
-            if (other.series == name.series && other.n == name.n)
-                throw InputError("control: " + word + " given twice, expected each once", "control");
+        int series = 0, n = 0, end = 0;
+        expect(word.find_first_not_of("0123456789:") == std::string::npos &&
+                   std::sscanf(word.c_str(), "%6d:%6d%n", &series, &n, &end) == 2 &&
+                   word.size() == static_cast<std::size_t>(end),
+               ", expected SERIES:CHROMOSOME, e.g. 1:3");
+        const ChromosomeName name{static_cast<std::size_t>(series), n};
+        bool known = false;
+        if (series >= 1 && name.series <= genome.series.size())
+            for (const Chromosome& chromosome : genome.series[name.series - 1].chromosomes)
+                known = known || chromosome.n == n;
+        expect(known, ", expected chromosomes of the genome, " + chromosomes_of(genome));
+        expect(!std::count(names.begin(), names.end(), name), " twice, expected each once");
         names.push_back(name);
     }
     if (names.empty())
@@ -230,9 +193,8 @@ Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<
     const double radius = 2 * std::numbers::pi * largest_change;
     setup.phases = PhaseReach{0, radius};
     const DesignProblem problem(setup);
-    Phases phases(problem, genome, control, radius);
     const double allowed = 1 - reach;
-    LeastChange search(phases, allowed);
+    LeastChange search(problem, genome, control, radius, allowed);
     if (!search.meets())
         search.nearest(first_try);
     if (!search.meets()) {
@@ -245,15 +207,18 @@ Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<
 
     Morphed result;
     result.before = similarity(problem.setup(), genome);
-    const DesignOutcome outcome = problem.evaluate(phases.at(x));
+    const DesignOutcome outcome = problem.evaluate(search.at(x));
     result.genome = folded(outcome.genome);
     result.after = outcome.similarity();
-    result.off = points_off(problem.setup(), outcome.misfits, allowed);
-    result.gradients = phases.asked;
+    for (std::size_t t = 0; t < outcome.misfits.size(); ++t)
+        for (Index k = 0; k < outcome.misfits[t].size(); ++k)
+            if (std::abs(outcome.misfits[t][k]) > allowed)
+                result.off.push_back({t, setup.targets[t].x[k], outcome.misfits[t][k]});
+    result.gradients = search.asked;
     const auto places = gene_places(genome);
-    const auto before = genes(genome), after = genes(phases.at(x));
+    const auto before = genes(genome), after = genes(search.at(x));
     for (Index i = 0; i < x.size(); ++i) {
-        const std::size_t g = phases.chosen()[static_cast<std::size_t>(i)];
+        const std::size_t g = search.chosen[static_cast<std::size_t>(i)];
         result.changes.push_back({places[g],
                                   genome.series[places[g].series].chromosomes[places[g].chromosome].n,
                                   before[g], after[g], std::abs(x[i]) >= 1 - 1e-6});

@@ -8,6 +8,8 @@ namespace rough {
 struct ChromosomeName {
     std::size_t series; ///< from 1, in the genome's order
     int n;              ///< Chromosome::n
+
+    bool operator==(const ChromosomeName&) const = default; ///< the same chromosome
 };
 
 /// Reads "1:3,1:5". Throws InputError about the setting `control` on another form, a chromosome that the

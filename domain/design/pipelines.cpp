@@ -1,119 +1,17 @@
 #include "domain/design/pipelines.hpp"
 
-#include "domain/design/scan_waves.hpp"
+#include "domain/design/starts.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/paper/variants.hpp"
 #include "ga/base/number.hpp"
 #include "ga/blocks/derived.hpp"
+#include "ga/pipeline/transform.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace rough {
-
-namespace {
-
-/// The stage `NAME n`: puts n genomes in the place of the population, the i-th as `make(setup, i, stream)`.
-template <class Make>
-Pipeline starts(const std::string& name, std::size_t n, Make make) {
-    ga::Step<DesignProblem> step;
-    step.text = name + " " + std::to_string(n);
-    step.check = [](ga::CheckState& known) { known.scored.reset(); };
-    step.begins = true;
-    step.apply = [n, make](ga::Population<Genome>, ga::Context<DesignProblem>& context) {
-        ga::Population<Genome> fresh(n);
-        ga::parallel_for(n, context.threads(), [&](std::size_t i) {
-            fresh[i].genome = make(context.problem().setup(), i, context.stream(i));
-        });
-        for (auto& individual : fresh)
-            individual.identity = context.new_identity();
-        return fresh;
-    };
-    return step;
-}
-
-} // namespace
-
-ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
-    auto registry = engine_words();
-    add_words(registry, Vocabulary{.rule = std::make_shared<DominanceRule>(setup.model),
-                                   .fitted = [setup](const Genome& genome) {
-                                       return with_fitting_amplitude(setup, genome);
-                                   }});
-    const auto start = [&](const char* name, const char* meaning, auto make) {
-        registry.add({name, "roughness", meaning, {ga::whole("n", std::nullopt, 1, "how many")}},
-                     [name, make](const ga::Arguments& a, const auto&...) {
-                         return starts(name, a.count("n"), make);
-                     });
-    };
-    start(
-        "shape", "n genomes made for the target, contact solved backwards, in the population's place",
-        [](const DesignSetup& asked, std::size_t, ga::Stream random) { return shaped_start(asked, random); });
-    start("own",
-          "n sums of the measured profile's own waves, each with half as many as the one before, in the "
-          "population's place",
-          [](const DesignSetup& asked, std::size_t i, ga::Stream) {
-              return scan_waves(asked, max_scan_waves(asked) >> i);
-          });
-    registry.add("fit", "roughness",
-                 "each genome in the amplitude at which it meets the first target best; nothing under Eq. 11",
-                 ga::transform(
-                     "fit", [setup](const Genome& genome) { return with_fitting_amplitude(setup, genome); }));
-    for (std::size_t g = 0; g < setup.targets.size(); ++g) {
-        const std::string name = "reduce goal" + std::to_string(g + 1);
-        registry.add(name, "roughness", "keeps the chromosomes that follow that target by themselves (M-CCO)",
-                     ga::transform(name, [setup, g](const Genome& genome) {
-                         return reduced_to_target(setup, genome, g);
-                     }));
-    }
-    const auto block = [&](const char* name, const char* meaning, std::vector<ga::Parameter> parameters,
-                           auto make) {
-        registry.add({name, "roughness", meaning, std::move(parameters), "", 1},
-                     [make](const ga::Arguments& a, const std::vector<Pipeline>& bodies, const auto&) {
-                         return make(a, bodies[0]);
-                     });
-    };
-    block("coarser", "runs the pipeline on a grid of half the nodes a side, n times",
-          {ga::whole("n", std::nullopt, 1, "how many times half")},
-          [](const ga::Arguments& a, const Pipeline& body) { return coarser(a.count("n"), body); });
-    block("corrected",
-          "runs the pipeline on the first, at the targets less what its curve changes on finer grids and in "
-          "more "
-          "load steps",
-          {}, [](const ga::Arguments&, const Pipeline& body) { return corrected(body); });
-    block(
-        "within-limits",
-        "where no individual is within the limits on shape: the pipeline on each without its shortest waves",
-        {}, [](const ga::Arguments&, const Pipeline& body) { return within_limits(body); });
-    const double length = setup.model.grid.length;
-    const auto waves = [&](const std::string& name, double from, double to, PhaseReach reach,
-                           const std::string& meaning) {
-        registry.add(
-            ga::Variables<Genome>{
-                name, [=](const Genome& genome) { return phases_of_waves(genome, from, to, reach); }},
-            meaning);
-    };
-    waves("macro", length / 8, HUGE_VAL, {}, "phases of waves of at least an eighth of the length");
-    waves("micro", 0, length / 8, {}, "phases of shorter waves");
-    for (const int parts : {1, 2, 4, 8, 16, 32, 64}) {
-        const std::string part = std::to_string(parts);
-        const PhaseReach free{0, std::numbers::pi};
-        waves("longer-" + part, length / parts, HUGE_VAL, free,
-              "phases of waves of L/" + part + " and longer, freely");
-        waves("shorter-" + part, 0, length / parts, free, "phases of the waves below L/" + part + ", freely");
-    }
-    return registry;
-}
-
-Pipeline design_pipeline(const DesignSetup& setup, const std::string& text) {
-    const ga::Variants variants = design_variants(setup.required_similarity);
-    Pipeline pipeline = ga::Parser<DesignProblem>(design_registry(setup), variants).parse(text);
-    if (setup.limits.any_shape() && pipeline.text().find("within-limits") == std::string::npos)
-        pipeline.append(ga::Parser<DesignProblem>(design_registry(setup))
-                            .parse("within-limits { score | refine lm 40 | best 1 }"));
-    return pipeline;
-}
 
 namespace {
 
@@ -167,8 +65,8 @@ Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
     return least;
 }
 
-} // namespace
-
+/// An area's set-up on a grid of half the nodes a side, `halvings` times, as far as 32 nodes remain and the
+/// shortest wave can still be told.
 DesignSetup on_coarser_grid(DesignSetup setup, std::size_t halvings) {
     for (std::size_t i = 0; i < halvings; ++i) {
         Grid grid = setup.model.grid;
@@ -183,7 +81,9 @@ DesignSetup on_coarser_grid(DesignSetup setup, std::size_t halvings) {
     return setup;
 }
 
-Pipeline coarser(std::size_t halvings, const Pipeline& body) {
+/// Runs `body` under that set-up, where a contact curve costs as many times less.
+Pipeline coarser(const ga::Arguments& arguments, const Pipeline& body) {
+    const std::size_t halvings = arguments.count("n");
     return ga::derived_step<DesignProblem>(
         "coarser " + std::to_string(halvings), body,
         [halvings](Designs designs, const Pipeline& stages, ga::Context<DesignProblem>& context) {
@@ -192,7 +92,26 @@ Pipeline coarser(std::size_t halvings, const Pipeline& body) {
         });
 }
 
-Pipeline corrected(const Pipeline& body) {
+/// The set-up whose targets are moved by what a verified answer's curve changes on finer grids and in finer
+/// steps: to meet them on the set-up's own grid is to miss the given ones by as much on the one side as on
+/// the other.
+DesignSetup corrected_targets(DesignSetup setup, const Verification& verified) {
+    const auto& [own, refined, stepped, both] = verified.misfits;
+    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
+        Target& target = setup.targets[t];
+        for (Index k = 0; k < target.points(); ++k) {
+            const auto [least, most] = std::minmax({own[t][k], refined[t][k], stepped[t][k], both[t][k]});
+            const double factor = 1 + (own[t][k] - 0.5 * (least + most)) / target.weight;
+            target.y[k] *= factor;
+            if (target.has_band())
+                target.lower[k] *= factor, target.upper[k] *= factor;
+        }
+    }
+    return setup;
+}
+
+/// Runs `body` on the first individual under corrected targets, in front of the population that was given.
+Pipeline corrected(const ga::Arguments&, const Pipeline& body) {
     return ga::derived_step<DesignProblem>(
         "corrected", body, [](Designs designs, const Pipeline& stages, ga::Context<DesignProblem>& context) {
             const Verification verified = context.problem().verifier().remembered(designs.front().genome);
@@ -207,7 +126,9 @@ Pipeline corrected(const Pipeline& body) {
         });
 }
 
-Pipeline within_limits(const Pipeline& body) {
+/// Where no individual is within the limits on shape: runs `body` on each without so many of its shortest
+/// waves that it exceeds the limits least, in front of those that were given. Otherwise it does nothing.
+Pipeline within_limits(const ga::Arguments&, const Pipeline& body) {
     ga::Step<DesignProblem> step;
     step.text = "within-limits { " + body.text() + " }";
     step.check = [body](ga::CheckState& known) {
@@ -225,33 +146,94 @@ Pipeline within_limits(const Pipeline& body) {
     return step;
 }
 
-namespace {
-
-/// The middle of what some curves are off by at one point of one target.
-double middle(std::initializer_list<const std::vector<Eigen::VectorXd>*> curves, std::size_t t, Index k) {
-    double least = HUGE_VAL, most = -HUGE_VAL;
-    for (const auto* misfits : curves) {
-        least = std::min(least, (*misfits)[t][k]);
-        most = std::max(most, (*misfits)[t][k]);
-    }
-    return 0.5 * (least + most);
-}
-
 } // namespace
 
-DesignSetup corrected_targets(DesignSetup setup, const Verification& verified) {
-    const auto& [own, refined, stepped, both] = verified.misfits;
-    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
-        Target& target = setup.targets[t];
-        for (Index k = 0; k < target.points(); ++k) {
-            const double factor =
-                1 + (own[t][k] - middle({&own, &refined, &stepped, &both}, t, k)) / target.weight;
-            target.y[k] *= factor;
-            if (target.has_band())
-                target.lower[k] *= factor, target.upper[k] *= factor;
-        }
+ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
+    const auto fit = [setup](const Genome& genome) { return with_fitting_amplitude(setup, genome); };
+    auto registry = paper_registry({.rule = std::make_shared<DominanceRule>(setup.model), .fitted = fit});
+    // Puts n genomes in the place of the population, the i-th as make(setup, i, stream).
+    const auto start = [&](const char* name, const char* meaning, auto make) {
+        registry.add({name, "roughness", meaning, {ga::whole("n", std::nullopt, 1, "how many")}},
+                     [name, make](const ga::Arguments& a, const auto&...) -> Pipeline {
+                         const std::size_t n = a.count("n");
+                         ga::Step<DesignProblem> step;
+                         step.text = name + (" " + std::to_string(n));
+                         step.check = [](ga::CheckState& known) { known.scored.reset(); };
+                         step.begins = true;
+                         step.apply = [n, make](Designs, ga::Context<DesignProblem>& context) {
+                             Designs fresh(n);
+                             ga::parallel_for(n, context.threads(), [&](std::size_t i) {
+                                 fresh[i].genome = make(context.problem().setup(), i, context.stream(i));
+                             });
+                             for (auto& design : fresh)
+                                 design.identity = context.new_identity();
+                             return fresh;
+                         };
+                         return step;
+                     });
+    };
+    start(
+        "shape", "n genomes made for the target, contact solved backwards, in the population's place",
+        [](const DesignSetup& asked, std::size_t, ga::Stream random) { return shaped_start(asked, random); });
+    start("own",
+          "n sums of the measured profile's own waves, each with half as many as the one before, in the "
+          "population's place",
+          [](const DesignSetup& asked, std::size_t i, ga::Stream) {
+              return scan_waves(asked, max_scan_waves(asked) >> i);
+          });
+    registry.add("fit", "roughness",
+                 "each genome in the amplitude at which it meets the first target best; nothing under Eq. 11",
+                 ga::transform("fit", fit));
+    for (std::size_t g = 0; g < setup.targets.size(); ++g) {
+        const std::string name = "reduce goal" + std::to_string(g + 1);
+        registry.add(name, "roughness", "keeps the chromosomes that follow that target by themselves (M-CCO)",
+                     ga::transform(name, [setup, g](const Genome& genome) {
+                         return reduced_to_target(setup, genome, g);
+                     }));
     }
-    return setup;
+    const auto block = [&](const char* name, const char* meaning, std::vector<ga::Parameter> parameters,
+                           Pipeline (*make)(const ga::Arguments&, const Pipeline&)) {
+        registry.add({name, "roughness", meaning, std::move(parameters), "", 1},
+                     [make](const ga::Arguments& a, const std::vector<Pipeline>& bodies, const auto&) {
+                         return make(a, bodies[0]);
+                     });
+    };
+    block("coarser", "runs the pipeline on a grid of half the nodes a side, n times",
+          {ga::whole("n", std::nullopt, 1, "how many times half")}, coarser);
+    block("corrected",
+          "runs the pipeline on the first, at the targets less what its curve changes on finer grids and in "
+          "more load steps",
+          {}, corrected);
+    block(
+        "within-limits",
+        "where no individual is within the limits on shape: the pipeline on each without its shortest waves",
+        {}, within_limits);
+    const double length = setup.model.grid.length;
+    const auto waves = [&](const std::string& name, double from, double to, PhaseReach reach,
+                           const std::string& meaning) {
+        registry.add(
+            ga::Variables<Genome>{
+                name, [=](const Genome& genome) { return phases_of_waves(genome, from, to, reach); }},
+            meaning);
+    };
+    waves("macro", length / 8, HUGE_VAL, {}, "phases of waves of at least an eighth of the length");
+    waves("micro", 0, length / 8, {}, "phases of shorter waves");
+    for (const int parts : {1, 2, 4, 8, 16, 32, 64}) {
+        const std::string part = std::to_string(parts);
+        const PhaseReach free{0, std::numbers::pi};
+        waves("longer-" + part, length / parts, HUGE_VAL, free,
+              "phases of waves of L/" + part + " and longer, freely");
+        waves("shorter-" + part, 0, length / parts, free, "phases of the waves below L/" + part + ", freely");
+    }
+    return registry;
+}
+
+Pipeline design_pipeline(const DesignSetup& setup, const std::string& text) {
+    ga::Parser<DesignProblem> parser(design_registry(setup), design_variants(setup.required_similarity));
+    Pipeline pipeline = parser.parse(text);
+    if (setup.limits.any_shape() && pipeline.text().find("within-limits") == std::string::npos)
+        pipeline.append(parser.parse("within-limits { score | refine lm 40 | best 1 }"));
+    return pipeline;
 }
 
 std::string usual_variant(const DesignSetup& setup, bool stored) {
@@ -267,7 +249,7 @@ std::string usual_variant(const DesignSetup& setup, bool stored) {
 
 ga::Variants design_variants(double required) {
     // The paper's algorithms (Algorithms 3-5); a target without Eq. 11 gives each genome its amplitude.
-    ga::Variants variants = paper_variants({});
+    ga::Variants variants = paper_variants();
     const std::string until = "until fitness " + ga::number(required) + " generations ";
     // Starts near the target. The best are brought down the squares, then towards the least largest misfit,
     // in more load steps as well: steps are the larger part of the error. Contact sets make the misfits kink,
@@ -324,11 +306,6 @@ ga::Variants design_variants(double required) {
         "shape 60 | score | best 24 | refine lm 30 sharpen=4 | repeat 60 { above 0.96 at_least=8 | "
         "emit 12 wavelength skewness sigma=0.07 | score | refine lm 25 sharpen=6 | "
         "map-elites wavelength skewness cells=20 } | best 40 | refine lm 25 sharpen=6";
-    return variants;
-}
-
-const ga::Variants& design_variants() {
-    static const ga::Variants variants = design_variants(default_required_similarity);
     return variants;
 }
 

@@ -1,6 +1,7 @@
 #include "domain/design/search.hpp"
 
 #include "domain/design/pipelines.hpp"
+#include "domain/design/starts.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/stored.hpp"
@@ -8,6 +9,7 @@
 #include "ga/base/stopwatch.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/hall_of_fame.hpp"
+#include "ga/problem/comparison.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +46,10 @@ struct Verifying {
     double seconds = 0;       ///< kept back for it
 };
 
+Genome any_start(const DesignSetup& setup, const SearchOptions& options) {
+    return options.starts.empty() ? shaped_start(setup, ga::Stream(options.seed)) : options.starts.front();
+}
+
 /// Within a search's seconds, as the curve of a start tells: verifying one answer takes so many curves of the
 /// own grid, with some to spare, and two threads at most share it.
 Verifying verifying_within(const DesignSetup& setup, const SearchOptions& options) {
@@ -54,13 +60,11 @@ Verifying verifying_within(const DesignSetup& setup, const SearchOptions& option
                    options.alternatives};
     if (std::isinf(options.seconds))
         return plan;
-    const Genome start =
-        options.starts.empty() ? shaped_start(setup, ga::Stream(options.seed)) : options.starts.front();
     const DesignSetup timed = ending(setup, share_to_look * options.seconds, options.stop);
     const ga::Stopwatch clock;
     double curve = 0;
     try {
-        respond(timed, start, timed.model);
+        respond(timed, any_start(setup, options), timed.model);
         curve = clock.seconds();
     } catch (const NotConverged&) {
         curve = is_stopped(timed.model.contact) ? HUGE_VAL : clock.seconds();
@@ -78,41 +82,21 @@ Verifying verifying_within(const DesignSetup& setup, const SearchOptions& option
     return plan;
 }
 
-/// Verifies answers; what the search has verified is not done again.
-class AnswerVerifier {
-  public:
-    AnswerVerifier(const DesignProblem& problem, const DesignSetup& reported, int threads)
-        : problem_(problem), verifier_(reported, ga::thread_count(threads)),
-          threads_(ga::thread_count(threads)) {}
-    std::vector<Answer> operator()(const std::vector<Genome>& genomes) const {
-        std::vector<Answer> answers(genomes.size());
-        ga::parallel_for(answers.size(), threads_, [&](std::size_t i) {
-            auto verification = problem_.verifier().known(genomes[i]);
-            answers[i] = verified_answer(verifier_.setup(), genomes[i],
-                                         verification ? std::move(*verification) : verifier_.of(genomes[i]));
-            if (answers[i].is_verified() && chooses_by_errors(verifier_.setup()))
-                answers[i].similarity_made = similarity_when_made(
-                    verifier_.setup(), answers[i].genome,
-                    {.seed = ga::fold(0, "compared draws"), .threads = 1}, compared_draws);
-        });
-        return answers;
-    }
+/// Whether the genome (in final amplitude) is within every limit.
+bool holds_limits(const DesignSetup& setup, const Genome& genome) {
+    const auto all = margins(genome, setup.model.grid, setup.limits);
+    return std::all_of(all.begin(), all.end(), [](const Margin& margin) { return margin.holds(); });
+}
 
-  private:
-    const DesignProblem& problem_;
-    Verifier verifier_;
-    int threads_;
-};
-
-/// The best answer, then the best of the way and of the pipeline's answers that differ from it and from each
-/// other.
-std::vector<Answer> alternatives(const Grid& grid, const AnswerVerifier& verified, const Answer& best,
-                                 const ga::Population<Genome>& seen, std::size_t most) {
-    std::vector<Profile> profiles{sample(best.genome, grid)};
-    std::vector<Genome> others;
-    std::vector<double> differences;
+/// The best of all stages that differ from the answer and from each other, with their least difference from
+/// those before.
+std::vector<std::pair<Genome, double>> others_than(const Genome& answer, const Grid& grid,
+                                                   const ga::Population<Genome>& seen,
+                                                   std::size_t alternatives) {
+    std::vector<Profile> profiles{sample(answer, grid)};
+    std::vector<std::pair<Genome, double>> others;
     for (const auto& kept : seen) {
-        if (1 + others.size() >= most || kept.value() < -1)
+        if (profiles.size() >= alternatives || kept.value() < -1)
             break;
         const Profile profile = sample(kept.genome, grid);
         double least = 2;
@@ -120,15 +104,10 @@ std::vector<Answer> alternatives(const Grid& grid, const AnswerVerifier& verifie
             least = std::min(least, difference(profile, other));
         if (least < different)
             continue;
-        others.push_back(kept.genome);
-        differences.push_back(least);
+        others.emplace_back(kept.genome, least);
         profiles.push_back(profile);
     }
-    std::vector<Answer> all = verified(others);
-    for (std::size_t i = 0; i < all.size(); ++i)
-        all[i].difference = differences[i];
-    all.insert(all.begin(), best);
-    return all;
+    return others;
 }
 
 /// What the pipeline gave and the best that it verified; on a line also the best of all stages by similarity,
@@ -154,19 +133,16 @@ std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Popula
     return candidates;
 }
 
-bool better(const Answer& a, const Answer& b) {
-    const auto rank = [](const Answer& one) { // what is not verified is after what is
-        return std::tuple(one.within_limits, one.is_verified() ? one.lowest() : -HUGE_VAL,
-                          one.is_verified() ? 0 : one.similarity);
-    };
-    return rank(a) > rank(b);
+/// By which answers are compared, the best has the highest; what is not verified is after what is.
+std::tuple<bool, double, double> rank_of(const Answer& answer) {
+    return answer.is_verified() ? std::tuple(answer.within_limits, answer.lowest(), 0.0)
+                                : std::tuple(answer.within_limits, -HUGE_VAL, answer.similarity);
 }
 
 /// Of verified answers those of which none is better with and without errors, by falling similarity without.
 std::vector<Answer> best_with_and_without(std::vector<Answer> answers) {
-    std::sort(answers.begin(), answers.end(), [](const Answer& a, const Answer& b) {
-        return std::pair(a.similarity, a.similarity_made) > std::pair(b.similarity, b.similarity_made);
-    });
+    std::ranges::sort(answers, std::ranges::greater{},
+                      [](const Answer& one) { return std::pair(one.similarity, one.similarity_made); });
     std::vector<Answer> front;
     for (Answer& answer : answers)
         if (front.empty() || answer.similarity_made > front.back().similarity_made)
@@ -174,21 +150,8 @@ std::vector<Answer> best_with_and_without(std::vector<Answer> answers) {
     return front;
 }
 
-/// Remarks on what an answer's similarities rest on.
-std::vector<std::string> remarks_on(const Answer& best, const SearchOptions& options) {
-    std::vector<std::string> notes;
-    if (!best.is_verified() && !(options.stop && options.stop->load()))
-        notes.push_back("there was no time to verify the answer on this grid and the finer one");
-    if (const double off = best.verification.reading_error; off > 0 && best.is_verified())
-        notes.push_back(line_of("of the finer grid's load steps some are read between solved ones; "
-                                "similarity_worst is lower by what that is off by on the own grid, ",
-                                off));
-    return notes;
-}
-
-} // namespace
-
-Answer verified_answer(const DesignSetup& reported, const Genome& genome, Verification verified) {
+/// The genome as an answer with these similarities.
+Answer answer_of(const DesignSetup& reported, const Genome& genome, Verification verified) {
     DesignSetup setup = reported;
     setup.model.contact.stop = {};
     Answer answer{genome};
@@ -213,8 +176,21 @@ Answer verified_answer(const DesignSetup& reported, const Genome& genome, Verifi
     return answer;
 }
 
+/// The genomes on the front of a population that `pareto` ranked; nothing of another.
+std::vector<Genome> genomes_on_front(const ga::Population<Genome>& population) {
+    std::vector<Genome> front;
+    if (!ga::comparable(population))
+        return front;
+    for (const auto& individual : ga::front_of(population))
+        if (individual.fitness.several())
+            front.push_back(individual.genome);
+    return front;
+}
+
+} // namespace
+
 Answer verified_answer(const DesignSetup& reported, const Genome& genome) {
-    return verified_answer(reported, genome, Verifier(reported).of(genome));
+    return answer_of(reported, genome, Verifier(reported).of(genome));
 }
 
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer) {
@@ -222,9 +198,54 @@ DesignResponse response_of(const DesignSetup& setup, const Answer& answer) {
                                 : scored(setup, answer.verification.on_own);
 }
 
-bool holds_limits(const DesignSetup& setup, const Genome& genome) {
-    const auto all = margins(genome, setup.model.grid, setup.limits);
-    return std::all_of(all.begin(), all.end(), [](const Margin& margin) { return margin.holds(); });
+std::vector<Compromise> compromises(const DesignSetup& searched, const std::vector<Genome>& genomes,
+                                    std::size_t most, int threads) {
+    const DesignSetup setup = as_reported(searched);
+    const auto each = [&](std::vector<Compromise>& all, auto work) {
+        ga::parallel_for(all.size(), ga::thread_count(threads), [&](std::size_t i) {
+            try {
+                work(all[i]);
+            } catch (const NotConverged&) {
+                if (!is_stopped(setup.model.contact))
+                    throw;
+            }
+        });
+    };
+    std::vector<Compromise> all;
+    for (const Genome& genome : genomes)
+        all.push_back({genome, {}, {}});
+    each(all, [&](Compromise& one) {
+        const DesignResponse response = respond(setup, one.genome, setup.model);
+        one.similarity = similarities(setup, response);
+        if (setup.max_pressure)
+            one.genome.scale = response.scale;
+        one.genome = folded(one.genome);
+    });
+    std::erase_if(all, [&](const Compromise& one) {
+        return one.similarity.empty() || !holds_limits(setup, one.genome);
+    });
+    std::vector<ga::Point> points;
+    for (const Compromise& one : all)
+        points.push_back(one.similarity);
+    const std::vector<std::size_t> ranks = ga::pareto_ranks(points);
+    std::vector<Compromise> front;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (ranks[i] == 0)
+            front.push_back(all[i]);
+    std::ranges::stable_sort(front, {}, &Compromise::similarity);
+    const auto doubles = std::ranges::unique(front, {}, &Compromise::similarity);
+    front.erase(doubles.begin(), doubles.end());
+    if (front.size() > most) {
+        std::vector<Compromise> spread;
+        for (std::size_t i = 0; i < most; ++i)
+            spread.push_back(front[i * (front.size() - 1) / (most - 1)]);
+        front = std::move(spread);
+    }
+    each(front, [&](Compromise& one) {
+        one.similarity_refined.assign(setup.targets.size(), std::numeric_limits<double>::quiet_NaN());
+        one.similarity_refined = similarities(setup, respond(setup, one.genome, refined(setup.model, 4)));
+    });
+    return front;
 }
 
 void expect_searchable(const DesignSetup& given, const std::string& way) {
@@ -249,15 +270,11 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
         throw InputError("design: the pipeline '" + result.pipeline +
                          "' makes its own starts, expected one that begins with those given (score | ...)");
     const Verifying plan = verifying_within(setup, options);
+    const int threads = ga::thread_count(options.threads);
     const double left = options.seconds - clock.seconds();
     const double for_pipeline = std::max(0.0, left - plan.seconds);
-    const DesignProblem problem(ending(setup, for_pipeline, options.stop), options.memory,
-                                ga::thread_count(options.threads));
+    const DesignProblem problem(ending(setup, for_pipeline, options.stop), options.memory, threads);
     const DesignSetup reported = as_reported(ending(setup, left, options.stop));
-    const auto any_start = [&] {
-        return options.starts.empty() ? shaped_start(setup, ga::Stream(options.seed))
-                                      : options.starts.front();
-    };
 
     ga::HallOfFame<DesignProblem> seen(problem, remembered);
     ga::HallOfFame<DesignProblem> verified_so_far(problem, options.verifying,
@@ -275,11 +292,10 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
             front = std::move(ranked);
     });
 
-    ga::RunOptions run;
-    run.variant = result.name;
-    run.seed = options.seed;
-    run.threads = options.threads;
-    run.budget = {options.evaluations, for_pipeline, options.stop};
+    const ga::RunOptions run{.variant = result.name,
+                             .seed = options.seed,
+                             .threads = options.threads,
+                             .budget = {options.evaluations, for_pipeline, options.stop}};
     std::optional<ga::Checkpoints<DesignProblem>> keeper;
     if (options.keeping) {
         keeper.emplace(options.keeping->file, json_text(description(setup), true), options.keeping->resume,
@@ -293,8 +309,9 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
     ga::Population<Genome> population;
     try {
         const std::vector<Genome> starts = !options.starts.empty() ? options.starts
-                                           : pipeline.begins()     ? std::vector<Genome>{any_start()}
-                                                                   : database_starts(setup, options.threads);
+                                           : pipeline.begins()
+                                               ? std::vector<Genome>{any_start(setup, options)}
+                                               : database_starts(setup, options.threads);
         ga::OnThreads<DesignProblem> on_threads(options.threads);
         auto found = ga::run_by(options.evaluator ? *options.evaluator : on_threads, pipeline, problem,
                                 ga::population(starts), run, observers, keeper ? &*keeper : nullptr);
@@ -322,20 +339,48 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
     for (const Compromise& one : result.front)
         offer(one.genome, *std::min_element(one.similarity.begin(), one.similarity.end()));
     if (seen.members.empty()) // stopped before the first curve on the own grid
-        offer(nearest ? *nearest : any_start(), 0);
+        offer(nearest ? *nearest : any_start(setup, options), 0);
 
-    const AnswerVerifier verified(problem, reported, options.threads);
-    const std::vector<Answer> answers = verified(
-        candidates_of(problem, population, verified_so_far.members, seen.members, options, plan.answers));
-    result.best = *std::max_element(answers.begin(), answers.end(),
-                                    [](const Answer& a, const Answer& b) { return better(b, a); });
+    const Verifier verifier(reported, threads);
+    const auto verified = [&](const Genome& genome) {
+        auto known = problem.verifier().known(genome); // what the search has verified is not done again
+        Answer answer = answer_of(reported, genome, known ? std::move(*known) : verifier.of(genome));
+        if (answer.is_verified() && chooses_by_errors(setup))
+            answer.similarity_made =
+                similarity_when_made(reported, answer.genome,
+                                     {.seed = ga::fold(0, "compared draws"), .threads = 1}, compared_draws);
+        return answer;
+    };
+    const std::vector<Genome> candidates =
+        candidates_of(problem, population, verified_so_far.members, seen.members, options, plan.answers);
+    std::vector<Answer> answers(candidates.size());
+    ga::parallel_for(answers.size(), threads, [&](std::size_t i) { answers[i] = verified(candidates[i]); });
+    result.best = *std::ranges::max_element(answers, {}, rank_of);
     if (chooses_by_errors(setup))
         result.made = best_with_and_without(answers);
-    result.alternatives =
-        alternatives(setup.model.grid, verified, result.best, seen.members, plan.alternatives);
-    for (std::string& note : remarks_on(result.best, options))
-        result.notes.push_back(std::move(note));
+    const auto others = others_than(result.best.genome, setup.model.grid, seen.members, plan.alternatives);
+    result.alternatives.resize(1 + others.size());
+    result.alternatives[0] = result.best;
+    ga::parallel_for(others.size(), threads, [&](std::size_t i) {
+        result.alternatives[i + 1] = verified(others[i].first);
+        result.alternatives[i + 1].difference = others[i].second;
+    });
+    if (!result.best.is_verified() && !(options.stop && options.stop->load()))
+        result.notes.push_back("there was no time to verify the answer on this grid and the finer one");
+    if (const double error = result.best.verification.reading_error; error > 0 && result.best.is_verified())
+        result.notes.push_back(line_of("of the finer grid's load steps some are read between solved ones; "
+                                       "similarity_worst is lower by what that is off by on the own grid, ",
+                                       error));
     return result;
+}
+
+Unreachable unreachable(const DesignSetup& setup, double wanted) {
+    Unreachable found{out_of_reach(setup.targets, exactly(setup).model, setup.max_pressure)};
+    for (const OutOfReach& reason : found.reasons)
+        found.bound = std::min(found.bound, reason.bound);
+    if (found.bound >= wanted)
+        found.reasons.clear();
+    return found;
 }
 
 } // namespace rough

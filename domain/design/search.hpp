@@ -1,7 +1,7 @@
 #pragma once
 
-#include "domain/design/front.hpp"
-#include "domain/profile/profile.hpp"
+#include "domain/problem/problem.hpp"
+#include "domain/target/out_of_reach.hpp"
 #include "ga/run/context.hpp"
 
 #include <atomic>
@@ -72,11 +72,21 @@ struct Answer {
 /// Where the set-up's ContactOptions::stop ends that, the similarity on its own grid is found all the same.
 /// Throws what respond() throws.
 Answer verified_answer(const DesignSetup& reported, const Genome& genome);
-/// The same of a verification that was made.
-Answer verified_answer(const DesignSetup& reported, const Genome& genome, Verification verification);
 /// The answer's own response, as the set-up that was searched asks, solved throughout: of one that was not
 /// verified that which it has.
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer);
+
+/// A genome that no other found is better than in every target.
+struct Compromise {
+    Genome genome;                          ///< amplitude final
+    std::vector<double> similarity;         ///< each target's, on the set-up's grid
+    std::vector<double> similarity_refined; ///< the same on a grid four times finer
+};
+
+/// Those of the genomes that are within the limits and that no other is better than, by the first target's
+/// similarity, the best last; at most `most`, spread evenly with both ends among them.
+std::vector<Compromise> compromises(const DesignSetup& setup, const std::vector<Genome>& genomes,
+                                    std::size_t most, int threads);
 
 /// What a search found, and what it took.
 struct SearchResult {
@@ -98,9 +108,6 @@ struct SearchResult {
 /// set-up.
 void expect_searchable(const DesignSetup& setup, const std::string& way);
 
-/// Whether the genome (in final amplitude) is within every limit.
-bool holds_limits(const DesignSetup& setup, const Genome& genome);
-
 /// Runs a pipeline on a design and picks what to believe: of its answers and the best individuals of all its
 /// stages those that are best at their worst (Verification). There is always an answer: the best so far, or a
 /// first start. Throws ga::UsageError on a pipeline that cannot work or a kept run of another search,
@@ -108,5 +115,20 @@ bool holds_limits(const DesignSetup& setup, const Genome& genome);
 /// be computed.
 SearchResult search(const DesignSetup& setup, const SearchOptions& options = {},
                     std::vector<ga::Observer<Genome>> observers = {});
+
+/// Why no profile whatever answers as a set-up asks, and how near one could come.
+struct Unreachable {
+    std::vector<OutOfReach> reasons; ///< none where the bound leaves room for what is wanted: no verdict then
+    double bound = 1;                ///< no profile has a higher similarity
+};
+
+/// From here on what is out of reach is not worth telling, where nothing else is asked for.
+constexpr double exact_enough = 0.999;
+
+/// Of a set-up solved throughout. `wanted` is the similarity that is enough.
+Unreachable unreachable(const DesignSetup& setup, double wanted = exact_enough);
+
+/// Curves and gradients that are enough for the profile nearest to a target out of reach.
+constexpr long enough_for_the_nearest = 3000;
 
 } // namespace rough

@@ -1,10 +1,14 @@
 #include "domain/design/starts.hpp"
 
 #include "domain/design/inverse.hpp"
-#include "domain/design/shape_to_waves.hpp"
+#include "domain/errors.hpp"
 #include "domain/mwm/sobol.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/problem/harmonics.hpp"
+#include "domain/problem/response.hpp"
 #include "ga/base/parallel.hpp"
+
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -83,6 +87,87 @@ constexpr Index shaping_nodes = 256, shaping_side = 24;
 /// displacement.
 constexpr double deepest_free = 0.5;
 
+/// The series with amplitude 1 and chromosomes 1 to n_f, each with so many phases of 0.
+Series with_chromosomes(Series law, double shortest, std::size_t phases) {
+    law.A = 1;
+    law.chromosomes.clear();
+    for (int n = 1; n <= last_chromosome(law.lambda, law.gamma, shortest); ++n)
+        law.chromosomes.push_back({n, std::vector<double>(phases, 0.0)});
+    if (law.chromosomes.empty())
+        throw InputError("series: its longest wave is " + std::to_string(law.lambda) +
+                         " mm, expected at least the shortest allowed, " + std::to_string(shortest) + " mm");
+    return law;
+}
+
+/// Weights of the waves, a constant beside them, by least squares; `damping` holds them down.
+Eigen::VectorXd fitted(const Eigen::MatrixXd& waves, const Eigen::VectorXd& heights, double damping) {
+    Eigen::MatrixXd basis(waves.rows(), 1 + waves.cols());
+    basis << Eigen::VectorXd::Ones(waves.rows()), waves;
+    Eigen::MatrixXd normal = basis.transpose() * basis;
+    normal.diagonal().tail(waves.cols()).array() += damping * static_cast<double>(heights.size());
+    return normal.ldlt().solve(basis.transpose() * heights).tail(waves.cols());
+}
+
+/// R and theta of -R cos(k x + theta) = c cos(k x) + s sin(k x).
+struct Cosine {
+    double R, theta;
+    Cosine(double c, double s) : R(std::hypot(c, s)), theta(std::atan2(s, -c)) {}
+
+    /// The A of which two ridges of this amplitude at A = 1 give R, a tenth left over.
+    double least_A(double amplitude) const { return R / (2 * 0.9 * amplitude); }
+    /// Between the phase of either ridge and theta: R = 2 G cos.
+    double half_between(double amplitude) const { return std::acos(std::min(1.0, R / (2 * amplitude))); }
+};
+/// Of weights that stand in pairs.
+std::vector<Cosine> cosines_of(const Eigen::VectorXd& weights) {
+    std::vector<Cosine> all;
+    for (Index w = 0; w < weights.size(); w += 2)
+        all.emplace_back(weights[w], weights[w + 1]);
+    return all;
+}
+
+/// A node that contact does not see, against 1 for one that it does.
+constexpr double unseen = 0.02;
+/// Rounds in which nodes that the sum stands above are given their weight.
+constexpr int rounds = 4;
+/// Of the waves, against the nodes' weights.
+constexpr double damping = 1e-4;
+/// Of longer scans the highest node of each part is followed: contact is on peaks.
+constexpr Index most_points = 2048;
+
+/// What is followed of a scan.
+struct Points {
+    Eigen::VectorXd x, z; ///< mm
+    Eigen::VectorXd weight;
+};
+
+Points points_of(const Profile& scan, const std::vector<int>& touching) {
+    const Index n = scan.nodes(), part = (n + most_points - 1) / most_points, count = (n + part - 1) / part;
+    Points points{Eigen::VectorXd(count), Eigen::VectorXd(count), Eigen::VectorXd::Constant(count, unseen)};
+    for (Index k = 0; k < count; ++k) {
+        Index highest = 0;
+        points.z[k] = scan.heights.segment(k * part, std::min(part, n - k * part)).maxCoeff(&highest);
+        points.x[k] = scan.spacing * static_cast<double>(k * part + highest);
+    }
+    for (const int node : touching)
+        points.weight[node / part] = 1;
+    return points;
+}
+
+std::vector<int> touching(const DesignSetup& setup) {
+    const Body body = completed(setup.model.body, setup.model.grid.length);
+    double last = 0;
+    for (const Loading& loading : loadings_of(setup, setup.model.loading).each)
+        last = std::max(last, step_displacements(*setup.like, body, loading, setup.model.contact).back());
+    ContactOptions contact = setup.model.contact;
+    contact.states = true;
+    return solve_contact(*setup.like, body, {last}, contact).states.front().nodes;
+}
+
+double longest_own(const DesignSetup& setup) {
+    return (setup.model.grid.periodic ? 1 : 2) * setup.model.grid.length;
+}
+
 } // namespace
 
 Genome shaped_start(const DesignSetup& given, ga::Stream random) {
@@ -106,13 +191,12 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
                                                           : drawn_order(grid.nodes, grid.periodic, random),
                                              advance_for(target, surface.nodes()), last_pressure,
                                              target.against_pressure() ? infinity : target.last());
-    if (grid.periodic && !grid.is_2d() && setup.max_pressure)
-        inverse =
-            with_mean_at_full_approach(std::move(inverse), completed(setup.model.loading, body.kernel).reach);
+    const bool periodic_line = grid.periodic && !grid.is_2d();
+    if (periodic_line && setup.max_pressure)
+        inverse = with_mean_at_full_approach(std::move(inverse), setup.model.loading.reach);
     else if (setup.max_pressure)
         inverse = with_range_at_last(std::move(inverse));
-    else if (grid.periodic &&
-             !grid.is_2d()) // as its stiffness has no end, neither have valleys beyond the load
+    else if (periodic_line) // as its stiffness has no end, neither have valleys beyond the load
         inverse.profile.heights = inverse.profile.heights.cwiseMax(
             (inverse.lowest_free.array() - deepest_free * inverse.last_displacement).matrix());
     const Eigen::VectorXd& heights = inverse.profile.heights;
@@ -153,6 +237,106 @@ std::vector<Genome> database_starts(const DesignSetup& setup, int threads) {
         genomes[i] = with_fitting_amplitude(setup, fitting_grid(setup, genomes[i]));
     });
     return genomes;
+}
+
+Genome shaped_as(const Profile& profile, const std::vector<Series>& series, double shortest, double damping) {
+    Genome genome{1, {}};
+    for (const Series& law : series)
+        genome.series.push_back(with_chromosomes(law, shortest, 2));
+    const Grid grid{profile.nodes(), profile.spacing * static_cast<double>(profile.nodes()), true};
+    const std::vector<Cosine> wanted = cosines_of(fitted(wave_basis(genome, grid), profile.heights, damping));
+    auto next = wanted.begin();
+    for (Series& one : genome.series) {
+        const auto first = next;
+        double A = 1e-300;
+        for (const Chromosome& each : one.chromosomes)
+            A = std::max(A, next++->least_A(amplitude(one, each.n, 2)));
+        one.A = A;
+        next = first;
+        for (Chromosome& each : one.chromosomes) {
+            const double half = next->half_between(amplitude(one, each.n, 2));
+            each.phases = {next->theta + half, next->theta - half};
+            ++next;
+        }
+    }
+    return genome;
+}
+
+Genome shaped_as(const Profile& map, const Series& law, int ridges, const Grid& grid, double shortest,
+                 double damping) {
+    const auto count = static_cast<std::size_t>(ridges);
+    Series one = with_chromosomes(law, shortest, count);
+    const std::vector<PlaneWave> waves = plane_waves({1, {one}}, grid);
+    const Index columns = map.shape().columns;
+    Eigen::MatrixXd basis(map.nodes(), 2 * static_cast<Index>(waves.size()));
+    for (std::size_t w = 0; w < waves.size(); ++w) {
+        const Eigen::ArrayXd angle = Eigen::ArrayXd::NullaryExpr(map.nodes(), [&](Index i) {
+            return waves[w].k_x * map.spacing * static_cast<double>(i % columns) +
+                   waves[w].k_y * map.row_spacing * static_cast<double>(i / columns);
+        });
+        basis.col(2 * static_cast<Index>(w)) = angle.cos();
+        basis.col(2 * static_cast<Index>(w) + 1) = angle.sin();
+    }
+    const std::vector<Cosine> wanted = cosines_of(fitted(basis, map.heights, damping));
+    double A = 1e-300;
+    for (std::size_t w = 0; w < waves.size(); ++w)
+        A = std::max(A, wanted[w].least_A(waves[w].amplitude));
+    one.A = A;
+    Series twin = one;
+    for (std::size_t w = 0; w < waves.size(); ++w) {
+        const double half = wanted[w].half_between(A * waves[w].amplitude);
+        one.chromosomes[w / count].phases[w % count] = wanted[w].theta + half;
+        twin.chromosomes[w / count].phases[w % count] = wanted[w].theta - half;
+    }
+    return {1, {std::move(one), std::move(twin)}};
+}
+
+Index max_scan_waves(const DesignSetup& given) {
+    const DesignSetup setup = completed(given);
+    return static_cast<Index>(longest_own(setup) /
+                              std::max(setup.limits.shortest_wave, 2 * setup.model.grid.spacing()) *
+                              (1 + 1e-12));
+}
+
+Genome scan_waves(const DesignSetup& given, Index waves) {
+    if (!given.like)
+        throw InputError("own: no measured profile given, expected a design like one");
+    if (given.like->is_2d())
+        throw InputError("own: a map given, expected a profile: the waves are a line's");
+    const DesignSetup setup = completed(given);
+    const double longest = longest_own(setup);
+    const Index count = std::max<Index>(1, waves);
+    Points points = points_of(*setup.like, touching(setup));
+    Eigen::MatrixXd basis(points.x.size(), 1 + 2 * count);
+    basis.col(0).setOnes();
+    for (Index k = 1; k <= count; ++k) {
+        const Eigen::ArrayXd angle = 2 * std::numbers::pi * static_cast<double>(k) / longest * points.x;
+        basis.col(2 * k - 1) = angle.cos();
+        basis.col(2 * k) = angle.sin();
+    }
+    Eigen::VectorXd parts;
+    for (int round = 0; round < rounds; ++round) {
+        const Eigen::MatrixXd rows = points.weight.cwiseSqrt().asDiagonal() * basis;
+        Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(basis.cols(), basis.cols());
+        normal.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+        normal.diagonal().tail(2 * count).array() += damping * points.weight.sum();
+        parts = normal.ldlt().solve(basis.transpose() * points.weight.cwiseProduct(points.z));
+        const Eigen::ArrayXd above = basis * parts - points.z;
+        points.weight = (above > 0).select(1, points.weight);
+    }
+    Genome genome{1, {}};
+    for (Index k = 1; k <= count; ++k) {
+        const Cosine wave(parts[2 * k - 1], parts[2 * k]);
+        Series series{1,
+                      std::clamp(1.0, setup.bounds.H_from, setup.bounds.H_to),
+                      std::clamp(2.0, setup.bounds.gamma_from, setup.bounds.gamma_to),
+                      longest / static_cast<double>(k),
+                      {{1, {wave.theta}}}};
+        series.A = wave.R / amplitude(series, 1, 1);
+        if (series.A > 0)
+            genome.series.push_back(std::move(series));
+    }
+    return genome;
 }
 
 } // namespace rough

@@ -158,26 +158,25 @@ void find_errors(const Trials& trials, const std::vector<Eigen::VectorXd>& shape
                  const std::vector<ToleranceLevel*>& levels, double ToleranceLevel::*error) {
     KeptBySize all = ladder(cap, 2, levels.front()->similarity, levels.back()->similarity,
                             [&](double size) { return trials.lowest(shapes, {size}).front(); });
-    const auto divide = [&](double from, double to, int into, std::vector<double>& sizes) {
-        for (int i = 1; i < into; ++i)
-            sizes.push_back(from + (to - from) * i / into);
-    };
-    const auto probe = [&](const std::vector<double>& sizes) {
+    using Gaps = std::vector<std::pair<double, double>>;
+    const auto probe_inside = [&](const Gaps& gaps, int into) {
+        std::vector<double> sizes;
+        for (const auto& [from, to] : gaps)
+            for (int i = 1; i < into; ++i)
+                sizes.push_back(from + (to - from) * i / into);
         const std::vector<double> similarities = trials.lowest(shapes, sizes);
         for (std::size_t i = 0; i < sizes.size(); ++i)
             all[sizes[i]] = similarities[i];
     };
-    std::vector<double> sizes;
+    Gaps octaves;
     double last = 0;
     for (const auto& [size, similarity] : all)
-        divide(std::exchange(last, size), size, parts, sizes);
-    probe(sizes);
+        octaves.emplace_back(std::exchange(last, size), size);
+    probe_inside(octaves, parts);
     for (ToleranceLevel* level : levels) {
         auto [from, to] = bracket(all, level->similarity);
         while (to > precision * from && to > smallest * cap) {
-            sizes.clear();
-            divide(from, to, 4, sizes);
-            probe(sizes);
+            probe_inside({{from, to}}, 4);
             std::tie(from, to) = bracket(all, level->similarity);
         }
         level->*error = from;

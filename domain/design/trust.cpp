@@ -1,21 +1,19 @@
 #include "domain/design/trust.hpp"
 
+#include "domain/contact/datum.hpp"
 #include "domain/contact/names.hpp"
-#include "domain/design/starts.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/plain_stream.hpp"
-#include "domain/problem/setup.hpp"
+#include "domain/problem/drawn_start.hpp"
 #include "domain/problem/surface_descriptors.hpp"
 #include "ga/base/budget.hpp"
 #include "ga/base/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
 #include <numbers>
 
 namespace rough {
@@ -26,13 +24,6 @@ const std::string in_finer_steps_too = "4 times the load steps, for the target t
 const std::string as_designed = "as designed";
 /// A likeness that falls by more than this with the load steps is said to hang on them.
 constexpr double unsettled = 0.01;
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-/// 2 L/(pi E*) ln(factor): what a farther datum adds to a displacement for each unit of mean pressure.
-double compliance_of_datum(const Model& model, double factor) {
-    return 2 * model.grid.length / (std::numbers::pi * model.body.effective_modulus) * std::log(factor);
-}
 
 /// The set-up without Eq. 11: the genome's own amplitude, loaded as far as the targets go.
 DesignSetup in_final_amplitude(const DesignSetup& setup) {
@@ -103,35 +94,36 @@ void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustO
              ", where a real surface would go on");
 }
 
-/// One question, asked of what it refers to; NaN where it has no answer.
+/// One question, asked of what it refers to.
 struct Job {
     std::string name;
     std::function<double()> similarity;
     bool decides = false;
 
+    /// NaN where it has no answer.
     double answer() const {
         try {
             return similarity();
         } catch (const std::exception&) {
-            return unknown;
+            return Trust::unknown;
         }
     }
 };
+using Jobs = std::vector<Job>;
 
 Job under(const DesignSetup& setup, const Genome& genome, const std::string& name, const Model& model) {
     return {name, [&setup, &genome, model] { return similarity(setup, respond(setup, genome, model)); }};
 }
 
-std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
-                           Trust& trust, const Answer* verified) {
-    std::vector<Job> jobs;
+void add_checks(Jobs& jobs, const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
+                Trust& trust, const Answer* verified) {
     const auto ask = [&](const std::string& name, const Model& model, double Answer::*known) {
-        if (verified && known && setup.model.grid.is_2d() && std::isnan(verified->*known))
-            trust.left_out.push_back(name);
-        else if (verified && known && setup.model.grid.is_2d())
-            jobs.push_back({name, [=] { return verified->*known; }});
-        else
+        if (!verified || !known || !setup.model.grid.is_2d())
             jobs.push_back(under(setup, genome, name, model));
+        else if (std::isnan(verified->*known))
+            trust.left_out.push_back(name);
+        else
+            jobs.push_back({name, [=] { return verified->*known; }});
     };
     ask(as_designed, setup.model, &Answer::similarity);
     ask("2 times the nodes", refined(setup.model, 2), nullptr);
@@ -179,20 +171,17 @@ std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const
                             return similarity(yields, respond(yields, genome, yields.model));
                         },
                         true});
-    return jobs;
 }
 
-std::vector<Job> kernels_of(const DesignSetup& setup, const Genome& genome) {
-    std::vector<Job> jobs;
+void add_kernels(Jobs& jobs, const DesignSetup& setup, const Genome& genome) {
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
         if (kernel != setup.model.body.kernel && !(setup.model.grid.is_2d() && kernel == Kernel::strip))
             jobs.push_back(under(setup, genome, name_of(kernel), with_kernel(setup.model, kernel)));
-    return jobs;
 }
 
 /// Of the same spectrum: a ridge's amplitude stays, its place moves.
-std::vector<Job> redrawn_phases(const DesignSetup& setup, const Genome& genome, const TrustOptions& options) {
-    std::vector<Job> jobs;
+void add_redrawn_phases(Jobs& jobs, const DesignSetup& setup, const Genome& genome,
+                        const TrustOptions& options) {
     for (int draw = 0; draw < options.phase_draws; ++draw)
         jobs.push_back({"", [&, draw] {
                             ga::Stream random(
@@ -206,13 +195,14 @@ std::vector<Job> redrawn_phases(const DesignSetup& setup, const Genome& genome, 
                                 }
                             return similarity(setup, with_fitting_amplitude(setup, redrawn));
                         }});
-    return jobs;
 }
 
 } // namespace
 
 std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& model, double factor) {
-    const double c = compliance_of_datum(model, factor);
+    // What the farther datum adds to a displacement for each unit of mean pressure, mm/MPa.
+    const double c =
+        -datum_sensitivity(1, model.grid.length, model.body.effective_modulus) * std::log(factor);
     std::vector<Target> moved;
     for (Target target : targets) {
         const auto stiffer = [&](Eigen::VectorXd& K) { K = K.array() / (1 + c * K.array()); };
@@ -240,14 +230,13 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
         return watch.expired();
     };
     setup.model.contact.stop = late;
-    std::vector<Job> jobs = checks_of(setup, genome, options, trust, verified);
+    Jobs jobs;
+    add_checks(jobs, setup, genome, options, trust, verified);
     const std::size_t checks = jobs.size();
-    for (Job& job : kernels_of(setup, genome))
-        jobs.push_back(std::move(job));
+    add_kernels(jobs, setup, genome);
     const std::size_t kernels = jobs.size();
-    for (Job& job : redrawn_phases(setup, genome, options))
-        jobs.push_back(std::move(job));
-    std::vector<double> values(jobs.size(), unknown);
+    add_redrawn_phases(jobs, setup, genome, options);
+    std::vector<double> values(jobs.size());
     std::vector<char> done(jobs.size(), 0);
     ga::parallel_for(jobs.size(), ga::thread_count(options.threads), [&](std::size_t i) {
         if (late())
@@ -255,47 +244,70 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
         values[i] = jobs[i].answer();
         done[i] = std::isfinite(values[i]) || !late();
     });
-    std::vector<double> checked, redrawn;
-    for (std::size_t i = 0; i < kernels; ++i)
-        if (!done[i]) {
+    std::vector<double> redrawn, deciding;
+    for (std::size_t i = 0; i < jobs.size(); ++i)
+        if (i >= kernels && done[i]) {
+            redrawn.push_back(values[i]);
+        } else if (done[i]) {
+            (i < checks ? trust.checks : trust.kernels).push_back({jobs[i].name, values[i], jobs[i].decides});
+            if (jobs[i].decides)
+                deciding.push_back(values[i]);
+        } else if (i < kernels) {
             trust.left_out.push_back(jobs[i].name);
             trust.all_decided = trust.all_decided && !jobs[i].decides;
-        } else {
-            (i < checks ? trust.checks : trust.kernels).push_back({jobs[i].name, values[i], jobs[i].decides});
         }
-    const auto worse = [](const Check& a, const Check& b) { // none is the worst
-        return a.similarity < b.similarity || (std::isnan(a.similarity) && !std::isnan(b.similarity));
-    };
-    std::vector<Check> deciding;
-    std::copy_if(trust.checks.begin(), trust.checks.end(), std::back_inserter(deciding),
-                 [](const Check& check) { return check.decides; });
-    if (!deciding.empty())
-        trust.under = std::min_element(deciding.begin(), deciding.end(), worse)->similarity;
-    for (const Check& check : trust.checks)
-        checked.push_back(check.similarity);
-    for (std::size_t i = kernels; i < jobs.size(); ++i)
-        if (done[i])
-            redrawn.push_back(values[i]);
+    if (!deciding.empty()) // a check without an answer is the worst
+        trust.under = *std::min_element(deciding.begin(), deciding.end(), [](double a, double b) {
+            return a < b || (std::isnan(a) && !std::isnan(b));
+        });
     for (const Check& check : trust.checks)
         if (check.name == in_finer_steps_too && trust.checks[0].name == as_designed &&
             check.similarity < trust.checks[0].similarity - unsettled)
             flag(trust, "with ", in_finer_steps_too, ", the similarity is ", check.similarity,
                  ": the two curves agree less between the ", setup.model.loading.steps,
                  " steps than at them");
-    if (!checked.empty()) {
-        trust.median = quantile(checked, 0.5);
-        trust.tenth = quantile(checked, 0.1);
-    }
+    const std::vector<double> checked = column(trust.checks, &Check::similarity);
+    trust.median = quantile(checked, 0.5);
+    trust.tenth = quantile(checked, 0.1);
     trust.redrawn = static_cast<int>(redrawn.size());
-    if (!redrawn.empty()) {
-        trust.redrawn_best = quantile(redrawn, 1);
-        trust.redrawn_median = quantile(redrawn, 0.5);
-        trust.redrawn_tenth = quantile(redrawn, 0.1);
-    }
+    trust.redrawn_best = quantile(redrawn, 1);
+    trust.redrawn_median = quantile(redrawn, 0.5);
+    trust.redrawn_tenth = quantile(redrawn, 0.1);
     if (trust.redrawn < options.phase_draws)
         trust.left_out.push_back(std::to_string(options.phase_draws - trust.redrawn) +
                                  " of the phases drawn anew");
     return trust;
+}
+
+std::vector<ErrorSource> error_budget(const DesignSetup& given, const Answer& answer) {
+    const DesignSetup setup = completed(given);
+    const Model own = exactly(setup.model);
+    const Target& target = setup.targets.front();
+    const auto values = [&](const Model& model) {
+        const Curve curve = respond(setup, answer.genome, model).curves.front();
+        return Eigen::VectorXd(target.x.unaryExpr([&](double x) { return curve.at(x); }));
+    };
+    const Eigen::VectorXd base = values(own);
+    std::vector<ErrorSource> budget;
+    const auto add = [&](const std::string& kind, const std::string& source, const Model& model) {
+        budget.push_back({kind, source, (values(model).array() / base.array() - 1).abs().maxCoeff()});
+    };
+    if (own.body.kernel == Kernel::free && !own.grid.is_2d()) {
+        Model far = own;
+        far.body.datum *= 4;
+        add("model", "the half-plane's datum at 4 times the distance", far);
+        add("model", "a periodic half-plane in place of the free one", with_kernel(own, Kernel::periodic));
+    }
+    add("numerical", "the grid: 4 times the elements", refined(own, 4));
+    Model steps = own;
+    steps.loading.steps *= 4;
+    add("numerical", "the load steps: 4 times as many", steps);
+    if (setup.model.accuracy > 0)
+        add("numerical", "the accuracy that the search was allowed", setup.model);
+    budget.push_back(
+        {"target", "what is left of the target's mismatch on the model's own grid", 1 - answer.similarity});
+    budget.push_back({"target", "the same on the finer grid", 1 - answer.similarity_refined});
+    return budget;
 }
 
 } // namespace rough

@@ -50,48 +50,32 @@ struct Dominance {
     bool at(std::size_t series, std::size_t chromosome) const { return dominant[series][chromosome] != 0; }
 };
 
-/// Responses of genomes and of each of their length scales alone, with a memory, as several operators and
-/// readings ask for the same genome. Safe to call from several threads.
-class LoneResponses {
-  public:
-    /// Under a model; accuracy is its own for the whole genome, parts are solved throughout. An area's grid
-    /// is halved while it has more than 64 nodes a side: curves are correlated here, not scored.
-    explicit LoneResponses(Model model);
-
-    /// A whole genome's, and each length scale's alone (length_scales); empty where that is flat.
-    struct Known {
-        Response whole;                             ///< of the genome
-        std::vector<std::optional<Response>> parts; ///< one a length scale
-    };
-    /// One contact curve a length scale, one for the whole.
-    std::shared_ptr<const Known> operator()(const Genome& genome) const;
-    /// Contact curves of all genomes that were asked for so far.
-    long curves() const;
-
-  private:
-    Model model_;
-    mutable std::mutex guard_;
-    mutable std::map<std::string, std::shared_ptr<const Known>> known_;
-};
-
-/// Algorithm 1 on genomes. Safe to call from several threads.
+/// Algorithm 1 on genomes. It remembers the responses of each genome and of its length scales alone, for
+/// every reading. Safe to call from several threads.
 class DominanceRule {
   public:
-    /// Under a model, with a memory of its own.
+    /// Under a model; its accuracy holds for whole genomes, length scales alone are solved throughout. An
+    /// area's grid is halved while it has more than 64 nodes a side: curves are correlated here, not scored.
     explicit DominanceRule(Model model, DominanceReading reading = DominanceReading::same_pressure,
-                           double threshold = dominance_threshold)
-        : DominanceRule(std::make_shared<LoneResponses>(std::move(model)), reading, threshold) {}
-    /// With a memory that other readings share.
-    DominanceRule(std::shared_ptr<const LoneResponses> responses, DominanceReading reading, double threshold)
-        : responses_(std::move(responses)), reading_(reading), threshold_(threshold) {}
+                           double threshold = dominance_threshold);
 
     /// Chromosomes of equal wave number, of any series, are one.
-    Dominance operator()(const Genome& genome) const;
+    Dominance operator()(const Genome& genome) const { return (*this)(genome, reading_); }
+    /// The same under another reading.
+    Dominance operator()(const Genome& genome, DominanceReading reading) const;
 
   private:
-    std::shared_ptr<const LoneResponses> responses_;
+    struct Known {
+        Response whole;
+        std::vector<std::optional<Response>> parts; ///< one a length scale; empty where that is flat
+    };
+    std::shared_ptr<const Known> responses_of(const Genome& genome) const;
+
+    Model model_;
     DominanceReading reading_;
     double threshold_;
+    mutable std::mutex guard_;
+    mutable std::map<std::string, std::shared_ptr<const Known>> known_;
 };
 
 /// The genome's dominant chromosomes alone.

@@ -1,9 +1,19 @@
 #pragma once
 
-#include "domain/paper/vocabulary.hpp"
+#include "domain/paper/dominance.hpp"
+#include "domain/problem/phases.hpp"
 #include "domain/problem/pipeline.hpp"
 
 namespace rough {
+
+/// What roughness adds to the engine's words: which phases refinement moves, how genomes are joined and
+/// reduced.
+struct Vocabulary {
+    std::shared_ptr<const DominanceRule> rule; ///< Algorithm 1
+    PhaseReach reach = {};                     ///< of every refined phase
+    /// Gives a sum its amplitude, where Eq. 11 does not; empty: as it is.
+    std::function<Genome(const Genome&)> fitted = {};
+};
 
 /// The paper's problem: find the genome whose K(p), rescaled by Eq. 11 so that its last load step lies at
 /// `max_pressure` (p_max, MPa), is similar to the target. `threshold` is p_bar (MPa), which parts the
@@ -35,11 +45,7 @@ Pipeline cco_of_sums(const Vocabulary& words);
 /// What text pipelines for the paper's problem are made of: the engine's words and roughness's.
 ga::Registry<DesignProblem> paper_registry(const Vocabulary& words);
 
-/// The pipeline of the variant called `name` among `variants`, made of paper_registry's words. Throws
-/// ga::UsageError on one that cannot be made.
-Pipeline paper_pipeline(const Vocabulary& words, const ga::Variants& variants, const std::string& name);
-
 /// sog, gco, cco and their minimax forms as text.
-ga::Variants paper_variants(const Vocabulary& words);
+ga::Variants paper_variants();
 
 } // namespace rough

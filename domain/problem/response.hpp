@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/problem/setup.hpp"
-#include "domain/response/sensitivity.hpp"
+#include "domain/response/curve.hpp"
 
 namespace rough {
 

@@ -14,9 +14,6 @@ struct Curve {
 
     /// y at x. Throws InputError outside [from, to] (with a guard of 1e-9 of its length).
     double at(double position) const;
-
-    /// y at x, the end points' values held beyond them.
-    double held_at(double position) const;
 };
 
 /// Which segment of a curve serves a position, and the weights of its two points.
@@ -46,5 +43,33 @@ Curve to_its_end(Curve curve);
 
 /// The curve with its x multiplied by `factor`: Eq. 11 takes p_max / P_nt.
 Curve stretched(Curve curve, double factor);
+
+/// Derivatives of a response with respect to genes: rows of ResponseGradient pulled back.
+struct ResponseJacobian {
+    Eigen::MatrixXd pressure;             ///< dP_j/dgene, steps x genes
+    Eigen::RowVectorXd last_displacement; ///< d Delta_nt/dgene
+    Eigen::MatrixXd contact_fraction;     ///< of the smooth one, steps x genes; empty where not asked for
+};
+
+/// Pulled back from heights to genes: `pull` takes rows x N to rows x genes.
+template <class Pull>
+ResponseJacobian in_genes(const ResponseGradient& gradient, Pull pull, const AreaGradient& area = {}) {
+    const Index steps = gradient.pressure.rows();
+    Eigen::MatrixXd rows(steps + 1 + area.by_heights.rows(), gradient.pressure.cols());
+    rows.topRows(steps) = gradient.pressure;
+    rows.row(steps) = gradient.last_displacement;
+    if (area.by_heights.size() > 0)
+        rows.bottomRows(area.by_heights.rows()) = area.by_heights;
+    const Eigen::MatrixXd pulled = pull(rows);
+    return {pulled.topRows(steps), pulled.row(steps), pulled.bottomRows(area.by_heights.rows())};
+}
+
+/// A curve with the derivatives of both its coordinates.
+struct CurveJacobian {
+    Eigen::MatrixXd x, y; ///< points x genes
+};
+
+/// d(pi_j, K_j)/dgene of secant_stiffness(response).
+CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& jacobian);
 
 } // namespace rough

@@ -36,12 +36,6 @@ double interface_of(double stiffness, double full_stiffness) {
     return stiffness / std::max(interface_share(stiffness, full_stiffness), rounding);
 }
 
-Curve interface_curve(Curve stiffness, double full_stiffness) {
-    for (double& K : stiffness.y)
-        K = interface_of(K, full_stiffness);
-    return stiffness;
-}
-
 CurveJacobian interface_jacobian(CurveJacobian jacobian, const Curve& stiffness, double full_stiffness) {
     for (Index j = 0; j < stiffness.y.size(); ++j) {
         // dK_i = (K_i/K)^2 dK, as d(1/K_i) = d(1/K)
@@ -52,7 +46,10 @@ CurveJacobian interface_jacobian(CurveJacobian jacobian, const Curve& stiffness,
 }
 
 Curve interface_secants(const Response& response) {
-    return interface_curve(secant_stiffness(response), response.full_stiffness);
+    Curve curve = secant_stiffness(response);
+    for (double& K : curve.y)
+        K = interface_of(K, response.full_stiffness);
+    return curve;
 }
 
 } // namespace rough

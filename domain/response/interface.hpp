@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/response/sensitivity.hpp"
+#include "domain/response/curve.hpp"
 
 namespace rough {
 
@@ -14,8 +14,6 @@ Eigen::VectorXd interface_stiffness(const Response& response);
 /// K_i of one stiffness K, both MPa/mm. A stiffness within 1e-12 of K_full is rounding next to full contact:
 /// there K_i is 1e12 K.
 double interface_of(double stiffness, double full_stiffness);
-/// The same of a curve of secants or tangents (y, MPa/mm).
-Curve interface_curve(Curve stiffness, double full_stiffness);
 /// The same of the derivatives of `stiffness`; zero where K_i is 1e12 K.
 CurveJacobian interface_jacobian(CurveJacobian jacobian, const Curve& stiffness, double full_stiffness);
 

@@ -25,18 +25,4 @@ PartialSlip partial_slip(const Response& response, double friction) {
             backwards(response.contact_fraction) / response.contact_fraction[n - 1]};
 }
 
-PartialSlipJacobian partial_slip_jacobian(const ResponseJacobian& jacobian, double friction) {
-    const Index n = jacobian.pressure.rows(), genes = jacobian.pressure.cols();
-    PartialSlipJacobian result{Eigen::MatrixXd(n + 1, genes), Eigen::MatrixXd(n + 1, genes)};
-    for (Index k = 0; k <= n; ++k) {
-        // d Delta_n - d Delta_(n-k) = (k/n) d Delta_n
-        const double part = static_cast<double>(k) / static_cast<double>(n);
-        result.displacement.row(k) = friction * part * jacobian.last_displacement;
-        result.traction.row(k) = friction * jacobian.pressure.row(n - 1);
-        if (k < n)
-            result.traction.row(k) -= friction * jacobian.pressure.row(n - 1 - k);
-    }
-    return result;
-}
-
 } // namespace rough

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/response/sensitivity.hpp"
+#include "domain/response/response.hpp"
 
 namespace rough {
 
@@ -27,13 +27,5 @@ struct PartialSlip {
 /// Under the response's last normal load. Throws InputError on a friction coefficient that is not positive
 /// and finite, or nodes held at a hardness.
 PartialSlip partial_slip(const Response& response, double friction);
-
-/// Derivatives of a PartialSlip's coordinates with respect to genes, a row each.
-struct PartialSlipJacobian {
-    Eigen::MatrixXd displacement; ///< rows x genes, mm a gene
-    Eigen::MatrixXd traction;     ///< rows x genes, MPa a gene
-};
-/// From the normal curve's, whose load steps are equal parts of the last displacement.
-PartialSlipJacobian partial_slip_jacobian(const ResponseJacobian& jacobian, double friction);
 
 } // namespace rough

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/response/sensitivity.hpp"
+#include "domain/response/curve.hpp"
 #include "domain/target/target.hpp"
 
 #include <algorithm>

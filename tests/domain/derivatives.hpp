@@ -2,7 +2,7 @@
 
 #include "domain/accuracy/respond.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/response/sensitivity.hpp"
+#include "domain/response/curve.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/contact/datum.hpp"
-#include "domain/design/scan_waves.hpp"
+#include "domain/design/starts.hpp"
 #include "domain/design/statistical.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"

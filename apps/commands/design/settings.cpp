@@ -5,7 +5,6 @@
 #include "domain/database/starts.hpp"
 #include "domain/design/like.hpp"
 #include "domain/design/pipelines.hpp"
-#include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/setup.hpp"
 #include "domain/text/words.hpp"

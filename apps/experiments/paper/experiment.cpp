@@ -47,7 +47,7 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
     variants.push_back({"sog-minimax", sog(words, Form::minimax)});
     variants.push_back({"gco-minimax", gco(words, Form::minimax)});
     variants.push_back({"cco-minimax", cco(words, Form::minimax)});
-    ga::Variants texts = paper_variants(words);
+    ga::Variants texts = rough::paper_variants();
     const auto own = settings.texts_under("variants.");
     for (const auto& [name, text] : own) {
         if (texts.count(name))
@@ -56,8 +56,9 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
         texts[name] = text;
     }
     for (const auto& [name, text] : own)
-        variants.push_back({name, read_at(settings, "variants." + name,
-                                          [&, &name = name] { return paper_pipeline(words, texts, name); })});
+        variants.push_back({name, read_at(settings, "variants." + name, [&, &name = name] {
+                                return ga::Parser<DesignProblem>(paper_registry(words), texts).variant(name);
+                            })});
     return variants;
 }
 
@@ -189,8 +190,7 @@ class Paper {
     }
 
     rough::Vocabulary words_by(rough::DominanceReading reading) const {
-        const auto responses = std::make_shared<rough::LoneResponses>(run_.searched);
-        return {std::make_shared<DominanceRule>(responses, reading, run_.dominant_above), run_.reach};
+        return {std::make_shared<DominanceRule>(run_.searched, reading, run_.dominant_above), run_.reach};
     }
 
     using Run = ga::Result<rough::Genome>;

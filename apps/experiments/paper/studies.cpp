@@ -80,8 +80,7 @@ Curve at_pressure(const rough::Response& response, double max_pressure) {
 }
 
 Reduction reduction_of(const Genome& genome, const Curve& whole, const PaperRun& run,
-                       const rough::DominanceRule& rule) {
-    const rough::Dominance dominance = rule(genome);
+                       const rough::Dominance& dominance) {
     const Genome kept = reduced(genome, dominance);
     return {static_cast<double>(waves(kept).size()) / static_cast<double>(waves(genome).size()),
             similarity(whole, at_pressure(respond(kept, run.model), run.max_pressure)), dominance.only_best};
@@ -182,9 +181,7 @@ Studies studies_of(const PaperRun& run) {
     ga::parallel_for(studies.fractals.size(), run.origin.threads, [&](std::size_t i) {
         studies.fractals[i] = study_of(run.model, ga::fold(seed, i), run.dominance, run.dominant_above);
     });
-    const auto responses = std::make_shared<rough::LoneResponses>(run.model);
-    const rough::DominanceRule ours(responses, run.dominance, run.dominant_above),
-        others(responses, other(run.dominance), run.dominant_above);
+    const rough::DominanceRule rule(run.model, run.dominance, run.dominant_above);
     rough::Model farther = run.model;
     farther.body.datum *= studies.datum_factor;
     const std::size_t count = run.database.size();
@@ -198,8 +195,8 @@ Studies studies_of(const PaperRun& run) {
     ga::parallel_for(count, run.origin.threads, [&](std::size_t i) {
         const Answered& member = run.database[i];
         const Curve whole = secant_stiffness(member.response);
-        studies.ours[i] = reduction_of(member.genome, whole, run, ours);
-        studies.other[i] = reduction_of(member.genome, whole, run, others);
+        studies.ours[i] = reduction_of(member.genome, whole, run, rule(member.genome));
+        studies.other[i] = reduction_of(member.genome, whole, run, rule(member.genome, other(run.dominance)));
         studies.without_fine[i] = removal(member.response, half_of(member.genome, true), run.model);
         studies.without_coarse[i] = removal(member.response, half_of(member.genome, false), run.model);
         elsewhere[i] = at_pressure(respond(member.genome, farther), run.max_pressure);

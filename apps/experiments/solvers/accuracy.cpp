@@ -7,7 +7,6 @@
 #include "apps/report/result.hpp"
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/respond_within.hpp"
-#include "domain/design/error_budget.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/experiments/experiment.hpp"
-#include "domain/design/error_budget.hpp"
+#include "domain/design/trust.hpp"
 
 #include <string>
 #include <vector>

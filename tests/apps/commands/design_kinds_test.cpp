@@ -1,4 +1,3 @@
-#include "domain/design/front.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/mwm/waves.hpp"

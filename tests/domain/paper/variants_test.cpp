@@ -44,7 +44,7 @@ const ga::Population<Genome>& at(const Stages& stages, const std::string& path) 
 
 } // namespace
 
-TEST_CASE("refinement keeps the three candidates' identities and never makes one worse") {
+TEST_CASE("refinement keeps the candidates' identities and never makes one worse") {
     const Coarse coarse;
     for (auto algorithm : {sog, gco}) {
         Stages stages;
@@ -61,8 +61,7 @@ TEST_CASE("refinement keeps the three candidates' identities and never makes one
     }
 }
 
-TEST_CASE("the first refinement moves dominant phases alone, the second the others, both within 10 % of the "
-          "original") {
+TEST_CASE("dominant phases are refined first, then the others, by at most 10 %") {
     const Coarse coarse;
     Stages stages;
     run_on(coarse, gco(coarse.words), 2, &stages);
@@ -89,7 +88,7 @@ TEST_CASE("the first refinement moves dominant phases alone, the second the othe
     CHECK(moved > 0);
 }
 
-TEST_CASE("a child of GCO is the sum of its rescaled parents, each pair once") {
+TEST_CASE("a child of GCO is the sum of its rescaled parents, one per pair") {
     const Coarse coarse;
     Stages stages;
     run_on(coarse, gco(coarse.words), 2, &stages);
@@ -125,9 +124,9 @@ TEST_CASE("CCO's parents are reduced to their dominant chromosomes and keep thei
     }
 }
 
-TEST_CASE("the paper's algorithms written as text give the same bits as in code, on any threads") {
+TEST_CASE("the paper's algorithms give the same bits as text and in code, on any threads") {
     const Coarse coarse;
-    ga::Parser<DesignProblem> parser(paper_registry(coarse.words), paper_variants(coarse.words));
+    ga::Parser<DesignProblem> parser(paper_registry(coarse.words), paper_variants());
     for (const auto& [name, algorithm] :
          {std::pair("sog", &sog), std::pair("gco", &gco), std::pair("cco", &cco)})
         for (Form form : {Form::paper, Form::minimax}) {
@@ -135,15 +134,18 @@ TEST_CASE("the paper's algorithms written as text give the same bits as in code,
             const auto code = run_on(coarse, algorithm(coarse.words, form), 1, &in_code);
             const std::string variant = std::string(name) + (form == Form::minimax ? "-minimax" : "");
             const auto text = run_on(coarse, parser.variant(variant), 5, &in_text);
-            CHECK(shape_key(code.population[0].genome) == shape_key(text.population[0].genome));
             CHECK(code.population[0].value() == text.population[0].value());
             CHECK(code.counters.evaluations == text.counters.evaluations);
             REQUIRE(in_code.size() == in_text.size());
             for (std::size_t i = 0; i < in_code.size(); ++i) {
                 CHECK(in_code[i].first == in_text[i].first);
-                REQUIRE(in_code[i].second.size() == in_text[i].second.size());
-                for (std::size_t j = 0; j < in_code[i].second.size(); ++j)
-                    CHECK(shape_key(in_code[i].second[j].genome) == shape_key(in_text[i].second[j].genome));
+                const auto keys = [](const ga::Population<Genome>& population) {
+                    std::vector<std::string> all;
+                    for (const auto& individual : population)
+                        all.push_back(shape_key(individual.genome));
+                    return all;
+                };
+                CHECK(keys(in_code[i].second) == keys(in_text[i].second));
             }
         }
 }
