@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// All that a user of the library needs. What is included here, and what that includes, is installed.
+/// The whole public interface. The headers included here, directly or indirectly, are installed.
 #include "domain/accuracy/doubts.hpp"
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/resolution.hpp"

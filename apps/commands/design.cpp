@@ -81,7 +81,7 @@ int design(const Settings& settings, const std::string& line) {
     const auto evaluator = design_evaluator(run.options.threads);
     run.options.evaluator = evaluator.get();
     const auto checkpoint = folder / "checkpoint.cbor";
-    run.options.keeping = rough::Keeping{
+    run.options.checkpoints = rough::CheckpointOptions{
         checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); }, checkpoint_interval()};
     double best = -HUGE_VAL;
     const auto report_progress = [&](const ga::Event<rough::Genome>& event) {

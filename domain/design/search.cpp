@@ -19,18 +19,17 @@ namespace rough {
 
 namespace {
 
-constexpr std::size_t remembered = 60; ///< best individuals of all stages
-constexpr std::size_t shown_compromises = 24;
-/// Of an area's answers, those of the pipeline that are verified.
-constexpr std::size_t verified_on_area = 2;
-/// Draws of noise under which answers are compared.
-constexpr int compared_draws = 200;
+constexpr std::size_t hall_size = 60; ///< best individuals of all stages that are kept
+constexpr std::size_t max_compromises = 24;
+constexpr std::size_t max_verified_on_area = 2; ///< answers of the pipeline
+constexpr int compared_draws = 200;             ///< draws of noise under which answers are compared
 
-/// Whether answers are compared by what survives the set-up's errors. Of an area that takes too long.
+/// Whether answers are compared by their similarity under the set-up's errors. On an area that takes too
+/// long.
 bool chooses_by_errors(const DesignSetup& setup) { return setup.errors.any() && !setup.model.grid.is_2d(); }
 
-/// The set-up whose contact solutions end after so many seconds from now, or when `stop` asks for it
-/// (ContactOptions::stop), on an area, where a curve may take long. A line's as it is given.
+/// An area's set-up whose contact solutions, which may take long, end after this time or when `stop` is true.
+/// A line's set-up is returned as it is.
 DesignSetup ending(DesignSetup setup, double seconds, const std::atomic<bool>* stop) {
     if (setup.model.grid.is_2d())
         setup.model.contact.stop = [watch = ga::Watch({std::numeric_limits<long>::max(), seconds, stop})] {
@@ -39,28 +38,28 @@ DesignSetup ending(DesignSetup setup, double seconds, const std::atomic<bool>* s
     return setup;
 }
 
-/// What verifying is given.
-struct Verifying {
-    std::size_t answers;      ///< of the pipeline, and of the best of its way on a line
+/// How many answers are verified, and the time for it.
+struct VerificationPlan {
+    std::size_t answers;      ///< final population; on a line, as many of the best of all stages
     std::size_t alternatives; ///< that are returned
-    double seconds = 0;       ///< kept back for it
+    double seconds = 0;       ///< kept for verifying
 };
 
 Genome any_start(const DesignSetup& setup, const SearchOptions& options) {
     return options.starts.empty() ? shaped_start(setup, ga::Stream(options.seed)) : options.starts.front();
 }
 
-/// Within a search's seconds, as the curve of a start tells: verifying one answer takes so many curves of the
-/// own grid, with some to spare, and two threads at most share it.
-Verifying verifying_within(const DesignSetup& setup, const SearchOptions& options) {
-    constexpr double most = 0.75, share_to_look = 0.1;
+/// Plans the verification within the search's time from the time of one curve. One answer takes at most 80
+/// curves on the search grid (and the draws of noise); at most two threads share the work.
+VerificationPlan plan_verification(const DesignSetup& setup, const SearchOptions& options) {
+    constexpr double max_share = 0.75, share_for_curve = 0.1;
     const double curves = 80 + (chooses_by_errors(setup) ? compared_draws : 0);
     const bool area = setup.model.grid.is_2d();
-    Verifying plan{area ? std::min(verified_on_area, options.verifying) : options.verifying,
-                   options.alternatives};
+    VerificationPlan plan{area ? std::min(max_verified_on_area, options.verifying) : options.verifying,
+                          options.alternatives};
     if (std::isinf(options.seconds))
         return plan;
-    const DesignSetup timed = ending(setup, share_to_look * options.seconds, options.stop);
+    const DesignSetup timed = ending(setup, share_for_curve * options.seconds, options.stop);
     const ga::Stopwatch clock;
     double curve = 0;
     try {
@@ -68,28 +67,28 @@ Verifying verifying_within(const DesignSetup& setup, const SearchOptions& option
         curve = clock.seconds();
     } catch (const NotConverged&) {
         curve = is_stopped(timed.model.contact) ? HUGE_VAL : clock.seconds();
-    } catch (const InputError&) { // the start has no curve, which takes as long to find
+    } catch (const InputError&) { // the start has no curve; finding that takes as long
         curve = clock.seconds();
     }
     const double each = curves * curve / std::min(ga::thread_count(options.threads), 2);
     const auto needed = [&] {
         return each * static_cast<double>((area ? 1 : 2) * plan.answers + plan.alternatives - 1);
     };
-    if (needed() > most * options.seconds)
+    if (needed() > max_share * options.seconds)
         plan.answers = plan.alternatives = 1;
-    // Where there is no time to verify even one, its own curve is solved in any case.
-    plan.seconds = needed() <= most * options.seconds ? needed() : std::isinf(curve) ? 0 : 2 * curve;
+    // Without time to verify one answer, its curve on the search grid is still solved.
+    plan.seconds = needed() <= max_share * options.seconds ? needed() : std::isinf(curve) ? 0 : 2 * curve;
     return plan;
 }
 
-/// Whether the genome (in final amplitude) is within every limit.
+/// Whether a genome in final amplitude keeps every limit.
 bool holds_limits(const DesignSetup& setup, const Genome& genome) {
     const auto all = margins(genome, setup.model.grid, setup.limits);
     return std::all_of(all.begin(), all.end(), [](const Margin& margin) { return margin.holds(); });
 }
 
-/// The best of all stages that differ from the answer and from each other, with their least difference from
-/// those before.
+/// The best individuals of all stages that differ from the answer and from each other, each with its smallest
+/// difference from those before it.
 std::vector<std::pair<Genome, double>> others_than(const Genome& answer, const Grid& grid,
                                                    const ga::Population<Genome>& seen,
                                                    std::size_t alternatives) {
@@ -99,47 +98,47 @@ std::vector<std::pair<Genome, double>> others_than(const Genome& answer, const G
         if (profiles.size() >= alternatives || kept.value() < -1)
             break;
         const Profile profile = sample(kept.genome, grid);
-        double least = 2;
+        double smallest = 2;
         for (const Profile& other : profiles)
-            least = std::min(least, difference(profile, other));
-        if (least < different)
+            smallest = std::min(smallest, difference(profile, other));
+        if (smallest < different)
             continue;
-        others.emplace_back(kept.genome, least);
+        others.emplace_back(kept.genome, smallest);
         profiles.push_back(profile);
     }
     return others;
 }
 
-/// What the pipeline gave and the best that it verified; on a line also the best of all stages by similarity,
-/// and the first start that was given. Each once.
+/// The genomes to verify, without duplicates: the best `max_count` of the final population and of those that
+/// the pipeline verified. On a line also the best `max_count` of all stages and the first given start.
 std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Population<Genome>& population,
                                   const ga::Population<Genome>& verified, const ga::Population<Genome>& seen,
-                                  const SearchOptions& options, std::size_t most) {
+                                  const SearchOptions& options, std::size_t max_count) {
     std::vector<Genome> candidates;
     std::set<std::string> keys;
     const auto consider = [&](const Genome& genome) {
         if (keys.insert(problem.key(genome)).second)
             candidates.push_back(genome);
     };
-    for (std::size_t i = 0; i < std::min(population.size(), most); ++i)
+    for (std::size_t i = 0; i < std::min(population.size(), max_count); ++i)
         consider(population[i].genome);
-    for (std::size_t i = 0; i < std::min(verified.size(), most); ++i)
+    for (std::size_t i = 0; i < std::min(verified.size(), max_count); ++i)
         consider(verified[i].genome);
     const bool area = problem.setup().model.grid.is_2d();
-    for (std::size_t i = 0; i < seen.size() && (area ? candidates.empty() : i < most); ++i)
+    for (std::size_t i = 0; i < seen.size() && (area ? candidates.empty() : i < max_count); ++i)
         consider(seen[i].genome);
-    if (!options.starts.empty() && !area) // the nearest of those given: what is found is no worse
+    if (!options.starts.empty() && !area) // the answer is not worse than the nearest start
         consider(options.starts.front());
     return candidates;
 }
 
-/// By which answers are compared, the best has the highest; what is not verified is after what is.
+/// Rank of an answer, higher is better; one that is not verified ranks below all that are.
 std::tuple<bool, double, double> rank_of(const Answer& answer) {
     return answer.is_verified() ? std::tuple(answer.within_limits, answer.lowest(), 0.0)
                                 : std::tuple(answer.within_limits, -HUGE_VAL, answer.similarity);
 }
 
-/// Of verified answers those of which none is better with and without errors, by falling similarity without.
+/// The Pareto front of the similarities with and without errors, by falling similarity without.
 std::vector<Answer> best_with_and_without(std::vector<Answer> answers) {
     std::ranges::sort(answers, std::ranges::greater{},
                       [](const Answer& one) { return std::pair(one.similarity, one.similarity_made); });
@@ -150,7 +149,7 @@ std::vector<Answer> best_with_and_without(std::vector<Answer> answers) {
     return front;
 }
 
-/// The genome as an answer with these similarities.
+/// The answer of a genome with this verification.
 Answer answer_of(const DesignSetup& reported, const Genome& genome, Verification verified) {
     DesignSetup setup = reported;
     setup.model.contact.stop = {};
@@ -176,7 +175,7 @@ Answer answer_of(const DesignSetup& reported, const Genome& genome, Verification
     return answer;
 }
 
-/// The genomes on the front of a population that `pareto` ranked; nothing of another.
+/// The genomes on the front of a population that `pareto` ranked; none of another population.
 std::vector<Genome> genomes_on_front(const ga::Population<Genome>& population) {
     std::vector<Genome> front;
     if (!ga::comparable(population))
@@ -199,7 +198,7 @@ DesignResponse response_of(const DesignSetup& setup, const Answer& answer) {
 }
 
 std::vector<Compromise> compromises(const DesignSetup& searched, const std::vector<Genome>& genomes,
-                                    std::size_t most, int threads) {
+                                    std::size_t max_count, int threads) {
     const DesignSetup setup = as_reported(searched);
     const auto each = [&](std::vector<Compromise>& all, auto work) {
         ga::parallel_for(all.size(), ga::thread_count(threads), [&](std::size_t i) {
@@ -235,10 +234,10 @@ std::vector<Compromise> compromises(const DesignSetup& searched, const std::vect
     std::ranges::stable_sort(front, {}, &Compromise::similarity);
     const auto doubles = std::ranges::unique(front, {}, &Compromise::similarity);
     front.erase(doubles.begin(), doubles.end());
-    if (front.size() > most) {
+    if (front.size() > max_count) {
         std::vector<Compromise> spread;
-        for (std::size_t i = 0; i < most; ++i)
-            spread.push_back(front[i * (front.size() - 1) / (most - 1)]);
+        for (std::size_t i = 0; i < max_count; ++i)
+            spread.push_back(front[i * (front.size() - 1) / (max_count - 1)]);
         front = std::move(spread);
     }
     each(front, [&](Compromise& one) {
@@ -248,18 +247,18 @@ std::vector<Compromise> compromises(const DesignSetup& searched, const std::vect
     return front;
 }
 
-void expect_searchable(const DesignSetup& given, const std::string& way) {
+void expect_searchable(const DesignSetup& given, const std::string& pipeline) {
     const DesignSetup setup = completed(given);
-    ga::check(design_pipeline(setup, way), DesignProblem(setup), ga::population(std::vector<Genome>(1)));
+    ga::check(design_pipeline(setup, pipeline), DesignProblem(setup), ga::population(std::vector<Genome>(1)));
 }
 
-SearchResult search(const DesignSetup& given, const SearchOptions& asked,
+SearchResult search(const DesignSetup& given, const SearchOptions& given_options,
                     std::vector<ga::Observer<Genome>> observers) {
     const ga::Stopwatch clock;
     SearchResult result;
     const DesignSetup setup = result.setup = completed(given);
     validate(setup);
-    SearchOptions options = asked;
+    SearchOptions options = given_options;
     for (Genome& genome : options.starts)
         genome = fitting_grid(setup, genome);
     const std::string text = options.pipeline.empty() ? usual_variant(setup) : options.pipeline;
@@ -268,18 +267,18 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
     result.pipeline = pipeline.text();
     if (!options.starts.empty() && pipeline.begins())
         throw InputError("design: the pipeline '" + result.pipeline +
-                         "' makes its own starts, expected one that begins with those given (score | ...)");
-    const Verifying plan = verifying_within(setup, options);
+                         "' makes its own starts; use one that begins with the given ones (score | ...)");
+    const VerificationPlan plan = plan_verification(setup, options);
     const int threads = ga::thread_count(options.threads);
     const double left = options.seconds - clock.seconds();
     const double for_pipeline = std::max(0.0, left - plan.seconds);
     const DesignProblem problem(ending(setup, for_pipeline, options.stop), options.memory, threads);
     const DesignSetup reported = as_reported(ending(setup, left, options.stop));
 
-    ga::HallOfFame<DesignProblem> seen(problem, remembered);
+    ga::HallOfFame<DesignProblem> seen(problem, hall_size);
     ga::HallOfFame<DesignProblem> verified_so_far(problem, options.verifying,
                                                   chooses_by_errors(setup) ? "made" : "verified");
-    std::vector<Genome> front;     // the last that was ranked
+    std::vector<Genome> front;     // the last one that was ranked
     std::optional<Genome> nearest; // the best under a derived problem
     observers.insert(observers.begin(), seen.observer());
     observers.insert(observers.begin(), verified_so_far.observer());
@@ -296,15 +295,15 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
                              .seed = options.seed,
                              .threads = options.threads,
                              .budget = {options.evaluations, for_pipeline, options.stop}};
-    std::optional<ga::Checkpoints<DesignProblem>> keeper;
-    if (options.keeping) {
-        keeper.emplace(options.keeping->file, json_text(description(setup), true), options.keeping->resume,
-                       options.keeping->interval);
-        keeper->keep("seen", seen.members);
-        keeper->keep("verified", verified_so_far.members);
-        keeper->keep("front", front);
-        if (options.keeping->also)
-            options.keeping->also(*keeper);
+    std::optional<ga::Checkpoints<DesignProblem>> checkpoints;
+    if (options.checkpoints) {
+        checkpoints.emplace(options.checkpoints->file, json_text(description(setup), true),
+                            options.checkpoints->resume, options.checkpoints->interval);
+        checkpoints->keep("seen", seen.members);
+        checkpoints->keep("verified", verified_so_far.members);
+        checkpoints->keep("front", front);
+        if (options.checkpoints->add_values)
+            options.checkpoints->add_values(*checkpoints);
     }
     ga::Population<Genome> population;
     try {
@@ -313,8 +312,9 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
                                                ? std::vector<Genome>{any_start(setup, options)}
                                                : database_starts(setup, options.threads);
         ga::OnThreads<DesignProblem> on_threads(options.threads);
-        auto found = ga::run_by(options.evaluator ? *options.evaluator : on_threads, pipeline, problem,
-                                ga::population(starts), run, observers, keeper ? &*keeper : nullptr);
+        auto found =
+            ga::run_by(options.evaluator ? *options.evaluator : on_threads, pipeline, problem,
+                       ga::population(starts), run, observers, checkpoints ? &*checkpoints : nullptr);
         for (const auto& individual : found.population)
             seen.offer(individual);
         if (found.best)
@@ -331,19 +331,19 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
     if (!front.empty()) {
         for (const auto& kept : seen.members)
             front.push_back(kept.genome);
-        result.front = compromises(reported, front, shown_compromises, options.threads);
+        result.front = compromises(reported, front, max_compromises, options.threads);
     }
     const auto offer = [&](const Genome& genome, double similarity) {
         seen.offer({genome, 0, {}, ga::Fitness(ga::Name("similarity"), similarity), nullptr});
     };
     for (const Compromise& one : result.front)
         offer(one.genome, *std::min_element(one.similarity.begin(), one.similarity.end()));
-    if (seen.members.empty()) // stopped before the first curve on the own grid
+    if (seen.members.empty()) // stopped before the first curve on the search grid
         offer(nearest ? *nearest : any_start(setup, options), 0);
 
     const Verifier verifier(reported, threads);
     const auto verified = [&](const Genome& genome) {
-        auto known = problem.verifier().known(genome); // what the search has verified is not done again
+        auto known = problem.verifier().known(genome); // the search may have verified it
         Answer answer = answer_of(reported, genome, known ? std::move(*known) : verifier.of(genome));
         if (answer.is_verified() && chooses_by_errors(setup))
             answer.similarity_made =
@@ -368,17 +368,18 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
     if (!result.best.is_verified() && !(options.stop && options.stop->load()))
         result.notes.push_back("there was no time to verify the answer on this grid and the finer one");
     if (const double error = result.best.verification.reading_error; error > 0 && result.best.is_verified())
-        result.notes.push_back(line_of("of the finer grid's load steps some are read between solved ones; "
-                                       "similarity_worst is lower by what that is off by on the own grid, ",
-                                       error));
+        result.notes.push_back(
+            line_of("some load steps on the finer grid are interpolated; the error that this "
+                    "makes on the search grid is subtracted from similarity_worst: ",
+                    error));
     return result;
 }
 
-Unreachable unreachable(const DesignSetup& setup, double wanted) {
+Unreachable unreachable(const DesignSetup& setup, double required) {
     Unreachable found{out_of_reach(setup.targets, exactly(setup).model, setup.max_pressure)};
     for (const OutOfReach& reason : found.reasons)
         found.bound = std::min(found.bound, reason.bound);
-    if (found.bound >= wanted)
+    if (found.bound >= required)
         found.reasons.clear();
     return found;
 }

@@ -20,7 +20,7 @@ namespace rough {
 
 namespace {
 
-/// Nodes by their depth, the least first.
+/// Nodes by rising depth.
 std::vector<int> in_order_of(const std::vector<double>& depth) {
     std::vector<int> order(depth.size());
     std::iota(order.begin(), order.end(), 0);
@@ -30,7 +30,7 @@ std::vector<int> in_order_of(const std::vector<double>& depth) {
     return order;
 }
 
-/// drawn_order of an area: cones of like width, one near the middle or up to eight anywhere.
+/// The order of drawn_order for an area: cones of similar width, one near the middle or up to eight anywhere.
 std::vector<int> drawn_area_order(const Profile& surface, const Grid& grid, ga::Stream& random) {
     const std::size_t peaks = random.chance(0.5) ? 1 : 2 + random.below(7);
     const double margin = peaks == 1 ? 0.4 : 0.1;
@@ -55,15 +55,15 @@ std::vector<int> drawn_area_order(const Profile& surface, const Grid& grid, ga::
     return in_order_of(depth);
 }
 
-/// Where nodes touch first: peaks of a field over the profile, highest first. One asperity in half of the
-/// cases, else up to eight, of equal height and like width.
+/// The order in which nodes touch: by distance from the nearest peak. In half of the cases there is one peak,
+/// else up to eight of equal height and similar width.
 std::vector<int> drawn_order(Index nodes, bool periodic, ga::Stream& random) {
     const std::size_t peaks = random.chance(0.5) ? 1 : 2 + random.below(7);
     struct Peak {
         double at, width;
     };
     std::vector<Peak> all;
-    // A single one stands near the middle, so that its contact does not reach the ends.
+    // A single peak is near the middle, so that its contact does not reach the ends.
     const double margin = peaks == 1 ? 0.4 : 0.25;
     for (std::size_t i = 0; i < peaks; ++i) {
         const double place =
@@ -83,11 +83,11 @@ std::vector<int> drawn_order(Index nodes, bool periodic, ga::Stream& random) {
 }
 
 constexpr Index shaping_nodes = 256, shaping_side = 24;
-/// Of a start on a periodic body in free amplitude: how far under contact its valleys end, over the last
-/// displacement.
-constexpr double deepest_free = 0.5;
+/// Depth of the valleys below contact, relative to the last displacement, for a start in free amplitude on a
+/// periodic body.
+constexpr double valley_depth = 0.5;
 
-/// The series with amplitude 1 and chromosomes 1 to n_f, each with so many phases of 0.
+/// The series with A = 1 and chromosomes 1 to n_f, whose phases are 0.
 Series with_chromosomes(Series law, double shortest, std::size_t phases) {
     law.A = 1;
     law.chromosomes.clear();
@@ -95,11 +95,11 @@ Series with_chromosomes(Series law, double shortest, std::size_t phases) {
         law.chromosomes.push_back({n, std::vector<double>(phases, 0.0)});
     if (law.chromosomes.empty())
         throw InputError("series: its longest wave is " + std::to_string(law.lambda) +
-                         " mm, expected at least the shortest allowed, " + std::to_string(shortest) + " mm");
+                         " mm, shorter than allowed; use at least " + std::to_string(shortest) + " mm");
     return law;
 }
 
-/// Weights of the waves, a constant beside them, by least squares; `damping` holds them down.
+/// Weights of the waves, fitted with a constant by damped least squares.
 Eigen::VectorXd fitted(const Eigen::MatrixXd& waves, const Eigen::VectorXd& heights, double damping) {
     Eigen::MatrixXd basis(waves.rows(), 1 + waves.cols());
     basis << Eigen::VectorXd::Ones(waves.rows()), waves;
@@ -113,12 +113,12 @@ struct Cosine {
     double R, theta;
     Cosine(double c, double s) : R(std::hypot(c, s)), theta(std::atan2(s, -c)) {}
 
-    /// The A of which two ridges of this amplitude at A = 1 give R, a tenth left over.
+    /// The A that gives R with two ridges of this amplitude at A = 1, with a tenth to spare.
     double least_A(double amplitude) const { return R / (2 * 0.9 * amplitude); }
-    /// Between the phase of either ridge and theta: R = 2 G cos.
+    /// The angle between the phase of either ridge and theta: R = 2 G cos(angle).
     double half_between(double amplitude) const { return std::acos(std::min(1.0, R / (2 * amplitude))); }
 };
-/// Of weights that stand in pairs.
+/// The cosines of pairs of weights.
 std::vector<Cosine> cosines_of(const Eigen::VectorXd& weights) {
     std::vector<Cosine> all;
     for (Index w = 0; w < weights.size(); w += 2)
@@ -126,23 +126,23 @@ std::vector<Cosine> cosines_of(const Eigen::VectorXd& weights) {
     return all;
 }
 
-/// A node that contact does not see, against 1 for one that it does.
+/// Weight of a node that does not touch; the weight of one that touches is 1.
 constexpr double unseen = 0.02;
-/// Rounds in which nodes that the sum stands above are given their weight.
+/// Rounds of fitting; after each, the nodes below the sum get the weight 1.
 constexpr int rounds = 4;
-/// Of the waves, against the nodes' weights.
+/// Damping of the waves, relative to the sum of the nodes' weights.
 constexpr double damping = 1e-4;
-/// Of longer scans the highest node of each part is followed: contact is on peaks.
-constexpr Index most_points = 2048;
+/// Longer scans are divided into parts, whose highest nodes are fitted, because contact is on peaks.
+constexpr Index max_points = 2048;
 
-/// What is followed of a scan.
+/// The points of a scan that are fitted.
 struct Points {
     Eigen::VectorXd x, z; ///< mm
     Eigen::VectorXd weight;
 };
 
 Points points_of(const Profile& scan, const std::vector<int>& touching) {
-    const Index n = scan.nodes(), part = (n + most_points - 1) / most_points, count = (n + part - 1) / part;
+    const Index n = scan.nodes(), part = (n + max_points - 1) / max_points, count = (n + part - 1) / part;
     Points points{Eigen::VectorXd(count), Eigen::VectorXd(count), Eigen::VectorXd::Constant(count, unseen)};
     for (Index k = 0; k < count; ++k) {
         Index highest = 0;
@@ -164,7 +164,7 @@ std::vector<int> touching(const DesignSetup& setup) {
     return solve_contact(*setup.like, body, {last}, contact).states.front().nodes;
 }
 
-double longest_own(const DesignSetup& setup) {
+double longest_wave(const DesignSetup& setup) {
     return (setup.model.grid.periodic ? 1 : 2) * setup.model.grid.length;
 }
 
@@ -178,7 +178,7 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     grid.rows = std::min(grid.rows, shaping_side);
     const Profile surface{Eigen::VectorXd(grid.shape().nodes()), grid.spacing(), grid.rows,
                           grid.row_spacing()};
-    // A coarser grid asks for a farther datum; a start need only be near.
+    // A coarser grid requires a farther datum; a start need only be near the target.
     Body body = setup.model.body;
     if (body.kernel == Kernel::free)
         body.datum = std::max(body.datum, 1.02 * grid.spacing() * static_cast<double>(grid.nodes) / 4);
@@ -196,12 +196,12 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
         inverse = with_mean_at_full_approach(std::move(inverse), setup.model.loading.reach);
     else if (setup.max_pressure)
         inverse = with_range_at_last(std::move(inverse));
-    else if (periodic_line) // as its stiffness has no end, neither have valleys beyond the load
+    else if (periodic_line) // stiffness has no upper limit, so the valleys would have none
         inverse.profile.heights = inverse.profile.heights.cwiseMax(
-            (inverse.lowest_free.array() - deepest_free * inverse.last_displacement).matrix());
+            (inverse.lowest_free.array() - valley_depth * inverse.last_displacement).matrix());
     const Eigen::VectorXd& heights = inverse.profile.heights;
     if (!(heights.maxCoeff() - heights.minCoeff() > 1e-9 * inverse.last_displacement))
-        return drawn_start(setup, random); // all of the target is above full contact: flat answers best
+        return drawn_start(setup, random); // the whole target is above full contact: a flat profile is best
     const double gamma = random.uniform(1.3, 1.6);
     const double H = random.uniform(0.8, 1.6);
     if (grid.is_2d())
@@ -293,18 +293,18 @@ Genome shaped_as(const Profile& map, const Series& law, int ridges, const Grid& 
 
 Index max_scan_waves(const DesignSetup& given) {
     const DesignSetup setup = completed(given);
-    return static_cast<Index>(longest_own(setup) /
+    return static_cast<Index>(longest_wave(setup) /
                               std::max(setup.limits.shortest_wave, 2 * setup.model.grid.spacing()) *
                               (1 + 1e-12));
 }
 
 Genome scan_waves(const DesignSetup& given, Index waves) {
     if (!given.like)
-        throw InputError("own: no measured profile given, expected a design like one");
+        throw InputError("own: a measured profile is missing; design like a scan");
     if (given.like->is_2d())
-        throw InputError("own: a map given, expected a profile: the waves are a line's");
+        throw InputError("own: the measured surface is a map; use a profile");
     const DesignSetup setup = completed(given);
-    const double longest = longest_own(setup);
+    const double longest = longest_wave(setup);
     const Index count = std::max<Index>(1, waves);
     Points points = points_of(*setup.like, touching(setup));
     Eigen::MatrixXd basis(points.x.size(), 1 + 2 * count);

@@ -14,8 +14,8 @@ namespace rough {
 
 namespace {
 
-/// The parameters as real genes: H, ln of the long cut-off over L, where the short one lies between its
-/// limits (in ln), ln of the slope.
+/// The parameters as real genes: H, ln(long cut-off/L), ln(slope), and between the two the short cut-off as a
+/// logarithmic share (0 to 1) of its range.
 struct StatisticalProblem {
     using Genome = std::vector<double>;
     using Outcome = double; // similarity
@@ -34,14 +34,14 @@ struct StatisticalProblem {
                 .rms_slope = std::exp(genes[3]),
                 .is_area = task->is_area};
     }
-    Eigen::VectorXd foretold(const Genome& genes) const {
+    Eigen::VectorXd predicted(const Genome& genes) const {
         const TheoryCurve curve = foretold_curve(task->theory, random_surface(parameters(genes)),
                                                  task->effective_modulus, task->target.x);
         return is_contact_fraction(task->target.quantity) ? curve.contact_fraction : curve.stiffness;
     }
-    double evaluate(const Genome& genes) const { return likeness(foretold(genes)); }
+    double evaluate(const Genome& genes) const { return similarity_of(predicted(genes)); }
 
-    double likeness(const Eigen::VectorXd& y) const {
+    double similarity_of(const Eigen::VectorXd& y) const {
         double worst = 0;
         for (Index k = 0; k < y.size(); ++k)
             worst = std::isnan(y[k]) ? y[k] : std::max(worst, std::abs(misfit(task->target, k, y[k])));
@@ -58,14 +58,14 @@ struct StatisticalProblem {
 };
 
 void expect_fit(const StatisticalTask& task) {
-    const Quantity asked = task.target.quantity;
-    if (asked != Quantity::stiffness && asked != Quantity::interface_stiffness &&
-        asked != Quantity::area_at_pressure)
-        refuse("target: expected a stiffness or an area against pressure, which theories foretell");
+    const Quantity quantity = task.target.quantity;
+    if (quantity != Quantity::stiffness && quantity != Quantity::interface_stiffness &&
+        quantity != Quantity::area_at_pressure)
+        refuse("target: no theory predicts this quantity; use stiffness or contact area against pressure");
     if (task.nodes < 40)
-        refuse("nodes: ", task.nodes, " given, expected at least 40: waves from L/8 to 8 nodes");
+        refuse("nodes: ", task.nodes, " is out of range (at least 40: waves are from L/8 to 8 nodes)");
     if (!holds_for(task.theory, task.is_area))
-        refuse("theory: ", name_of(task.theory), " given for profiles, expected persson");
+        refuse("theory: ", name_of(task.theory), " does not hold for profiles; use persson");
 }
 
 } // namespace
@@ -83,9 +83,9 @@ StatisticalAnswer statistical_design(const StatisticalTask& task, const std::str
             .parse(pipeline);
     const auto found = ga::run(stage, problem, {}, options);
     if (!found.best)
-        refuse("statistical design: no surface of these parameters has a curve at the target's pressures");
+        refuse("statistical design: no surface has a curve at the target's pressures; lower the pressures");
     const std::vector<double>& genes = found.best->genome;
-    return {problem.parameters(genes), problem.foretold(genes), found.best->value(),
+    return {problem.parameters(genes), problem.predicted(genes), found.best->value(),
             found.counters.evaluations};
 }
 
@@ -112,7 +112,7 @@ RealisedAnswer realised_answer(const StatisticalTask& task, const SelfAffine& pa
         answer.exact[static_cast<Index>(k)] = is_contact_fraction(task.target.quantity)
                                                   ? curve.steps[k].contact_fraction
                                                   : curve.steps[k].tangent_stiffness;
-    answer.similarity = StatisticalProblem{&task}.likeness(answer.exact);
+    answer.similarity = StatisticalProblem{&task}.similarity_of(answer.exact);
     return answer;
 }
 

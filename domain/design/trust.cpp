@@ -22,10 +22,10 @@ namespace {
 
 const std::string in_finer_steps_too = "4 times the load steps, for the target too";
 const std::string as_designed = "as designed";
-/// A likeness that falls by more than this with the load steps is said to hang on them.
+/// A similarity that falls by more than this with more load steps is reported as dependent on them.
 constexpr double unsettled = 0.01;
 
-/// The set-up without Eq. 11: the genome's own amplitude, loaded as far as the targets go.
+/// The set-up without Eq. 11: the genome keeps its amplitude and is loaded as far as the targets go.
 DesignSetup in_final_amplitude(const DesignSetup& setup) {
     DesignSetup final = setup;
     final.max_pressure.reset();
@@ -47,7 +47,7 @@ void flag(Trust& trust, const Parts&... parts) {
     trust.flags.push_back(line.str());
 }
 
-/// Of an area: the root mean square gradient.
+/// Root mean square gradient of a map.
 double gradient_of(const Genome& genome, const Grid& grid) {
     const auto all = surface_descriptors(grid);
     return std::pow(10, std::find_if(all.begin(), all.end(), [](const auto& each) {
@@ -82,7 +82,7 @@ void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustO
     if (trust.rms_slope > 0.1)
         flag(trust, "rms slope ", trust.rms_slope,
              " is above 0.1: ", profile.is_2d() ? "half-space" : "half-plane",
-             " theory supposes small slopes");
+             " theory assumes small slopes");
     if (options.hardness > 0 && trust.peak_pressure > options.hardness)
         flag(trust, "peak pressure ", trust.peak_pressure, " MPa is above the hardness, ", options.hardness,
              " MPa: the peaks would flow");
@@ -91,16 +91,16 @@ void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustO
              " nodes, under 8: the grid is part of the answer");
     if (trust.contact_at_ends)
         flag(trust, "contact reaches the ", profile.is_2d() ? "area's edges" : "profile's ends",
-             ", where a real surface would go on");
+             "; a real surface continues there");
 }
 
-/// One question, asked of what it refers to.
+/// One similarity to compute. It refers to the set-up, the genome and the options.
 struct Job {
     std::string name;
     std::function<double()> similarity;
     bool decides = false;
 
-    /// NaN where it has no answer.
+    /// NaN without a response.
     double answer() const {
         try {
             return similarity();
@@ -167,7 +167,8 @@ void add_checks(Jobs& jobs, const DesignSetup& setup, const Genome& genome, cons
                                 if (target.against_pressure())
                                     yields.model.loading.to_pressure =
                                         std::max(yields.model.loading.to_pressure, target.last());
-                            yields = in_finer_steps(std::move(yields), 1); // a measured target's nodes, too
+                            yields = in_finer_steps(std::move(yields),
+                                                    1); // a measured target's nodes are held, too
                             return similarity(yields, respond(yields, genome, yields.model));
                         },
                         true});
@@ -179,7 +180,7 @@ void add_kernels(Jobs& jobs, const DesignSetup& setup, const Genome& genome) {
             jobs.push_back(under(setup, genome, name_of(kernel), with_kernel(setup.model, kernel)));
 }
 
-/// Of the same spectrum: a ridge's amplitude stays, its place moves.
+/// Genomes of the same spectrum: each ridge keeps its amplitude and moves to another place.
 void add_redrawn_phases(Jobs& jobs, const DesignSetup& setup, const Genome& genome,
                         const TrustOptions& options) {
     for (int draw = 0; draw < options.phase_draws; ++draw)
@@ -200,7 +201,7 @@ void add_redrawn_phases(Jobs& jobs, const DesignSetup& setup, const Genome& geno
 } // namespace
 
 std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& model, double factor) {
-    // What the farther datum adds to a displacement for each unit of mean pressure, mm/MPa.
+    // The displacement that the farther datum adds per unit of mean pressure, mm/MPa.
     const double c =
         -datum_sensitivity(1, model.grid.length, model.body.effective_modulus) * std::log(factor);
     std::vector<Target> moved;
@@ -222,10 +223,10 @@ std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& 
 }
 
 Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOptions& options,
-               const Answer* verified, const DesignResponse* own) {
+               const Answer* verified, const DesignResponse* designed) {
     Trust trust;
     DesignSetup setup = completed(given);
-    assess_strains(setup, genome, options, own ? *own : respond(setup, genome, setup.model), trust);
+    assess_strains(setup, genome, options, designed ? *designed : respond(setup, genome, setup.model), trust);
     const auto late = [watch = ga::Watch({std::numeric_limits<long>::max(), options.seconds, options.stop})] {
         return watch.expired();
     };
@@ -275,7 +276,7 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
     trust.redrawn_tenth = quantile(redrawn, 0.1);
     if (trust.redrawn < options.phase_draws)
         trust.left_out.push_back(std::to_string(options.phase_draws - trust.redrawn) +
-                                 " of the phases drawn anew");
+                                 " sets of redrawn phases");
     return trust;
 }
 
@@ -296,7 +297,7 @@ std::vector<ErrorSource> error_budget(const DesignSetup& given, const Answer& an
         Model far = own;
         far.body.datum *= 4;
         add("model", "the half-plane's datum at 4 times the distance", far);
-        add("model", "a periodic half-plane in place of the free one", with_kernel(own, Kernel::periodic));
+        add("model", "a periodic half-plane instead of the free one", with_kernel(own, Kernel::periodic));
     }
     add("numerical", "the grid: 4 times the elements", refined(own, 4));
     Model steps = own;
@@ -305,8 +306,8 @@ std::vector<ErrorSource> error_budget(const DesignSetup& given, const Answer& an
     if (setup.model.accuracy > 0)
         add("numerical", "the accuracy that the search was allowed", setup.model);
     budget.push_back(
-        {"target", "what is left of the target's mismatch on the model's own grid", 1 - answer.similarity});
-    budget.push_back({"target", "the same on the finer grid", 1 - answer.similarity_refined});
+        {"target", "the remaining mismatch with the target on the model's grid", 1 - answer.similarity});
+    budget.push_back({"target", "the remaining mismatch on the finer grid", 1 - answer.similarity_refined});
     return budget;
 }
 

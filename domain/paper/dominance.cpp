@@ -14,7 +14,7 @@ namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-/// The response of one length scale alone, or nothing where it is flat at the nodes.
+/// The response of one length scale alone; none if it is flat at the nodes.
 std::optional<Response> response_alone(const Genome& genome, const LengthScale& scale, const Model& model) {
     const Genome alone = only(genome, scale);
     const Profile profile = sample(alone, model.grid);
@@ -33,7 +33,7 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
         double correlation = undefined;
         if (part && reading != DominanceReading::same_pressure)
             correlation = pearson(whole.y, part->y);
-        else if (part) // held constant beyond the part's own points
+        else if (part) // constant beyond the part's points
             correlation = pearson(whole.y, whole.x.unaryExpr([&](double x) {
                 return part->at(std::clamp(x, part->x[0], part->x[part->x.size() - 1]));
             }));
@@ -43,7 +43,7 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
         result.dominant.push_back(correlation > threshold); // Algorithm 1
     }
     result.only_best = !(best > threshold);
-    if (result.only_best) // ours: the paper is silent on genomes of which none passes
+    if (result.only_best) // our choice; the paper does not treat this case
         for (std::size_t i = 0; i < parts.size(); ++i)
             result.dominant[i] = !std::isfinite(best) || result.correlation[i] == best;
     return result;

@@ -11,12 +11,12 @@ using namespace ga;
 namespace {
 
 /// Maximises s|s| with s = 1 - max_k |r_k| by the globally convergent method of moving asymptotes (Svanberg
-/// 2002; NLopt's LD_MMA): the form of the paper, s^2, without its reward for worse fits once s < 0. The
-/// maximum norm has corners; the gradient there is that of the first row that attains it.
+/// 2002; NLopt's LD_MMA). The paper's form is s^2, which would reward worse fits for s < 0. If several rows
+/// attain the maximum, the gradient is that of the first.
 struct Gcmma {
-    static constexpr bool on_residuals = true; ///< and on their derivatives
+    static constexpr bool on_residuals = true; ///< and their derivatives
 
-    int evaluations = 1; ///< at most, after the start; >= 1. Inner iterations count.
+    int evaluations = 1; ///< maximum after the start, >= 1; inner iterations count
 
     static Words words() { return {"gcmma", "refinement", "GCMMA on s|s|, s = 1 - max|r|: the paper's"}; }
     static void describe(auto& self, auto visit) { visit(self.evaluations, evaluations_parameter()); }
@@ -30,7 +30,7 @@ struct Gcmma {
     }
 };
 
-/// n_it evaluations of GCMMA in either form.
+/// Refinement with n_it evaluations in either form.
 auto refine_by(Form form, int n_it, const Variables<Genome>& variables) {
     return refine(form == Form::minimax ? minimax(n_it) : method_of(Gcmma{n_it}), variables);
 }
@@ -50,13 +50,13 @@ Variables<Genome> all_phases(const Vocabulary& words) {
     return {"phases", [reach = words.reach](const Genome& genome) { return phase_variables(genome, reach); }};
 }
 
-/// Keeps a genome's dominant chromosomes alone, its scale as it is.
+/// Keeps only a genome's dominant chromosomes, at the same scale.
 auto reduce_dominant(const Vocabulary& words) {
     return transform("reduce dominant",
                      [rule = words.rule](const Genome& genome) { return reduced(genome, (*rule)(genome)); });
 }
 
-/// The sum of the two parents as they were scaled when scored: their relative amplitude matters.
+/// The sum of two parents at their scored scales, because their relative amplitude matters.
 Combine<Genome> unite(const Vocabulary& words) {
     return {"unite",
             [fitted = words.fitted](const Individual<Genome>& left, const Individual<Genome>& right) {
@@ -65,7 +65,7 @@ Combine<Genome> unite(const Vocabulary& words) {
             }};
 }
 
-/// Parents of a cross-over: the genomes that are good at low or at high pressure.
+/// The genomes that are good at low or at high pressure, at least three.
 auto good_at(const char* half) { return score(half) | above(0.95, at_least(3)); }
 
 } // namespace
@@ -104,7 +104,7 @@ Registry<DesignProblem> paper_registry(const Vocabulary& words) {
     add_method<Gcmma>(registry);
     registry.add("reduce dominant", "roughness", "keeps each genome's dominant chromosomes (Algorithm 1)",
                  reduce_dominant(words));
-    registry.add(unite(words), "the sum of two genomes, each as it was scaled when scored");
+    registry.add(unite(words), "the sum of two genomes, each at its scored scale");
     registry.add(dominant_phases(words), "phases of the dominant chromosomes (Algorithm 1)");
     registry.add(other_phases(words), "phases of the other chromosomes");
     registry.add(all_phases(words), "phases of all chromosomes");

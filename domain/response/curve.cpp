@@ -17,7 +17,7 @@ Segment segment_at(const Curve& curve, double position) {
 double Curve::at(double position) const {
     const double guard = 1e-9 * (to - from);
     if (!(position >= from - guard && position <= to + guard))
-        refuse("curve: value asked at ", position, ", expected between ", from, " and ", to);
+        refuse("curve: ", position, " is out of range (", from, " to ", to, ")");
     const Segment s = segment_at(*this, position);
     return (1 - s.weight) * y[s.left] + s.weight * y[s.left + 1];
 }

@@ -9,10 +9,10 @@ namespace rough {
 
 namespace {
 
-/// Of 1 - K/K_full: what it may be off by.
+/// Rounding error of 1 - K/K_full.
 constexpr double rounding = 1e-12;
 
-/// K/K_i = 1 - K/K_full, 0 where it is rounding.
+/// K/K_i = 1 - K/K_full, or 0 if it is only rounding.
 double interface_share(double stiffness, double full_stiffness) {
     if (std::isnan(full_stiffness))
         throw std::logic_error("interface stiffness of a response without its full contact's stiffness");

@@ -8,10 +8,10 @@ namespace rough {
 
 PartialSlip partial_slip(const Response& response, double friction) {
     if (!(friction > 0) || !std::isfinite(friction))
-        refuse("friction coefficient ", friction, " was given, a positive finite one is expected");
+        refuse("friction coefficient ", friction, " is out of range (above 0, finite)");
     if (response.held_nodes > 0)
-        refuse("partial slip of a response with ", response.held_nodes,
-               " nodes at the hardness was asked for, none is expected: it rests on elastic contact");
+        refuse("partial slip: ", response.held_nodes,
+               " nodes are at the hardness; use a profile in elastic contact");
     const Index n = response.steps();
     const auto backwards = [n](const Eigen::VectorXd& values) {
         Eigen::VectorXd rows(n + 1);

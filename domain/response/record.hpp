@@ -8,14 +8,14 @@
 
 namespace rough {
 
-/// (name with unit, value) in a fixed order.
+/// Pairs of name with unit and value, in a fixed order.
 using Fields = std::vector<std::pair<std::string, std::string>>;
 
-/// A number as fields hold it: 17 digits, read back without loss.
+/// A number with 17 digits, which reads back exactly.
 std::string field_text(double value);
 
-/// A set-up as names with units and values, what was left at 0 filled in. Solver and tolerance are left out:
-/// solvers agree to the tolerance of their certificate.
+/// A completed model as fields. Solver and tolerance are left out, because solvers agree to the tolerance of
+/// their certificate.
 Fields fields(const Model& model);
 
 } // namespace rough

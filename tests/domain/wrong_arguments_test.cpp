@@ -90,7 +90,7 @@ TEST_CASE("a wrong argument from code is refused by its name, with its value") {
         {[] {
              load_displacements(1, {20, 1}, Kernel::periodic);
          },
-         "less than 1"},
+         "reach: 1 is out of range"},
         {[=] { partial_slip(respond(good, body, {.steps = 2}), 0); }, "friction coefficient 0"},
         {[] {
              Model model;
@@ -120,7 +120,7 @@ TEST_CASE("a wrong argument from code is refused by its name, with its value") {
         {design([](DesignSetup& s) { s.limits.shortest_wave = 8.1; }), "shortest wave"},
         {design([](DesignSetup& s) { s.model.grid = {32, 0.8, false, 0, 32, 0.8}, s.model.accuracy = 1e-3; }),
          "accuracy"},
-        {design([](DesignSetup& s) { s.like = map, scan_waves(s, 3); }), "own: a map"},
+        {design([](DesignSetup& s) { s.like = map, scan_waves(s, 3); }), "own: the measured surface is a map"},
         {self_affine([](SelfAffine& s) { s.hurst = 1; }), "hurst: 1"},
         {self_affine([](SelfAffine& s) { s.rms_slope = 0; }), "rms slope: 0"},
         {self_affine([](SelfAffine& s) { s.longest = 0.1; }), "cut-offs: 0.1 and 0.1 mm"},

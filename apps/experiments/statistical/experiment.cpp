@@ -46,7 +46,7 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
             curves.row(name, target.x[k], y[k]);
     };
     add("target", target.y);
-    add(theory, answer.foretold);
+    add(theory, answer.predicted);
     std::map<std::string, std::string> files;
     std::vector<double> similarities; ///< of the surfaces that are drawn
     const long count = settings.whole("statistical.realisations");

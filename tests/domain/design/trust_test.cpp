@@ -216,7 +216,7 @@ TEST_CASE("checks without time are named as left out and count nowhere") {
     CHECK(trust.redrawn == 0);
     REQUIRE(trust.left_out.size() == 5 + 2 + 1);
     CHECK(trust.left_out.front() == "as designed");
-    CHECK(trust.left_out.back() == "5 of the phases drawn anew");
+    CHECK(trust.left_out.back() == "5 sets of redrawn phases");
     CHECK(std::isnan(trust.median));
     CHECK(std::isnan(trust.redrawn_best));
 }
