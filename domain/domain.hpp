@@ -43,7 +43,7 @@
 #include "domain/profile/solid.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "domain/response/curve.hpp"
-#include "domain/response/record.hpp"
+#include "domain/response/model.hpp"
 #include "domain/scan/height_map.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/scan/source.hpp"

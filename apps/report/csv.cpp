@@ -1,7 +1,7 @@
 #include "apps/report/csv.hpp"
 
 #include "domain/plain_stream.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 #include "domain/text/words.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "domain/contact/full_contact.hpp"
 #include "domain/errors.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 #include "domain/target/similarity.hpp"
 #include "ga/base/parallel.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/mwm/genome.hpp"
-#include "domain/response/record.hpp"
+#include "domain/response/model.hpp"
 
 #include <cstdint>
 

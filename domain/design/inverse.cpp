@@ -2,7 +2,7 @@
 
 #include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 
 #include <Eigen/Cholesky>
 

@@ -40,11 +40,10 @@ const std::vector<std::string>& names_of_likeness() {
 }
 
 std::vector<Quantity> likeness_named(const std::string& name) {
-    const auto& names = names_of_likeness();
-    if (std::find(names.begin(), names.end(), name) == names.end())
-        refuse_value("quantity", "'", name, "' is unknown; use both, stiffness, area or interface_stiffness");
     if (name == "both")
         return {Quantity::stiffness, Quantity::area_at_pressure};
+    if (std::ranges::count(names_of_likeness(), name) == 0)
+        refuse_value("quantity", "'", name, "' is unknown; use both, stiffness, area or interface_stiffness");
     return {quantity_named(name)};
 }
 

@@ -64,29 +64,25 @@ Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
     return shorter;
 }
 
-/// The set-up with half the nodes along each side, `halvings` times, unless the grid becomes too coarse.
-DesignSetup on_coarser_grid(DesignSetup setup, std::size_t halvings) {
-    for (std::size_t i = 0; i < halvings; ++i) {
-        Grid grid = setup.model.grid;
-        grid.nodes /= 2;
-        if (grid.is_2d())
-            grid.rows /= 2;
-        if (std::min(grid.nodes, grid.is_2d() ? grid.rows : grid.nodes) < min_coarse_nodes ||
-            setup.limits.shortest_wave < min_coarse_spacings * grid.widest_spacing())
-            break;
-        setup.model.grid = grid;
-    }
-    return setup;
-}
-
-/// Runs `body` on a coarser grid, on which contact curves cost less.
+/// Runs `body` on a grid with half the nodes along each side, on which contact curves cost less. The nodes
+/// are halved as often as requested, unless the grid becomes too coarse.
 Pipeline coarser(const ga::Arguments& arguments, const Pipeline& body) {
     const std::size_t halvings = arguments.count("n");
     return ga::derived_step<DesignProblem>(
         "coarser " + std::to_string(halvings), body,
         [halvings](Designs designs, const Pipeline& stages, ga::Context<DesignProblem>& context) {
-            const DesignProblem coarse(on_coarser_grid(context.problem().setup(), halvings));
-            return run_derived(stages, coarse, std::move(designs), context);
+            DesignSetup setup = context.problem().setup();
+            for (std::size_t i = 0; i < halvings; ++i) {
+                Grid grid = setup.model.grid;
+                grid.nodes /= 2;
+                if (grid.is_2d())
+                    grid.rows /= 2;
+                if (std::min(grid.nodes, grid.is_2d() ? grid.rows : grid.nodes) < min_coarse_nodes ||
+                    setup.limits.shortest_wave < min_coarse_spacings * grid.widest_spacing())
+                    break;
+                setup.model.grid = grid;
+            }
+            return run_derived(stages, DesignProblem(setup), std::move(designs), context);
         });
 }
 

@@ -116,19 +116,17 @@ std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Popula
                                   const SearchOptions& options, std::size_t max_count) {
     std::vector<Genome> candidates;
     std::set<std::string> keys;
-    const auto consider = [&](const Genome& genome) {
-        if (keys.insert(problem.key(genome)).second)
-            candidates.push_back(genome);
+    const auto consider = [&](const ga::Population<Genome>& best, std::size_t count) {
+        for (std::size_t i = 0; i < std::min(best.size(), count); ++i)
+            if (keys.insert(problem.key(best[i].genome)).second)
+                candidates.push_back(best[i].genome);
     };
-    for (std::size_t i = 0; i < std::min(population.size(), max_count); ++i)
-        consider(population[i].genome);
-    for (std::size_t i = 0; i < std::min(verified.size(), max_count); ++i)
-        consider(verified[i].genome);
     const bool area = problem.setup().model.grid.is_2d();
-    for (std::size_t i = 0; i < seen.size() && (area ? candidates.empty() : i < max_count); ++i)
-        consider(seen[i].genome);
+    consider(population, max_count);
+    consider(verified, max_count);
+    consider(seen, !area ? max_count : candidates.empty() ? 1 : 0);
     if (!options.starts.empty() && !area) // the answer is not worse than the nearest start
-        consider(options.starts.front());
+        consider(ga::population(std::vector{options.starts.front()}), 1);
     return candidates;
 }
 

@@ -20,66 +20,45 @@ namespace rough {
 
 namespace {
 
-/// Nodes by rising depth.
-std::vector<int> in_order_of(const std::vector<double>& depth) {
-    std::vector<int> order(depth.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-        return depth[static_cast<std::size_t>(a)] < depth[static_cast<std::size_t>(b)];
-    });
-    return order;
-}
-
-/// The order of drawn_order for an area: cones of similar width, one near the middle or up to eight anywhere.
-std::vector<int> drawn_area_order(const Profile& surface, const Grid& grid, ga::Stream& random) {
-    const std::size_t peaks = random.chance(0.5) ? 1 : 2 + random.below(7);
-    const double margin = peaks == 1 ? 0.4 : 0.1;
-    std::vector<double> depth(static_cast<std::size_t>(surface.nodes()), HUGE_VAL);
-    for (std::size_t p = 0; p < peaks; ++p) {
-        const double x = grid.length * random.uniform(margin, 1 - margin),
-                     y = grid.width * random.uniform(margin, 1 - margin),
-                     width = peaks == 1 ? 1 : random.uniform(0.7, 1);
-        const auto away = [&](double from, double to, double period) {
-            const double straight = std::abs(from - to);
-            return grid.periodic ? std::min(straight, period - straight) : straight;
-        };
-        const Index columns = surface.shape().columns;
-        for (Index i = 0; i < surface.nodes(); ++i) {
-            const double here =
-                std::hypot(away(surface.spacing * static_cast<double>(i % columns), x, grid.length),
-                           away(surface.row_spacing * static_cast<double>(i / columns), y, grid.width));
-            double& least = depth[static_cast<std::size_t>(i)];
-            least = std::min(least, here / width);
-        }
-    }
-    return in_order_of(depth);
-}
-
-/// The order in which nodes touch: by distance from the nearest peak. In half of the cases there is one peak,
-/// else up to eight of equal height and similar width.
-std::vector<int> drawn_order(Index nodes, bool periodic, ga::Stream& random) {
-    const std::size_t peaks = random.chance(0.5) ? 1 : 2 + random.below(7);
+/// The order in which nodes touch: by distance from the nearest peak, relative to the peak's width. In half
+/// of the cases there is one peak, else up to eight of equal height and similar width.
+std::vector<int> drawn_order(const Grid& grid, ga::Stream& random) {
     struct Peak {
-        double at, width;
+        double x, y, width;
     };
-    std::vector<Peak> all;
+    const bool area = grid.is_2d();
+    const std::size_t count = random.chance(0.5) ? 1 : 2 + random.below(7);
     // A single peak is near the middle, so that its contact does not reach the ends.
-    const double margin = peaks == 1 ? 0.4 : 0.25;
-    for (std::size_t i = 0; i < peaks; ++i) {
-        const double place =
-            (static_cast<double>(i) + random.uniform(margin, 1 - margin)) / static_cast<double>(peaks);
-        all.push_back({place, peaks == 1 ? 1 : random.uniform(0.7, 1)});
+    const double margin = count == 1 ? 0.4 : area ? 0.1 : 0.25;
+    std::vector<Peak> peaks(count);
+    for (std::size_t p = 0; p < count; ++p) {
+        const double place = random.uniform(margin, 1 - margin);
+        peaks[p].x =
+            area ? grid.length * place : (static_cast<double>(p) + place) / static_cast<double>(count);
+        peaks[p].y = area ? grid.width * random.uniform(margin, 1 - margin) : 0;
+        peaks[p].width = count == 1 ? 1 : random.uniform(0.7, 1);
     }
-    std::vector<double> depth(static_cast<std::size_t>(nodes));
-    for (std::size_t i = 0; i < depth.size(); ++i) {
-        const double x = static_cast<double>(i) / static_cast<double>(nodes - (periodic ? 0 : 1));
-        depth[i] = std::numeric_limits<double>::infinity();
-        for (const Peak& peak : all) {
-            const double away = std::abs(x - peak.at);
-            depth[i] = std::min(depth[i], (periodic ? std::min(away, 1 - away) : away) / peak.width);
-        }
+    const auto away = [&](double from, double to, double period) {
+        const double straight = std::abs(from - to);
+        return grid.periodic ? std::min(straight, period - straight) : straight;
+    };
+    std::vector<double> distance;
+    for (Index i = 0; i < grid.shape().nodes(); ++i) { // on a line in units of its length
+        const double column = static_cast<double>(i % grid.nodes), row = static_cast<double>(i / grid.nodes),
+                     x = area ? grid.spacing() * column
+                              : column / static_cast<double>(grid.nodes - (grid.periodic ? 0 : 1)),
+                     y = area ? grid.row_spacing() * row : 0;
+        double nearest = HUGE_VAL;
+        for (const Peak& peak : peaks)
+            nearest = std::min(
+                nearest, std::hypot(away(x, peak.x, area ? grid.length : 1), away(y, peak.y, grid.width)) /
+                             peak.width);
+        distance.push_back(nearest);
     }
-    return in_order_of(depth);
+    std::vector<int> order(distance.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, [&](int i) { return distance[static_cast<std::size_t>(i)]; });
+    return order;
 }
 
 constexpr Index shaping_nodes = 256, shaping_side = 24;
@@ -186,11 +165,9 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     const double last_pressure = setup.max_pressure          ? *setup.max_pressure
                                  : target.against_pressure() ? target.last()
                                                              : infinity;
-    InverseProfile inverse = inverse_profile(surface, body,
-                                             grid.is_2d() ? drawn_area_order(surface, grid, random)
-                                                          : drawn_order(grid.nodes, grid.periodic, random),
-                                             advance_for(target, surface.nodes()), last_pressure,
-                                             target.against_pressure() ? infinity : target.last());
+    InverseProfile inverse =
+        inverse_profile(surface, body, drawn_order(grid, random), advance_for(target, surface.nodes()),
+                        last_pressure, target.against_pressure() ? infinity : target.last());
     const bool periodic_line = grid.periodic && !grid.is_2d();
     if (periodic_line && setup.max_pressure)
         inverse = with_mean_at_full_approach(std::move(inverse), setup.model.loading.reach);

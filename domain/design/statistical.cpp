@@ -42,10 +42,10 @@ struct StatisticalProblem {
     double evaluate(const Genome& genes) const { return similarity_of(predicted(genes)); }
 
     double similarity_of(const Eigen::VectorXd& y) const {
-        double worst = 0;
-        for (Index k = 0; k < y.size(); ++k)
-            worst = std::isnan(y[k]) ? y[k] : std::max(worst, std::abs(misfit(task->target, k, y[k])));
-        return y.allFinite() ? 1 - worst : std::numeric_limits<double>::quiet_NaN();
+        if (!y.allFinite())
+            return std::numeric_limits<double>::quiet_NaN();
+        return similarity(
+            Eigen::VectorXd::NullaryExpr(y.size(), [&](Index k) { return misfit(task->target, k, y[k]); }));
     }
     const std::vector<ga::Objective<double>>& objectives() const { return list; }
     const std::vector<ga::Variable>& bounds(const Genome&) const { return box; }
@@ -74,10 +74,7 @@ StatisticalAnswer statistical_design(const StatisticalTask& task, const std::str
                                      std::uint64_t seed, int threads, const std::atomic<bool>* stop) {
     expect_fit(task);
     const StatisticalProblem problem{&task};
-    ga::RunOptions options;
-    options.seed = seed;
-    options.threads = threads;
-    options.budget.stop = stop;
+    const ga::RunOptions options{.seed = seed, .threads = threads, .budget = {.stop = stop}};
     const auto stage =
         ga::Parser<StatisticalProblem>(ga::with_adaptation(ga::vocabulary<StatisticalProblem>()))
             .parse(pipeline);
@@ -91,16 +88,14 @@ StatisticalAnswer statistical_design(const StatisticalTask& task, const std::str
 
 RealisedAnswer realised_answer(const StatisticalTask& task, const SelfAffine& parameters,
                                std::uint64_t seed) {
-    Grid grid{.nodes = task.nodes, .length = task.length, .periodic = true};
-    if (task.is_area) {
-        grid.rows = task.nodes;
-        grid.width = task.length;
-    }
+    const Grid grid{.nodes = task.nodes,
+                    .length = task.length,
+                    .periodic = true,
+                    .rows = task.is_area ? task.nodes : 1,
+                    .width = task.is_area ? task.length : 0};
     RealisedAnswer answer{realised(parameters, grid, seed),
                           Eigen::VectorXd::Constant(task.target.points(), std::nan("")), 0};
-    Body body;
-    body.kernel = Kernel::periodic;
-    body.effective_modulus = task.effective_modulus;
+    const Body body{.kernel = Kernel::periodic, .effective_modulus = task.effective_modulus};
     std::vector<double> pressures(task.target.x.begin(), task.target.x.end());
     ContactCurve curve;
     for (; !pressures.empty() && curve.steps.empty(); pressures.pop_back()) // up to full contact

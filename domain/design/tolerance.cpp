@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 namespace rough {
 
@@ -156,8 +157,8 @@ std::pair<double, double> bracket(const KeptBySize& all, double level) {
 /// Sets the largest tilts or scales up to which all keep a level. Octaves are divided into `parts`; then the
 /// interval before the first size below the level is divided further.
 void find_errors(const Trials& trials, const std::vector<Eigen::VectorXd>& shapes, double cap, int parts,
-                 const std::vector<ToleranceLevel*>& levels, double ToleranceLevel::*error) {
-    KeptBySize all = ladder(cap, 2, levels.front()->similarity, levels.back()->similarity,
+                 std::span<ToleranceLevel> levels, double ToleranceLevel::*error) {
+    KeptBySize all = ladder(cap, 2, levels.front().similarity, levels.back().similarity,
                             [&](double size) { return trials.lowest(shapes, {size}).front(); });
     using Gaps = std::vector<std::pair<double, double>>;
     const auto probe_inside = [&](const Gaps& gaps, int into) {
@@ -174,13 +175,13 @@ void find_errors(const Trials& trials, const std::vector<Eigen::VectorXd>& shape
     for (const auto& [size, similarity] : all)
         octaves.emplace_back(std::exchange(last, size), size);
     probe_inside(octaves, parts);
-    for (ToleranceLevel* level : levels) {
-        auto [from, to] = bracket(all, level->similarity);
+    for (ToleranceLevel& level : levels) {
+        auto [from, to] = bracket(all, level.similarity);
         while (to > precision * from && to > smallest * cap) {
             probe_inside({{from, to}}, 4);
-            std::tie(from, to) = bracket(all, level->similarity);
+            std::tie(from, to) = bracket(all, level.similarity);
         }
-        level->*error = from;
+        level.*error = from;
     }
 }
 
@@ -251,40 +252,36 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
         const auto [draws, parts] = effort_for(trials, setup.model.grid, options);
         result.draws = draws;
         std::tie(result.share_from, result.share_to) = share_interval(Tolerance::share, draws);
-        std::vector<ToleranceLevel*> feasible;
-        for (ToleranceLevel& level : result.levels) {
-            if (level.similarity > result.similarity)
-                level.noise_rms = level.tilt = level.scale = 0;
-            else
-                feasible.push_back(&level);
-        }
+        const auto first = std::ranges::find_if(result.levels, [&](const ToleranceLevel& level) {
+            return level.similarity <= result.similarity;
+        });
+        for (ToleranceLevel& level : std::span(result.levels.begin(), first))
+            level.noise_rms = level.tilt = level.scale = 0;
+        const std::span feasible(first, result.levels.end());
         if (!feasible.empty()) {
             find_errors(trials, unit_tilts(setup.model.grid), max_tilt * trials.range(), parts, feasible,
                         &ToleranceLevel::tilt);
             find_errors(trials, {trials.heights()}, max_scale, parts, feasible, &ToleranceLevel::scale);
             const int few = std::max(std::min(few_draws, draws), draws / 10);
-            const KeptBySize all =
-                ladder(trials.range(), 4, feasible.front()->similarity, feasible.back()->similarity,
-                       [&, &curve = result.curve](double rms) {
-                           const std::vector<double> similarities = trials.with_noise(rms, few);
-                           const double kept = similarities[may_lose(few)];
-                           curve.push_back({rms, kept, quantile(similarities, 0.5), few});
-                           return kept;
-                       });
-            for (ToleranceLevel* level : feasible) // replaced when all draws are done
-                level->noise_rms = bracket(all, level->similarity).first;
+            const KeptBySize all = ladder(
+                trials.range(), 4, feasible.front().similarity, feasible.back().similarity, [&](double rms) {
+                    const std::vector<double> similarities = trials.with_noise(rms, few);
+                    const double kept = similarities[may_lose(few)];
+                    result.curve.push_back({rms, kept, quantile(similarities, 0.5), few});
+                    return kept;
+                });
+            for (ToleranceLevel& level : feasible) // replaced when all draws are done
+                level.noise_rms = bracket(all, level.similarity).first;
             for (auto level = feasible.rbegin(); level != feasible.rend(); ++level) {
-                const double similarity = (*level)->similarity;
-                (*level)->noise_rms = largest_noise(trials, all, similarity, few, draws);
-                if ((*level)->noise_rms > 0)
-                    result.curve.push_back({(*level)->noise_rms, similarity, unknown, draws});
+                level->noise_rms = largest_noise(trials, all, level->similarity, few, draws);
+                if (level->noise_rms > 0)
+                    result.curve.push_back({level->noise_rms, level->similarity, unknown, draws});
             }
         }
     } catch (const ga::Stopped&) {
         result.complete = false;
     }
-    std::sort(result.curve.begin(), result.curve.end(),
-              [](const auto& a, const auto& b) { return a.noise_rms < b.noise_rms; });
+    std::ranges::sort(result.curve, {}, &NoiseQuantile::noise_rms);
     return result;
 }
 

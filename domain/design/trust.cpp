@@ -25,13 +25,6 @@ const std::string as_designed = "as designed";
 /// A similarity that falls by more than this with more load steps is reported as dependent on them.
 constexpr double unsettled = 0.01;
 
-/// The set-up without Eq. 11: the genome keeps its amplitude and is loaded as far as the targets go.
-DesignSetup in_final_amplitude(const DesignSetup& setup) {
-    DesignSetup final = setup;
-    final.max_pressure.reset();
-    return final;
-}
-
 Model with_kernel(Model model, Kernel kernel) {
     model.body.kernel = kernel;
     model.body.layering = {};
@@ -96,34 +89,27 @@ void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustO
 
 /// One similarity to compute. It refers to the set-up, the genome and the options.
 struct Job {
+    enum class Kind { check, kernel, redrawn } kind;
     std::string name;
     std::function<double()> similarity;
     bool decides = false;
-
-    /// NaN without a response.
-    double answer() const {
-        try {
-            return similarity();
-        } catch (const std::exception&) {
-            return Trust::unknown;
-        }
-    }
 };
 using Jobs = std::vector<Job>;
+using enum Job::Kind;
 
-Job under(const DesignSetup& setup, const Genome& genome, const std::string& name, const Model& model) {
-    return {name, [&setup, &genome, model] { return similarity(setup, respond(setup, genome, model)); }};
-}
-
-void add_checks(Jobs& jobs, const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
-                Trust& trust, const Answer* verified) {
+Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions& options, Trust& trust,
+              const Answer* verified) {
+    Jobs jobs;
+    const auto under = [&](Job::Kind kind, const std::string& name, const Model& model) {
+        jobs.push_back({kind, name, [&, model] { return similarity(setup, respond(setup, genome, model)); }});
+    };
     const auto ask = [&](const std::string& name, const Model& model, double Answer::*known) {
         if (!verified || !known || !setup.model.grid.is_2d())
-            jobs.push_back(under(setup, genome, name, model));
+            under(check, name, model);
         else if (std::isnan(verified->*known))
             trust.left_out.push_back(name);
         else
-            jobs.push_back({name, [=] { return verified->*known; }});
+            jobs.push_back({check, name, [=] { return verified->*known; }});
     };
     ask(as_designed, setup.model, &Answer::similarity);
     ask("2 times the nodes", refined(setup.model, 2), nullptr);
@@ -132,70 +118,66 @@ void add_checks(Jobs& jobs, const DesignSetup& setup, const Genome& genome, cons
     steps.loading.steps *= 4;
     ask("4 times the load steps", steps, &Answer::similarity_stepped);
     if (setup.like)
-        jobs.push_back({in_finer_steps_too, [&setup, &genome] {
+        jobs.push_back({check, in_finer_steps_too, [&] {
                             const DesignSetup finer = in_finer_steps(setup);
                             return similarity(finer, respond(finer, genome, finer.model));
                         }});
+    DesignSetup unscaled = setup; // without Eq. 11: the genome's amplitude, loaded as far as the targets go
+    unscaled.max_pressure.reset();
     if (setup.model.body.kernel == Kernel::free && !setup.model.grid.is_2d()) {
-        DesignSetup far = in_final_amplitude(setup);
+        DesignSetup far = unscaled;
         far.targets = with_datum(setup.targets, setup.model, 4);
         far.model.body.datum *= 4;
         if (!far.targets.empty())
-            jobs.push_back({"4 times the datum, the target moved with it",
-                            [far, &genome] { return similarity(far, respond(far, genome, far.model)); }});
+            jobs.push_back({check, "4 times the datum, the target moved with it",
+                            [&, far] { return similarity(far, respond(far, genome, far.model)); }});
     }
     const auto [noise, noise_length, tilt] = setup.errors;
-    const auto made = [&setup, &genome, &options](const MakingErrors& errors) {
-        return [&, errors] {
-            DesignSetup with = setup;
-            with.errors = errors;
-            return similarity_when_made(with, genome, {.seed = options.seed, .threads = 1});
-        };
-    };
-    if (noise > 0)
-        jobs.push_back({line_of("height noise of ", noise, " mm rms, 95 % of the draws"),
-                        made({noise, noise_length, 0}), true});
-    if (tilt > 0)
-        jobs.push_back(
-            {line_of("tilt of ", tilt, " mm over the length"), made({0, noise_length, tilt}), true});
-    if (trust.peak_pressure > options.hardness && options.hardness > 0)
-        jobs.push_back({"nodes held at the hardness",
-                        [&setup, &genome, &options] {
-                            DesignSetup yields = in_final_amplitude(setup);
-                            yields.model.body.hardness = options.hardness;
-                            for (const Target& target : setup.targets)
-                                if (target.against_pressure())
-                                    yields.model.loading.to_pressure =
-                                        std::max(yields.model.loading.to_pressure, target.last());
-                            yields = in_finer_steps(std::move(yields),
-                                                    1); // a measured target's nodes are held, too
-                            return similarity(yields, respond(yields, genome, yields.model));
+    const auto under_errors = [&](const std::string& name, const MakingErrors& errors) {
+        jobs.push_back({check, name,
+                        [&, errors] {
+                            DesignSetup with = setup;
+                            with.errors = errors;
+                            return similarity_when_made(with, genome, {.seed = options.seed, .threads = 1});
                         },
                         true});
-}
-
-void add_kernels(Jobs& jobs, const DesignSetup& setup, const Genome& genome) {
-    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
-        if (kernel != setup.model.body.kernel && !(setup.model.grid.is_2d() && kernel == Kernel::strip))
-            jobs.push_back(under(setup, genome, name_of(kernel), with_kernel(setup.model, kernel)));
-}
-
-/// Genomes of the same spectrum: each ridge keeps its amplitude and moves to another place.
-void add_redrawn_phases(Jobs& jobs, const DesignSetup& setup, const Genome& genome,
-                        const TrustOptions& options) {
+    };
+    if (noise > 0)
+        under_errors(line_of("height noise of ", noise, " mm rms, 95 % of the draws"),
+                     {noise, noise_length, 0});
+    if (tilt > 0)
+        under_errors(line_of("tilt of ", tilt, " mm over the length"), {0, noise_length, tilt});
+    if (trust.peak_pressure > options.hardness && options.hardness > 0) {
+        DesignSetup yielding = unscaled;
+        yielding.model.body.hardness = options.hardness;
+        for (const Target& target : setup.targets)
+            if (target.against_pressure())
+                yielding.model.loading.to_pressure =
+                    std::max(yielding.model.loading.to_pressure, target.last());
+        jobs.push_back({check, "nodes held at the hardness",
+                        [&, yielding] { // nodes of a measured target are held, too
+                            const DesignSetup held = in_finer_steps(yielding, 1);
+                            return similarity(held, respond(held, genome, held.model));
+                        },
+                        true});
+    }
+    for (const Kernel other : {Kernel::free, Kernel::periodic, Kernel::strip})
+        if (other != setup.model.body.kernel && !(setup.model.grid.is_2d() && other == Kernel::strip))
+            under(kernel, name_of(other), with_kernel(setup.model, other));
     for (int draw = 0; draw < options.phase_draws; ++draw)
-        jobs.push_back({"", [&, draw] {
+        jobs.push_back({redrawn, "", [&, draw] { // each ridge keeps its amplitude and moves to another place
                             ga::Stream random(
                                 ga::fold(ga::fold(options.seed, "phases"), static_cast<std::uint64_t>(draw)));
-                            Genome redrawn = genome;
-                            for (Series& series : redrawn.series)
+                            Genome moved = genome;
+                            for (Series& series : moved.series)
                                 for (Chromosome& chromosome : series.chromosomes) {
                                     const double turn = random.uniform(0, 2 * std::numbers::pi);
                                     for (double& phase : chromosome.phases)
                                         phase += turn;
                                 }
-                            return similarity(setup, with_fitting_amplitude(setup, redrawn));
+                            return similarity(setup, with_fitting_amplitude(setup, moved));
                         }});
+    return jobs;
 }
 
 } // namespace
@@ -231,49 +213,50 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
         return watch.expired();
     };
     setup.model.contact.stop = late;
-    Jobs jobs;
-    add_checks(jobs, setup, genome, options, trust, verified);
-    const std::size_t checks = jobs.size();
-    add_kernels(jobs, setup, genome);
-    const std::size_t kernels = jobs.size();
-    add_redrawn_phases(jobs, setup, genome, options);
+    const Jobs jobs = jobs_for(setup, genome, options, trust, verified);
     std::vector<double> values(jobs.size());
     std::vector<char> done(jobs.size(), 0);
     ga::parallel_for(jobs.size(), ga::thread_count(options.threads), [&](std::size_t i) {
         if (late())
             return;
-        values[i] = jobs[i].answer();
+        try {
+            values[i] = jobs[i].similarity();
+        } catch (const std::exception&) {
+            values[i] = Trust::unknown;
+        }
         done[i] = std::isfinite(values[i]) || !late();
     });
-    std::vector<double> redrawn, deciding;
-    for (std::size_t i = 0; i < jobs.size(); ++i)
-        if (i >= kernels && done[i]) {
-            redrawn.push_back(values[i]);
+    std::vector<double> phases_moved, deciding;
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        const auto& [kind, name, similarity, decides] = jobs[i];
+        if (done[i] && kind == redrawn) {
+            phases_moved.push_back(values[i]);
         } else if (done[i]) {
-            (i < checks ? trust.checks : trust.kernels).push_back({jobs[i].name, values[i], jobs[i].decides});
-            if (jobs[i].decides)
+            (kind == check ? trust.checks : trust.kernels).push_back({name, values[i], decides});
+            if (decides)
                 deciding.push_back(values[i]);
-        } else if (i < kernels) {
-            trust.left_out.push_back(jobs[i].name);
-            trust.all_decided = trust.all_decided && !jobs[i].decides;
+        } else if (kind != redrawn) {
+            trust.left_out.push_back(name);
+            trust.all_decided = trust.all_decided && !decides;
         }
+    }
     if (!deciding.empty()) // a check without an answer is the worst
         trust.under = *std::min_element(deciding.begin(), deciding.end(), [](double a, double b) {
             return a < b || (std::isnan(a) && !std::isnan(b));
         });
-    for (const Check& check : trust.checks)
-        if (check.name == in_finer_steps_too && trust.checks[0].name == as_designed &&
-            check.similarity < trust.checks[0].similarity - unsettled)
-            flag(trust, "with ", in_finer_steps_too, ", the similarity is ", check.similarity,
+    for (const Check& one : trust.checks)
+        if (one.name == in_finer_steps_too && trust.checks[0].name == as_designed &&
+            one.similarity < trust.checks[0].similarity - unsettled)
+            flag(trust, "with ", in_finer_steps_too, ", the similarity is ", one.similarity,
                  ": the two curves agree less between the ", setup.model.loading.steps,
                  " steps than at them");
     const std::vector<double> checked = column(trust.checks, &Check::similarity);
     trust.median = quantile(checked, 0.5);
     trust.tenth = quantile(checked, 0.1);
-    trust.redrawn = static_cast<int>(redrawn.size());
-    trust.redrawn_best = quantile(redrawn, 1);
-    trust.redrawn_median = quantile(redrawn, 0.5);
-    trust.redrawn_tenth = quantile(redrawn, 0.1);
+    trust.redrawn = static_cast<int>(phases_moved.size());
+    trust.redrawn_best = quantile(phases_moved, 1);
+    trust.redrawn_median = quantile(phases_moved, 0.5);
+    trust.redrawn_tenth = quantile(phases_moved, 0.1);
     if (trust.redrawn < options.phase_draws)
         trust.left_out.push_back(std::to_string(options.phase_draws - trust.redrawn) +
                                  " sets of redrawn phases");

@@ -1,7 +1,7 @@
 #include "domain/problem/rows.hpp"
 
 #include "domain/mwm/sampling.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 #include "domain/target/similarity.hpp"
 
 namespace rough {

@@ -66,10 +66,25 @@ ResponseJacobian in_genes(const ResponseGradient& gradient, Pull pull, const Are
 
 /// A curve with the derivatives of both its coordinates.
 struct CurveJacobian {
-    Eigen::MatrixXd x, y; ///< points x genes
+    Eigen::MatrixXd x; ///< of x, points x genes
+    Eigen::MatrixXd y; ///< of y, points x genes
 };
 
 /// d(pi_j, K_j)/dgene of secant_stiffness(response).
 CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& jacobian);
+
+/// Interface stiffness K_i of the tangent at each load step, MPa/mm; infinite at full contact. 1/K_i = 1/K -
+/// 1/K_full (Barber 2003) removes the half-plane in series with the contact. In plane strain K_i does not
+/// depend on the datum, because another datum adds the same constant to 1/K for every contact set. This holds
+/// for secants too. On a periodic half-plane K_i = K.
+Eigen::VectorXd interface_stiffness(const Response& response);
+
+/// K_i of one stiffness K, both MPa/mm. If K is within a relative 1e-12 of K_full, K_i is 1e12 K.
+double interface_of(double stiffness, double full_stiffness);
+/// The derivatives of K_i from those of `stiffness`; zero if K_i is 1e12 K.
+CurveJacobian interface_jacobian(CurveJacobian jacobian, const Curve& stiffness, double full_stiffness);
+
+/// K_i against mean pressure for similarities: of the secants of secant_stiffness().
+Curve interface_secants(const Response& response);
 
 } // namespace rough

@@ -3,6 +3,10 @@
 #include "domain/numerics/grid.hpp"
 #include "domain/response/response.hpp"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace rough {
 
 /// The model of a response: grid, body, load steps and solver. A target is valid for its kernel and datum.
@@ -49,5 +53,15 @@ inline Model refined(Model model, Index refine) {
     model.grid = refined(model.grid, refine);
     return model;
 }
+
+/// Pairs of name with unit and value, in a fixed order.
+using Fields = std::vector<std::pair<std::string, std::string>>;
+
+/// A number with 17 digits, which reads back exactly.
+std::string field_text(double value);
+
+/// A completed model as fields. Solver and tolerance are left out, because solvers agree to the tolerance of
+/// their certificate.
+Fields fields(const Model& model);
 
 } // namespace rough

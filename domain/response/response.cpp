@@ -12,21 +12,21 @@
 namespace rough {
 
 Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range, double full_stiffness) {
-    const auto count = static_cast<Index>(steps.size());
-    Response response{
-        range, {}, {}, {}, {}, {}, solver, full_stiffness, steps.empty() ? 0 : steps.back().held_nodes};
-    for (auto* column : {&response.displacement, &response.pressure, &response.contact_fraction,
-                         &response.tangent_stiffness, &response.kkt_residual})
-        column->resize(count);
-    for (Index j = 0; j < count; ++j) {
-        const LoadStep& step = steps[static_cast<std::size_t>(j)];
-        response.displacement[j] = step.displacement;
-        response.pressure[j] = step.pressure;
-        response.contact_fraction[j] = step.contact_fraction;
-        response.tangent_stiffness[j] = step.tangent_stiffness;
-        response.kkt_residual[j] = step.kkt_residual;
-    }
-    return response;
+    const auto column = [&](double LoadStep::*member) {
+        Eigen::VectorXd values(static_cast<Index>(steps.size()));
+        for (Index j = 0; j < values.size(); ++j)
+            values[j] = steps[static_cast<std::size_t>(j)].*member;
+        return values;
+    };
+    return {range,
+            column(&LoadStep::displacement),
+            column(&LoadStep::pressure),
+            column(&LoadStep::contact_fraction),
+            column(&LoadStep::tangent_stiffness),
+            column(&LoadStep::kkt_residual),
+            solver,
+            full_stiffness,
+            steps.empty() ? 0 : steps.back().held_nodes};
 }
 
 double displacement_range(const Profile& profile, Kernel kernel) {

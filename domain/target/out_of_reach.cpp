@@ -2,7 +2,7 @@
 
 #include "domain/contact/kernel.hpp"
 #include "domain/plain_stream.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 
 #include <algorithm>
 #include <cmath>

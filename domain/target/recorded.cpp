@@ -1,7 +1,7 @@
 #include "domain/target/recorded.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/response/record.hpp"
+#include "domain/response/model.hpp"
 #include "domain/text/words.hpp"
 
 #include <cmath>

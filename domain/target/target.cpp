@@ -2,7 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/plain_stream.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 #include "domain/target/target_table.hpp"
 
 #include <algorithm>

@@ -16,7 +16,7 @@ enum class Quantity {
     area_at_pressure,     ///< contact fraction against mean pressure (MPa)
     area_at_displacement, ///< contact fraction against displacement from the highest point (mm)
     load_at_displacement, ///< mean pressure (MPa) against displacement (mm)
-    interface_stiffness,  ///< K_i (MPa/mm; response/interface.hpp) against mean pressure (MPa)
+    interface_stiffness,  ///< K_i (MPa/mm; response/curve.hpp) against mean pressure (MPa)
 };
 
 /// In the order of Quantity: stiffness, area, area-displacement, load, interface_stiffness.

@@ -1,9 +1,9 @@
+#include "domain/design/like.hpp"
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/profile/detrend.hpp"
 #include "domain/profile/fractal.hpp"
-#include "domain/target/like.hpp"
 #include "ga/base/random.hpp"
 
 #include <catch2/catch.hpp>
@@ -88,16 +88,11 @@ std::vector<std::pair<std::string, Profile>> all() {
 namespace {
 
 /// Stiffness and contact area of a scan as targets, on a grid of so many nodes.
-DesignSetup like(const Profile& scan, Index nodes, double length, Kernel kernel = Kernel::free) {
-    DesignSetup setup;
-    setup.like = scan;
-    setup.model.body.kernel = kernel;
-    setup.model.grid = {scan.nodes(), length, kernel == Kernel::periodic};
-    setup.model = completed(setup.model);
-    setup.targets = {target_like(scan, setup.model, "stiffness"),
-                     target_like(scan, setup.model, "area", Quantity::area_at_pressure)};
-    setup.model.grid.nodes = nodes;
-    return completed(setup);
+DesignSetup like_scan(const Profile& scan, Index nodes, double length, Kernel kernel = Kernel::free) {
+    Model model;
+    model.grid = {scan.nodes(), length};
+    model.body.kernel = kernel;
+    return completed(like({}, scan, completed(model), "scan", likeness_named("both"), 20, nodes));
 }
 
 } // namespace
@@ -110,7 +105,7 @@ TEST_CASE("the waves of a scan of few waves are these waves, on either body") {
             const double q = 2 * std::numbers::pi / (periodic ? 2.0 : 4.0);
             return 1e-3 * (std::cos(q * x + 0.4) + 0.5 * std::cos(3 * q * x + 2) + 0.2 * std::cos(7 * q * x));
         });
-        const DesignSetup setup = like(scan, 128, 2, kernel);
+        const DesignSetup setup = like_scan(scan, 128, 2, kernel);
         const Profile sum = sample(scan_waves(setup, 10), grid);
         const Eigen::ArrayXd off = (sum.heights - scan.heights).array();
         CHECK((off - off.mean()).abs().maxCoeff() < 2e-2 * 3.4e-3);
@@ -121,7 +116,7 @@ TEST_CASE("the waves of a scan of few waves are these waves, on either body") {
 
 TEST_CASE("the waves follow the nodes that touch more closely than the others") {
     const Profile scan = ten_scans::walk(9);
-    const DesignSetup setup = like(scan, scan.nodes(), ten_scans::grid.length);
+    const DesignSetup setup = like_scan(scan, scan.nodes(), ten_scans::grid.length);
     const Eigen::VectorXd off = sample(scan_waves(setup, 128), setup.model.grid).heights - scan.heights;
     const double range = displacement_range(scan, setup.model.body.kernel);
     const std::vector<int> nodes = solve_contact(scan, setup.model.body, {range}).last_contact;
@@ -133,7 +128,7 @@ TEST_CASE("the waves follow the nodes that touch more closely than the others") 
 
 TEST_CASE("refined waves of a scan have its stiffness and contact area") {
     const DesignSetup setup =
-        like(fractal_profile(ten_scans::grid, 0.8, 1e-3, 5), 512, ten_scans::grid.length);
+        like_scan(fractal_profile(ten_scans::grid, 0.8, 1e-3, 5), 512, ten_scans::grid.length);
     // The first stages of the variant `like`.
     const Answer answer =
         search(setup, {.pipeline =
@@ -145,7 +140,7 @@ TEST_CASE("refined waves of a scan have its stiffness and contact area") {
 }
 
 TEST_CASE("the variant like improves its answer until its evaluations are spent") {
-    const DesignSetup setup = like(ten_scans::walk(9), 256, ten_scans::grid.length);
+    const DesignSetup setup = like_scan(ten_scans::walk(9), 256, ten_scans::grid.length);
     SearchOptions options{.pipeline = "like", .evaluations = 130, .alternatives = 1};
     const SearchResult once = search(setup, options);
     REQUIRE(once.best.lowest() < default_required_similarity);
@@ -159,7 +154,7 @@ TEST_CASE("the variant like improves its answer until its evaluations are spent"
 TEST_CASE("at least six of ten scans are met to 0.9 in stiffness and area together", "[long]") {
     int met = 0;
     for (const auto& [name, profile] : ten_scans::all()) {
-        const DesignSetup setup = like(profile, 2048, ten_scans::grid.length);
+        const DesignSetup setup = like_scan(profile, 2048, ten_scans::grid.length);
         // About 50 s on two cores.
         const SearchResult found = search(setup, {.pipeline = "like", .evaluations = 200});
         WARN(name << ": " << found.best.lowest());

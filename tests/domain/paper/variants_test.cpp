@@ -20,26 +20,13 @@ struct Coarse {
     std::vector<Genome> genomes = sobol_database({.pairs = 6, .shortest = model.grid.spacing()});
 };
 
-using Stages = std::vector<std::pair<std::string, ga::Population<Genome>>>;
+using Stages = std::map<std::string, ga::Population<Genome>>; ///< by path
 
-ga::Result<Genome> run_on(const Coarse& coarse, const Pipeline& pipeline, int threads,
-                          Stages* stages = nullptr) {
-    ga::RunOptions options;
-    options.variant = "test";
-    options.threads = threads;
-    std::vector<ga::Observer<Genome>> observers;
-    if (stages)
-        observers.push_back(
-            [stages](const ga::Event<Genome>& event) { stages->emplace_back(event.path, event.population); });
-    return ga::run(pipeline, coarse.problem, ga::population(coarse.genomes), options, observers);
-}
-
-const ga::Population<Genome>& at(const Stages& stages, const std::string& path) {
-    for (const auto& [name, population] : stages)
-        if (name == path)
-            return population;
-    FAIL("no stage " << path);
-    return stages.front().second;
+/// Runs the pipeline and records the population after each stage.
+ga::Result<Genome> run_on(const Coarse& coarse, const Pipeline& pipeline, int threads, Stages& stages) {
+    return ga::run(pipeline, coarse.problem, ga::population(coarse.genomes),
+                   {.variant = "test", .threads = threads},
+                   {[&](const ga::Event<Genome>& event) { stages[event.path] = event.population; }});
 }
 
 } // namespace
@@ -48,10 +35,10 @@ TEST_CASE("refinement keeps the candidates' identities and never makes one worse
     const Coarse coarse;
     for (auto algorithm : {sog, gco}) {
         Stages stages;
-        run_on(coarse, algorithm(coarse.words, Form::paper), 2, &stages);
-        const auto& before = at(stages, "test/best.1");
+        run_on(coarse, algorithm(coarse.words, Form::paper), 2, stages);
+        const auto& before = stages.at("test/best.1");
         for (const char* path : {"test/refine.1", "test/refine.2"}) {
-            const auto& after = at(stages, path);
+            const auto& after = stages.at(path);
             REQUIRE(after.size() == 3);
             for (std::size_t i = 0; i < 3; ++i) {
                 CHECK(after[i].identity == before[i].identity);
@@ -64,9 +51,9 @@ TEST_CASE("refinement keeps the candidates' identities and never makes one worse
 TEST_CASE("dominant phases are refined first, then the others, by at most 10 %") {
     const Coarse coarse;
     Stages stages;
-    run_on(coarse, gco(coarse.words), 2, &stages);
-    const auto &before = at(stages, "test/best.1"), &first = at(stages, "test/refine.1"),
-               &second = at(stages, "test/refine.2");
+    run_on(coarse, gco(coarse.words), 2, stages);
+    const auto &before = stages.at("test/best.1"), &first = stages.at("test/refine.1"),
+               &second = stages.at("test/refine.2");
     int moved = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const Genome& original = before[i].genome;
@@ -91,9 +78,9 @@ TEST_CASE("dominant phases are refined first, then the others, by at most 10 %")
 TEST_CASE("a child of GCO is the sum of its rescaled parents, one per pair") {
     const Coarse coarse;
     Stages stages;
-    run_on(coarse, gco(coarse.words), 2, &stages);
-    const auto &left = at(stages, "test/pair.1/left/above.1"),
-               &right = at(stages, "test/pair.1/right/above.1"), &children = at(stages, "test/pair.1");
+    run_on(coarse, gco(coarse.words), 2, stages);
+    const auto &left = stages.at("test/pair.1/left/above.1"), &right = stages.at("test/pair.1/right/above.1"),
+               &children = stages.at("test/pair.1");
     std::map<ga::Identity, Genome> parents;
     for (const auto* side : {&left, &right})
         for (const auto& one : *side) {
@@ -113,9 +100,8 @@ TEST_CASE("a child of GCO is the sum of its rescaled parents, one per pair") {
 TEST_CASE("CCO's parents are reduced to their dominant chromosomes and keep their scale") {
     const Coarse coarse;
     Stages stages;
-    run_on(coarse, cco(coarse.words), 2, &stages);
-    const auto &whole = at(stages, "test/pair.1/left/above.1"),
-               &part = at(stages, "test/pair.1/left/reduce.1");
+    run_on(coarse, cco(coarse.words), 2, stages);
+    const auto &whole = stages.at("test/pair.1/left/above.1"), &part = stages.at("test/pair.1/left/reduce.1");
     REQUIRE(whole.size() == part.size());
     for (std::size_t i = 0; i < whole.size(); ++i) {
         CHECK(part[i].genome.scale == whole[i].genome.scale);
@@ -131,22 +117,21 @@ TEST_CASE("the paper's algorithms give the same bits as text and in code, on any
          {std::pair("sog", &sog), std::pair("gco", &gco), std::pair("cco", &cco)})
         for (Form form : {Form::paper, Form::minimax}) {
             Stages in_code, in_text;
-            const auto code = run_on(coarse, algorithm(coarse.words, form), 1, &in_code);
+            const auto code = run_on(coarse, algorithm(coarse.words, form), 1, in_code);
             const std::string variant = std::string(name) + (form == Form::minimax ? "-minimax" : "");
-            const auto text = run_on(coarse, parser.variant(variant), 5, &in_text);
+            const auto text = run_on(coarse, parser.variant(variant), 5, in_text);
             CHECK(code.population[0].value() == text.population[0].value());
             CHECK(code.counters.evaluations == text.counters.evaluations);
-            REQUIRE(in_code.size() == in_text.size());
-            for (std::size_t i = 0; i < in_code.size(); ++i) {
-                CHECK(in_code[i].first == in_text[i].first);
-                const auto keys = [](const ga::Population<Genome>& population) {
-                    std::vector<std::string> all;
+            const auto keys = [](const Stages& stages) {
+                std::vector<std::string> all;
+                for (const auto& [path, population] : stages) {
+                    all.push_back(path);
                     for (const auto& individual : population)
                         all.push_back(shape_key(individual.genome));
-                    return all;
-                };
-                CHECK(keys(in_code[i].second) == keys(in_text[i].second));
-            }
+                }
+                return all;
+            };
+            CHECK(keys(in_code) == keys(in_text));
         }
 }
 

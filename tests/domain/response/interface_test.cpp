@@ -1,7 +1,7 @@
 #include "domain/contact/datum.hpp"
 #include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 #include "tests/domain/derivatives.hpp"
 #include "tests/domain/random_genome.hpp"
 

@@ -1,5 +1,4 @@
 #include "domain/errors.hpp"
-#include "tests/domain/contact/maps.hpp"
 #include "tests/domain/derivatives.hpp"
 #include "tests/domain/random_genome.hpp"
 
@@ -74,28 +73,9 @@ TEST_CASE("load steps reach given pressures, and steps at pressures have no grad
         model.loading.to_pressure = 0;
         model.loading.pressures = {0.01 * highest, 0.3 * highest, 0.35 * highest};
         model.contact.solver = Solver::nested;
-        const Response response = respond(genome, model);
-        REQUIRE(response.steps() == 3);
-        for (Index j = 0; j < 3; ++j)
-            CHECK(response.pressure[j] ==
-                  Approx(model.loading.pressures[static_cast<std::size_t>(j)]).epsilon(1e-11));
+        CHECK(respond(genome, model).pressure.isApprox(highest * Eigen::Vector3d(0.01, 0.3, 0.35), 1e-11));
         CHECK_THROWS_WITH(respond_with_gradient(sample(genome, model.grid), model.body, model.loading),
                           Catch::Contains("gradient"));
-    }
-}
-
-TEST_CASE("a map's load steps at given pressures carry them", "[areas]") {
-    const Profile map = maps::self_affine(32, 0.8, 3, 0.05);
-    const Body body{Kernel::periodic, 1e4};
-    const double highest = respond(map, body, {.steps = 4}).pressure[3];
-    const Loading loads{.pressures = {0.1 * highest, 0.5 * highest}};
-    const std::vector<double> displacements = step_displacements(map, body, loads, {});
-    const ContactCurve curve = solve_contact(map, body, displacements);
-    const Response response = respond(map, body, loads);
-    for (std::size_t j = 0; j < 2; ++j) {
-        CHECK(curve.steps[j].pressure == Approx(loads.pressures[j]).epsilon(3e-6));
-        CHECK(response.displacement[static_cast<Index>(j)] == displacements[j]);
-        CHECK(response.pressure[static_cast<Index>(j)] == Approx(loads.pressures[j]).epsilon(3e-6));
     }
 }
 

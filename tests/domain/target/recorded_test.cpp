@@ -1,5 +1,5 @@
 #include "domain/errors.hpp"
-#include "domain/response/record.hpp"
+#include "domain/response/model.hpp"
 #include "domain/target/recorded.hpp"
 #include "domain/text/words.hpp"
 

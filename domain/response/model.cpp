@@ -1,4 +1,4 @@
-#include "domain/response/record.hpp"
+#include "domain/response/model.hpp"
 
 #include "domain/contact/names.hpp"
 
