@@ -240,7 +240,7 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
             trust.all_decided = trust.all_decided && !decides;
         }
     }
-    if (!deciding.empty()) // a check without an answer is the worst
+    if (!deciding.empty()) // a check without a response is the worst
         trust.under = *std::min_element(deciding.begin(), deciding.end(), [](double a, double b) {
             return a < b || (std::isnan(a) && !std::isnan(b));
         });

@@ -39,7 +39,7 @@ TEST_CASE("the difference of profiles is 1 minus their correlation, mirrored or 
     for (const Profile& same : {skew, mirrored, larger, lower})
         CHECK(difference(skew, same) == Approx(0).margin(1e-14));
     CHECK(difference(mirrored, skew) == Approx(0).margin(1e-14));
-    // Cosines that are their own mirror images: correlations by hand.
+    // Symmetric cosines: correlations by hand.
     CHECK(difference(cosine(1), cosine(2)) == Approx(1));
     CHECK(difference(cosine(1), cosine(1, std::numbers::pi)) == Approx(2));
     CHECK(difference(cosine(1), plus(cosine(1), 1, cosine(2))) == Approx(1 - 1 / std::sqrt(2.0)));

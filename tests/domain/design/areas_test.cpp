@@ -29,7 +29,7 @@ TEST_CASE("the default search of an area meets the drawn target on a grid four t
     CHECK(verified.kernels.size() == 1); // without the strip
 }
 
-TEST_CASE("an area's answer without time to verify it has its own curve and a note", "[areas]") {
+TEST_CASE("an area's answer without time to verify it has a curve and a note", "[areas]") {
     const DesignSetup setup = drawn(24, true);
     for (const char* pipeline : {"", "shape 2 | score | best 1", "shape 1 | score verified"}) {
         const SearchResult found = search(setup, {.pipeline = pipeline, .seconds = 0, .alternatives = 2});
@@ -56,7 +56,7 @@ TEST_CASE("an area's search that is stopped verifies nothing and counts no failu
     std::atomic<bool> stop = false;
     const SearchResult found =
         search(drawn(24, true), {.stop = &stop, .alternatives = 1}, {[&](const ga::Event<Genome>& event) {
-                   stop = stop || (event.path.rfind("maps/refine", 0) == 0); // on the area's own grid
+                   stop = stop || (event.path.rfind("maps/refine", 0) == 0); // on the search grid
                }});
     CHECK(stop);
     CHECK_FALSE(found.best.is_verified());

@@ -32,7 +32,7 @@ DesignSetup like_another(const Genome& wanted, std::optional<double> max_pressur
     return setup;
 }
 
-/// The surface with chromosome n's phase moved by so many rad.
+/// The surface with chromosome n's phase moved by `by` rad.
 Genome moved(Genome genome, int n, double by) {
     genome.series[0].chromosomes[static_cast<std::size_t>(n - 1)].phases[0] += by;
     return genome;

@@ -32,7 +32,7 @@ Eigen::VectorXd smoothed(double correlation, ga::Stream random) {
     return z / std::sqrt(z.squaredNorm() / static_cast<double>(grid.nodes));
 }
 
-/// Grooves of a round tool, `feed` apart, with what the cut leaves on them.
+/// Grooves of a round tool at distances `feed`, with roughness of rms `rest`.
 Profile turned(double feed, double rest, std::uint64_t seed) {
     Eigen::VectorXd z = rest * smoothed(0.02, ga::Stream(seed));
     for (Index i = 0; i < grid.nodes; ++i) {
@@ -87,7 +87,7 @@ std::vector<std::pair<std::string, Profile>> all() {
 
 namespace {
 
-/// Stiffness and contact area of a scan as targets, on a grid of so many nodes.
+/// Stiffness and contact area of a scan as targets, on a grid with these nodes.
 DesignSetup like_scan(const Profile& scan, Index nodes, double length, Kernel kernel = Kernel::free) {
     Model model;
     model.grid = {scan.nodes(), length};
@@ -114,7 +114,7 @@ TEST_CASE("the waves of a scan of few waves are these waves, on either body") {
     }
 }
 
-TEST_CASE("the waves follow the nodes that touch more closely than the others") {
+TEST_CASE("the waves follow touching nodes more closely than other nodes") {
     const Profile scan = ten_scans::walk(9);
     const DesignSetup setup = like_scan(scan, scan.nodes(), ten_scans::grid.length);
     const Eigen::VectorXd off = sample(scan_waves(setup, 128), setup.model.grid).heights - scan.heights;

@@ -24,7 +24,7 @@ struct Case {
     Genome genome;
 };
 
-/// A random genome of three waves with its own stiffness as target, up to a part of the load. The genome's
+/// A random genome of three waves with its stiffness as target, up to a part of the load. The genome's
 /// amplitude has the relative error `error`.
 Case design_of(std::uint64_t seed, Index nodes = 65, double error = 0) {
     ga::Stream random(ga::fold(seed, "case"));

@@ -81,7 +81,7 @@ TEST_CASE("each check is the similarity under the change that it names") {
     CHECK(trust.left_out.empty());
 }
 
-TEST_CASE("the datum moves at the genome's own amplitude when Eq. 11 applies") {
+TEST_CASE("the datum moves at the genome's amplitude when Eq. 11 applies") {
     const Genome genome = two_waves();
     DesignSetup setup = like_itself(genome);
     setup.max_pressure = setup.targets[0].last();

@@ -64,7 +64,7 @@ TEST_CASE("a reported similarity has nine exact digits by any solver") {
         error = std::max(error, std::abs(similarity(setup, genome, 4) - exact));
         CHECK(similarity(as_reported(setup), genome, 4) == Approx(exact).margin(1e-9));
     }
-    CHECK(error > 1e-9); // the solver's own tolerance is coarser
+    CHECK(error > 1e-9); // the solver's tolerance is coarser
 }
 
 TEST_CASE("parts are dominant by the correlation of their curves, by pressure or by step") {

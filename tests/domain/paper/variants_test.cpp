@@ -20,7 +20,7 @@ struct Coarse {
     std::vector<Genome> genomes = sobol_database({.pairs = 6, .shortest = model.grid.spacing()});
 };
 
-using Stages = std::map<std::string, ga::Population<Genome>>; ///< by path
+using Stages = std::map<std::string, ga::Population<Genome>>; ///< key: path
 
 /// Runs the pipeline and records the population after each stage.
 ga::Result<Genome> run_on(const Coarse& coarse, const Pipeline& pipeline, int threads, Stages& stages) {
@@ -48,7 +48,7 @@ TEST_CASE("refinement keeps the candidates' identities and never makes one worse
     }
 }
 
-TEST_CASE("dominant phases are refined first, then the others, by at most 10 %") {
+TEST_CASE("dominant phases are refined first, then all other phases, by at most 10 %") {
     const Coarse coarse;
     Stages stages;
     run_on(coarse, gco(coarse.words), 2, stages);

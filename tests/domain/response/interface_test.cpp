@@ -54,7 +54,7 @@ TEST_CASE("interface stiffness does not depend on the datum, tangents and secant
             load_displacements(displacement_range(profile, near.kernel), {}, near.kernel);
         const Response one = pressed(profile, near, displacements, solver);
         std::vector<double> moved;
-        for (Index j = 0; j < one.steps(); ++j) // the same contact sets
+        for (Index j = 0; j < one.steps(); ++j) // equal contact sets
             moved.push_back(one.displacement[j] - one.pressure[j] * datum_sensitivity(1, length, 1) *
                                                       std::log(far.datum / near.datum));
         const Response other = pressed(profile, far, moved, solver);
