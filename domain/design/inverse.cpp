@@ -25,15 +25,13 @@ Eigen::MatrixXd influence_in_order(const Profile& surface, const Body& given, co
              : influence_column(body.kernel, nodes, body.datum / spacing, body.strip_width / spacing,
                                 layering)) *
         (spacing / body.effective_modulus);
-    Eigen::ArrayX<Index> x(nodes), y(nodes);
-    for (Index i = 0; i < nodes; ++i) {
-        x[i] = order[static_cast<std::size_t>(i)] % columns;
-        y[i] = order[static_cast<std::size_t>(i)] / columns;
-    }
     Eigen::MatrixXd H(nodes, nodes);
     for (Index i = 0; i < nodes; ++i)
-        for (Index k = 0; k < nodes; ++k)
-            H(i, k) = column[std::abs(y[i] - y[k]) * columns + std::abs(x[i] - x[k])];
+        for (Index k = 0; k < nodes; ++k) {
+            const Index a = order[static_cast<std::size_t>(i)], b = order[static_cast<std::size_t>(k)];
+            H(i, k) =
+                column[std::abs(a / columns - b / columns) * columns + std::abs(a % columns - b % columns)];
+        }
     return H;
 }
 

@@ -23,13 +23,9 @@ std::optional<Genome> without_shortest(const Genome& genome) {
     const auto scales = length_scales(genome);
     if (scales.size() < 2)
         return std::nullopt;
-    const auto shortest =
-        std::max_element(scales.begin(), scales.end(), [](const LengthScale& a, const LengthScale& b) {
-            return a.wave_number < b.wave_number;
-        });
+    const auto shortest = std::ranges::max_element(scales, {}, &LengthScale::wave_number);
     return filtered(genome, [&](std::size_t s, std::size_t c) {
-        return std::find(shortest->members.begin(), shortest->members.end(), std::pair(s, c)) ==
-               shortest->members.end();
+        return std::ranges::count(shortest->members, std::pair(s, c)) == 0;
     });
 }
 

@@ -59,11 +59,12 @@ VerificationPlan plan_verification(const DesignSetup& setup, const SearchOptions
                           options.alternatives};
     if (std::isinf(options.seconds))
         return plan;
+    const Genome start = any_start(setup, options);
     const DesignSetup timed = ending(setup, share_for_curve * options.seconds, options.stop);
     const ga::Stopwatch clock;
     double curve = 0;
     try {
-        respond(timed, any_start(setup, options), timed.model);
+        respond(timed, start, timed.model);
         curve = clock.seconds();
     } catch (const NotConverged&) {
         curve = is_stopped(timed.model.contact) ? HUGE_VAL : clock.seconds();
@@ -83,8 +84,7 @@ VerificationPlan plan_verification(const DesignSetup& setup, const SearchOptions
 
 /// Whether a genome in final amplitude keeps every limit.
 bool holds_limits(const DesignSetup& setup, const Genome& genome) {
-    const auto all = margins(genome, setup.model.grid, setup.limits);
-    return std::all_of(all.begin(), all.end(), [](const Margin& margin) { return margin.holds(); });
+    return std::ranges::all_of(margins(genome, setup.model.grid, setup.limits), &Margin::holds);
 }
 
 /// The best individuals of all stages that differ from the answer and from each other, each with its smallest
@@ -171,17 +171,6 @@ Answer answer_of(const DesignSetup& reported, const Genome& genome, Verification
     answer.within_limits = holds_limits(setup, answer.genome);
     answer.verification = std::move(verified);
     return answer;
-}
-
-/// The genomes on the front of a population that `pareto` ranked; none of another population.
-std::vector<Genome> genomes_on_front(const ga::Population<Genome>& population) {
-    std::vector<Genome> front;
-    if (!ga::comparable(population))
-        return front;
-    for (const auto& individual : ga::front_of(population))
-        if (individual.fitness.several())
-            front.push_back(individual.genome);
-    return front;
 }
 
 } // namespace
@@ -281,11 +270,17 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
     observers.insert(observers.begin(), seen.observer());
     observers.insert(observers.begin(), verified_so_far.observer());
     observers.insert(observers.begin(), [&](const ga::Event<Genome>& event) {
-        if (event.derived && ga::comparable(event.population) && !event.population.empty())
-            nearest = ga::best_of(event.population, 1).front().genome;
-        if (event.derived)
+        if (event.population.empty() || !ga::comparable(event.population))
             return;
-        if (auto ranked = genomes_on_front(event.population); !ranked.empty())
+        if (event.derived) {
+            nearest = ga::best_of(event.population, 1).front().genome;
+            return;
+        }
+        std::vector<Genome> ranked; // several objectives: by `pareto`
+        for (const auto& individual : ga::front_of(event.population))
+            if (individual.fitness.several())
+                ranked.push_back(individual.genome);
+        if (!ranked.empty())
             front = std::move(ranked);
     });
 

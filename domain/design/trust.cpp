@@ -43,9 +43,8 @@ void flag(Trust& trust, const Parts&... parts) {
 /// Root mean square gradient of a map.
 double gradient_of(const Genome& genome, const Grid& grid) {
     const auto all = surface_descriptors(grid);
-    return std::pow(10, std::find_if(all.begin(), all.end(), [](const auto& each) {
-                            return each.name == "slope";
-                        })->of(genome));
+    const auto slope = std::ranges::find(all, std::string("slope"), &ga::Descriptor<Genome>::name);
+    return std::pow(10, slope->of(genome));
 }
 
 void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
@@ -64,12 +63,11 @@ void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustO
     const ContactState& state = trust.last;
     trust.peak_pressure = state.pressure.maxCoeff();
     const auto [columns, rows] = profile.shape();
-    trust.contact_at_ends =
-        setup.model.body.kernel != Kernel::periodic &&
-        std::any_of(state.nodes.begin(), state.nodes.end(), [columns = columns, rows = rows](int node) {
-            const Index i = node % columns, j = node / columns;
-            return i == 0 || i == columns - 1 || (rows > 1 && (j == 0 || j == rows - 1));
-        });
+    trust.contact_at_ends = setup.model.body.kernel != Kernel::periodic &&
+                            std::ranges::any_of(state.nodes, [columns = columns, rows = rows](int node) {
+                                const Index i = node % columns, j = node / columns;
+                                return i == 0 || i == columns - 1 || (rows > 1 && (j == 0 || j == rows - 1));
+                            });
     trust.shortest_wave_nodes = shortest_wave(genome) * (1 + 1e-12) / setup.model.grid.widest_spacing();
 
     if (trust.rms_slope > 0.1)

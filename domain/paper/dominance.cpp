@@ -120,7 +120,7 @@ Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::si
     const DominantParts parts = dominant_parts({wanted.x, wanted.y}, alone, threshold);
     return filtered(genome, [&](std::size_t s, std::size_t c) {
         for (std::size_t i = 0; i < scales.size(); ++i)
-            if (std::count(scales[i].members.begin(), scales[i].members.end(), std::pair(s, c)))
+            if (std::ranges::count(scales[i].members, std::pair(s, c)))
                 return parts.dominant[i] != 0;
         return false;
     });
