@@ -17,7 +17,7 @@ constexpr double length = 0.84942;
 
 Response pressed(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                  Solver solver) {
-    const ContactCurve curve = solve_contact(profile, body, displacements, {.solver = solver});
+    const ContactCurve curve = solve_contact(profile, body, displacements, {.solver = solver, .stop = {}});
     return response_of(curve.steps, curve.solver, displacement_range(profile, body.kernel),
                        full_contact_stiffness(profile.nodes(), profile.spacing, body));
 }
@@ -30,8 +30,9 @@ TEST_CASE("full contact is as stiff as a flat profile by the direct solver, on a
             for (const Kernel kernel : {Kernel::free, Kernel::strip}) {
                 const Profile flat{Eigen::VectorXd::Zero(nodes), length / static_cast<double>(nodes - 1)};
                 const Body body{kernel, 3, datum * length, 0.1 * datum * length};
-                const double direct =
-                    solve_contact(flat, body, {1}, {.solver = Solver::nested}).steps[0].tangent_stiffness;
+                const double direct = solve_contact(flat, body, {1}, {.solver = Solver::nested, .stop = {}})
+                                          .steps[0]
+                                          .tangent_stiffness;
                 INFO(nodes << " nodes, datum " << datum);
                 const double full = full_contact_stiffness(nodes, flat.spacing, body);
                 CHECK(std::abs(1 / full - 1 / direct) <= 1e-11 / direct);
