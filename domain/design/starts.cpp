@@ -3,7 +3,6 @@
 #include "domain/design/inverse.hpp"
 #include "domain/design/shape_to_waves.hpp"
 #include "domain/mwm/sobol.hpp"
-#include "domain/problem/harmonics.hpp"
 #include "ga/base/parallel.hpp"
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 #include "domain/numerics/statistics.hpp"
 #include "domain/plain_stream.hpp"
 #include "domain/problem/setup.hpp"
-#include "domain/problem/surface_descriptors.hpp"
+#include "domain/problem/problem.hpp"
 #include "ga/base/budget.hpp"
 #include "ga/base/parallel.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "domain/paper/dominance.hpp"
 #include "domain/paper/gcmma.hpp"
-#include "domain/problem/phases.hpp"
+#include "domain/problem/limits.hpp"
 #include "ga/ga.hpp"
 #include "ga/text/parser.hpp"
 #include "ga/text/refinement_vocabulary.hpp"

@@ -33,7 +33,7 @@ std::function<void()> pressing(const Profile& profile, const Body& body,
     return [=] { solve_contact(profile, body, displacements, options); };
 }
 
-/// A set-up for the paper's target, after a change.
+/// Makes a problem of a changed set-up for the paper's target.
 std::function<void()> design(const std::function<void(DesignSetup&)>& change) {
     return [=] {
         DesignSetup setup;
@@ -53,7 +53,7 @@ std::function<void()> self_affine(const std::function<void(SelfAffine&)>& change
 
 } // namespace
 
-TEST_CASE("a wrong argument from code is refused by its name, with its value") {
+TEST_CASE("a function refuses a wrong argument by its name and value") {
     const double huge = std::numeric_limits<double>::max(), nan = std::nan("");
     const Body body, periodic{Kernel::periodic}, soft{Kernel::free, 0}, near{Kernel::free, 1, 0.01};
     Body hard;

@@ -48,7 +48,10 @@ Case design_of(std::uint64_t seed, Index nodes = 65, double error = 0) {
 double similarity_with(const Case& one, const Eigen::VectorXd& errors) {
     Profile made = sample(one.genome, one.setup.model.grid);
     made.heights += errors;
-    return similarity(one.setup, respond(one.setup, made, one.setup.model));
+    std::vector<Response> responses;
+    for (const Model& model : loaded_models(one.setup))
+        responses.push_back(respond(made, model));
+    return similarity(one.setup, scored(one.setup, std::move(responses)));
 }
 
 /// Share of 1,000 draws of noise that keep a similarity. The draws are made from the covariance.

@@ -7,7 +7,8 @@
 
 namespace rough::testing {
 
-/// Whatever has a corner: contact sets, extreme nodes, which segment of a curve serves a point, the band.
+/// All values at which a misfit has a corner: contact sets, extreme nodes, the segment that serves a point,
+/// the band.
 inline std::vector<double> corners(const DesignSetup& setup, const Genome& genome, Index refine) {
     const Model model = refined(setup.model, refine);
     std::vector<double> marks;
@@ -34,7 +35,7 @@ inline std::vector<double> corners(const DesignSetup& setup, const Genome& genom
     return marks;
 }
 
-/// Those of every curve that an objective reads.
+/// The corners of every curve that an objective uses.
 inline std::vector<double> corners(const DesignSetup& setup, const Genome& genome,
                                    const std::string& objective) {
     std::vector<double> marks = corners(setup, genome, 1);
@@ -49,6 +50,8 @@ inline std::vector<double> corners(const DesignSetup& setup, const Genome& genom
     return marks;
 }
 
+/// Checks the Jacobian of an objective against central differences. A gene is omitted if a corner lies
+/// between the differences; more than half must remain.
 inline void check_jacobian(const DesignSetup& setup, const Genome& start, const std::string& objective,
                            double tolerance = 1e-5) {
     const DesignProblem problem(setup);

@@ -5,7 +5,7 @@
 using namespace rough;
 using nlohmann::json;
 
-TEST_CASE("a set-up survives being stored, with every number to the bit and what is not set left unset") {
+TEST_CASE("a stored set-up is read back to the bit, and unset values stay unset") {
     DesignSetup setup;
     setup.model.grid = {257, 1. / 3, true, 0.1, 5, 0.7};
     setup.model.body = {Kernel::strip, 2. / 3, 0.3, 0.4, 5};
@@ -24,8 +24,6 @@ TEST_CASE("a set-up survives being stored, with every number to the bit and what
     CHECK(json(back) == json(setup));
     CHECK_FALSE((back.max_pressure || back.threshold || back.phases || back.like));
     CHECK(back.targets[0].x == target.x);
-    CHECK(back.model.grid.length == 1. / 3);
-    CHECK(back.model.body.hardness == 5);
 
     setup.max_pressure = 0;
     setup.threshold = 1e-5;
@@ -39,7 +37,7 @@ TEST_CASE("a set-up survives being stored, with every number to the bit and what
     CHECK_FALSE(full.model.body.yields());
 }
 
-TEST_CASE("a set-up's description names all that decides a result, and no file") {
+TEST_CASE("a set-up's description depends on every value that affects a result, not on file names") {
     DesignSetup setup;
     setup.targets = {Target{}};
     DesignSetup renamed = setup, harder = setup, wider = setup;

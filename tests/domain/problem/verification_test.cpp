@@ -20,7 +20,7 @@ DesignSetup drawn_setup() {
 
 } // namespace
 
-TEST_CASE("the four similarities of a verification are those of four separate solutions") {
+TEST_CASE("a verification agrees with four separate solutions") {
     for (const bool rescaled : {false, true}) {
         DesignSetup setup = drawn_setup();
         if (rescaled)
@@ -41,19 +41,18 @@ TEST_CASE("the four similarities of a verification are those of four separate so
     }
 }
 
-TEST_CASE("a measured profile answers as it does itself in any load steps") {
+TEST_CASE("a measured profile has similarity 1 to its own response in any load steps") {
     DesignSetup setup = drawn_setup();
     setup.like = sample(three_waves(), setup.model.grid);
     setup.targets = {target_like(*setup.like, setup.model, "itself")};
     const Verification verified = Verifier(setup).of(three_waves());
     CHECK(verified.similarity == Approx(1));
     CHECK(verified.stepped == Approx(1));
-    setup.like.reset(); // then its response in few steps is all that is known
+    setup.like.reset(); // then only its response in few steps is known
     CHECK(Verifier(setup).of(three_waves()).stepped < 0.999);
 }
 
-TEST_CASE(
-    "the worst misfit of what refinement sees as verified or stepped is what the answer is verified by") {
+TEST_CASE("the objectives verified and more_steps agree with the verification and their residuals") {
     const DesignProblem problem(drawn_setup());
     const DesignOutcome outcome = problem.evaluate(three_waves());
     const Verification verified = Verifier(problem.setup()).of(three_waves());
@@ -70,7 +69,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a search that is given starts returns nothing worse than the first of them") {
+TEST_CASE("a search with given starts returns an answer at least as good as the first") {
     const DesignSetup setup = drawn_setup();
     SearchOptions options;
     options.pipeline = "shape 8 | score | refine lm 20 | best 1";
