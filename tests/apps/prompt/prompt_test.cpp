@@ -96,7 +96,7 @@ const std::vector<Wrong> wrong_uses{
     {"target --check datum.csv --length 0.004 --datum 1",
      {"datum.csv: recorded with datum_mm 0.004 (here 1)"}},
     {"design --target t.csv --out .", {"--out", "holds result.json", "--force"}},
-    {"design --target t.csv --database g.json", {"g.json", "no genome database"}},
+    {"design --target t.csv --database g.json", {"g.json", "not a genome database"}},
     {"database", {"build, info, merge, query"}},
     {"database bild", {"'bild'", "did you mean 'build'"}},
     {"database build new.db --hurst-from 3", {"H from 3 to 1.5"}},
