@@ -3,7 +3,7 @@
 #include "domain/contact/names.hpp"
 #include "domain/errors.hpp"
 #include "domain/target/recorded.hpp"
-#include "domain/target/target_table.hpp"
+#include "domain/target/target.hpp"
 
 #include <algorithm>
 

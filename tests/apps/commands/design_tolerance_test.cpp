@@ -1,6 +1,6 @@
 #include "domain/design/tolerance.hpp"
 #include "domain/mwm/genome_json.hpp"
-#include "domain/target/target_table.hpp"
+#include "domain/target/target.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
