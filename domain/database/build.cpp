@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <unistd.h>
 
 namespace rough {
@@ -105,34 +106,27 @@ Response response_for(const DatabaseSetup& setup, std::uint64_t genome) {
     }
 }
 
-Computing on_threads(int threads, std::uint64_t at_a_time) {
+Computing on_threads(int threads) {
     return [=](const DatabaseSetup& setup, const Orders& orders) {
-        while (!orders.ended()) {
-            std::vector<std::uint64_t> genomes;
-            while (genomes.size() < at_a_time)
-                if (const auto genome = orders.next())
-                    genomes.push_back(*genome);
-                else
-                    break;
-            if (genomes.empty())
-                return;
-            std::vector<std::optional<Response>> responses(genomes.size());
-            ga::parallel_for(genomes.size(), ga::thread_count(threads), [&](std::size_t i) {
+        std::mutex lock;
+        const int count = ga::thread_count(threads);
+        ga::parallel_for(static_cast<std::size_t>(count), count, [&](std::size_t) {
+            std::unique_lock held(lock);
+            while (const auto genome = orders.next()) {
+                held.unlock();
+                Response response = response_for(setup, *genome);
+                held.lock();
                 if (!orders.ended())
-                    responses[i] = response_for(setup, genomes[i]);
-            });
-            for (std::size_t i = 0; i < genomes.size(); ++i)
-                if (responses[i])
-                    orders.take(genomes[i], std::move(*responses[i]));
-        }
+                    orders.take(*genome, std::move(response));
+            }
+        });
     };
 }
 
 void build(GenomeStore& store, const BuildOptions& options) {
     validate(store.setup().law);
     Batches batches(store, options);
-    const Computing computing =
-        options.computing ? options.computing : on_threads(options.threads, options.batch);
+    const Computing computing = options.computing ? options.computing : on_threads(options.threads);
     computing(store.setup(),
               {batches.missing(), [&] { return batches.next(); },
                [&](std::uint64_t genome, Response response) { batches.take(genome, std::move(response)); },

@@ -11,7 +11,7 @@ namespace rough {
 struct Orders {
     std::uint64_t count = 0;                            ///< how many genomes are missing
     std::function<std::optional<std::uint64_t>()> next; ///< a genome's number; nothing after the last one
-    /// Accepts a genome's response, in any order, on the thread that called `next`.
+    /// Accepts a genome's response, in any order. One thread at a time may call any of these functions.
     std::function<void(std::uint64_t genome, Response response)> take;
     std::function<bool()> ended; ///< no more responses are wanted
 };
@@ -19,8 +19,8 @@ struct Orders {
 /// Computes the responses of a set-up's genomes by response_for, here or on other machines.
 using Computing = std::function<void(const DatabaseSetup& setup, const Orders& orders)>;
 
-/// Computes on `threads` threads (0: all), `at_a_time` genomes together.
-Computing on_threads(int threads, std::uint64_t at_a_time = 250);
+/// Computes on `threads` threads (0: all).
+Computing on_threads(int threads);
 
 /// How far a build goes and how it works.
 struct BuildOptions {
@@ -28,7 +28,7 @@ struct BuildOptions {
     std::uint64_t first = 0;         ///< number of the first one, for a part of a law's genomes
     std::uint64_t batch = 250;       ///< genomes stored together; a kill loses at most these
     int threads = 0;                 ///< 0: all
-    Computing computing = {};        ///< in place of on_threads(threads, batch)
+    Computing computing = {};        ///< in place of on_threads(threads)
     /// Called after every batch with the number of stored genomes. The build ends when it returns false.
     std::function<bool(std::uint64_t stored)> go_on = [](std::uint64_t) { return true; };
     /// When it becomes true, the build ends and drops unfinished batches.
