@@ -25,7 +25,12 @@ Profile line_of(std::initializer_list<double> heights, double spacing = 0.1) {
     return {Eigen::Map<const Eigen::VectorXd>(heights.begin(), static_cast<Index>(heights.size())), spacing};
 }
 
-const Profile good = line_of({0, 1, 0.5, 0.2}), map{Eigen::VectorXd::Constant(144, 2), 0.1, 12, 0.1};
+const Profile good = line_of({0, 1, 0.5, 0.2}), short_line = line_of({0, 1, 0, 1, 0, 1, 0, 1, 0}),
+              constant{Eigen::VectorXd::Constant(50, 2), 0.1},
+              map{Eigen::VectorXd::Constant(144, 2), 0.1, 12, 0.1};
+const Loading one_step{1, 1}, to_full_contact{20, 1}, two_steps{.steps = 2};
+const std::vector<double> falling{2e-3, 1e-3};
+const SpectralMoments no_roughness{1, 0, 1}, few_summits{1, 1, 1.4};
 
 std::function<void()> pressing(const Profile& profile, const Body& body,
                                std::vector<double> displacements = {0.1},
@@ -74,38 +79,20 @@ TEST_CASE("a function refuses a wrong argument by its name and value") {
         {pressing(good, hard, {0.1}, nested), "hardness"},
         {pressing(good, body, {0.1}, rash), "tolerance"},
         {pressing(map, {Kernel::strip}), "strip"},
-        {[=] {
-             solve_contact_at_pressures(good, body, {2e-3, 1e-3});
-         },
-         "0.001 MPa was given after 0.002"},
+        {[=] { solve_contact_at_pressures(good, body, falling); }, "0.001 MPa was given after 0.002"},
         {[=] { with_datum(solve_contact(good, periodic, {0.1}), good, periodic, 1); }, "datum"},
-        {[] {
-             respond(line_of({2, 2, 2}), {}, {});
-         },
-         "all heights are equal"},
-        {[] {
-             load_displacements(1, {1, 1}, Kernel::free);
-         },
-         "steps: 1"},
-        {[] {
-             load_displacements(1, {20, 1}, Kernel::periodic);
-         },
-         "less than 1"},
-        {[=] { partial_slip(respond(good, body, {.steps = 2}), 0); }, "friction coefficient 0"},
+        {[] { respond(constant); }, "all heights are equal"},
+        {[] { load_displacements(1, one_step, Kernel::free); }, "steps: 1"},
+        {[] { load_displacements(1, to_full_contact, Kernel::periodic); }, "less than 1"},
+        {[=] { partial_slip(respond(good, body, two_steps), 0); }, "friction coefficient 0"},
         {[] {
              Model model;
              model.body.hardness = 1;
              respond_within(good, model, 0.01);
          },
          "accuracy: given with a hardness"},
-        {[] {
-             roughness(line_of({0, 1, 0, 1, 0, 1, 0, 1, 0}));
-         },
-         "9 nodes"},
-        {[] {
-             roughness({Eigen::VectorXd::Constant(50, 2), 0.1});
-         },
-         "constant"},
+        {[] { roughness(short_line); }, "9 nodes"},
+        {[] { roughness(constant); }, "constant"},
         {[] { areal_parameters(map); }, "constant"},
         {[] { low_passed(good, 0); }, "cut-off"},
         {[] {
@@ -124,14 +111,8 @@ TEST_CASE("a function refuses a wrong argument by its name and value") {
         {self_affine([](SelfAffine& s) { s.hurst = 1; }), "hurst: 1"},
         {self_affine([](SelfAffine& s) { s.rms_slope = 0; }), "rms slope: 0"},
         {self_affine([](SelfAffine& s) { s.longest = 0.1; }), "cut-offs: 0.1 and 0.1 mm"},
-        {[] {
-             bush_gibson_thomas({1, 1, 1.4}, 1, Eigen::VectorXd::Ones(1));
-         },
-         "1.5"},
-        {[] {
-             greenwood_williamson({1, 0, 1}, 1, Eigen::VectorXd::Ones(1));
-         },
-         "moments 1, 0, 1"},
+        {[] { bush_gibson_thomas(few_summits, 1, Eigen::VectorXd::Ones(1)); }, "1.5"},
+        {[] { greenwood_williamson(no_roughness, 1, Eigen::VectorXd::Ones(1)); }, "moments 1, 0, 1"},
     };
     for (const auto& [call, words] : wrong) {
         INFO(words);

@@ -1,31 +1,21 @@
-#include "domain/mwm/sobol.hpp"
-#include "domain/problem/drawn_start.hpp"
-#include "domain/target/out_of_reach.hpp"
 #include "tests/domain/problem/jacobian.hpp"
-#include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rough;
 using rough::testing::check_jacobian;
+using rough::testing::fitted_genome;
 
 namespace {
 
 DesignSetup area_setup(Kernel kernel, Index columns = 18, Index rows = 16) {
     DesignSetup setup;
     setup.model.body.kernel = kernel;
-    setup.model.grid.nodes = columns;
-    setup.model.grid.rows = rows;
-    setup.model.grid.width = 0.8;
+    setup.model.grid = {.nodes = columns, .length = 0.84942, .rows = rows, .width = 0.8};
     setup.model.loading.steps = 8;
     setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
     setup.limits.shortest_wave = 0.25;
     return completed(setup);
-}
-
-Genome two_series(std::mt19937_64& random, const DesignSetup& setup) {
-    return with_fitting_amplitude(setup,
-                                  testing::random_genome(random, 2, 3, 0.84942, setup.limits.shortest_wave));
 }
 
 /// A chromosome of two crossed ridges: Z = -G [cos(k x + 0.4) + cos(k y + 1)] and a constant.
@@ -40,7 +30,7 @@ TEST_CASE("derivatives of misfits on maps agree with differences in every gene",
             DesignSetup setup = area_setup(kernel);
             if (!free_amplitude)
                 setup.max_pressure = 1.6e-4;
-            check_jacobian(setup, two_series(random, setup), "similarity");
+            check_jacobian(setup, fitted_genome(random, setup), "similarity");
         }
     for (const Quantity quantity : {Quantity::interface_stiffness, Quantity::area_at_pressure,
                                     Quantity::area_at_displacement, Quantity::load_at_displacement}) {
@@ -55,7 +45,7 @@ TEST_CASE("derivatives of misfits on maps agree with differences in every gene",
         if (quantity == Quantity::interface_stiffness)
             target.y = Eigen::VectorXd::LinSpaced(8, 0.5, 4);
         // A smooth contact fraction is steep just before a node touches, and differences are less accurate.
-        check_jacobian(setup, two_series(random, setup), "similarity",
+        check_jacobian(setup, fitted_genome(random, setup), "similarity",
                        is_contact_fraction(quantity) ? 1e-4 : 1e-5);
     }
 }
@@ -67,17 +57,13 @@ TEST_CASE("a map's verification agrees with four separate solutions", "[areas]")
         setup.model.loading.steps = 20;
         setup.max_pressure = 1.6e-4;
         setup.model.contact.tolerance = 1e-9;
-        const Genome genome = two_series(random, setup);
-        const auto alone = [&](Index refine, int times) {
-            Model model = refined(setup.model, refine);
-            model.loading.steps *= times;
-            return similarity(setup, respond(setup, genome, model));
-        };
+        const Genome genome = fitted_genome(random, setup);
+        const auto [similarity, refined, stepped, both] =
+            rough::testing::separate_similarities(setup, genome);
         const Verification verified = Verifier(setup).of(genome);
-        CHECK(verified.similarity == Approx(alone(1, 1)).epsilon(1e-6));
-        CHECK(verified.refined == Approx(alone(4, 1)).epsilon(1e-6));
-        CHECK(verified.stepped == Approx(alone(1, 4)).epsilon(1e-6));
-        const double both = alone(4, 4);
+        CHECK(verified.similarity == Approx(similarity).epsilon(1e-6));
+        CHECK(verified.refined == Approx(refined).epsilon(1e-6));
+        CHECK(verified.stepped == Approx(stepped).epsilon(1e-6));
         CHECK(verified.reading_error < 1e-3 * (1 + verified.misfits[2][0].cwiseAbs().maxCoeff()));
         CHECK(verified.both == Approx(both).margin(3e-3 * (2 - both)));
         CHECK(verified.both == Verifier(setup, 2).of(genome).both);
@@ -89,7 +75,7 @@ TEST_CASE("a stopped verification of a map has only the similarities solved befo
     std::mt19937_64 random(75);
     DesignSetup setup = area_setup(Kernel::periodic);
     setup.max_pressure = 1.6e-4;
-    const Genome genome = two_series(random, setup);
+    const Genome genome = fitted_genome(random, setup);
     const Verification whole = Verifier(setup).of(genome);
     long count = 0;
     const auto stopped_after = [&](long questions) {
@@ -113,7 +99,7 @@ TEST_CASE("a stopped verification of a map has only the similarities solved befo
 TEST_CASE("a stopped evaluation of a map is reported as stopped, not as a failed genome", "[areas]") {
     std::mt19937_64 random(76);
     DesignSetup setup = area_setup(Kernel::periodic);
-    const Genome genome = two_series(random, setup);
+    const Genome genome = fitted_genome(random, setup);
     const DesignOutcome outcome = DesignProblem(setup).evaluate(genome);
     setup.model.contact.stop = [] { return true; };
     const DesignProblem problem(setup);
@@ -164,7 +150,7 @@ TEST_CASE("rows of limits on a map's shape agree with differences", "[areas]") {
     DesignSetup setup = area_setup(Kernel::free);
     setup.max_pressure = 1.6e-4;
     const DesignProblem problem(setup);
-    Genome genome = two_series(random, setup);
+    Genome genome = fitted_genome(random, setup);
     genome = problem.settled(genome, problem.evaluate(genome));
     const auto has = margins(genome, setup.model.grid, {});
     setup.limits.max_slope = 0.8 * has[1].value;

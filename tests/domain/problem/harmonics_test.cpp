@@ -1,9 +1,7 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/mwm/waves.hpp"
-#include "domain/problem/drawn_start.hpp"
-#include "domain/problem/problem.hpp"
-#include "tests/domain/random_genome.hpp"
+#include "tests/domain/problem/jacobian.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -14,10 +12,9 @@ namespace {
 constexpr double length = 0.84942;
 
 DesignSetup periodic_setup() {
-    DesignSetup setup;
-    setup.model.grid.nodes = 128;
+    DesignSetup setup = rough::testing::drawn_setup(128);
     setup.model.body.kernel = Kernel::periodic;
-    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    setup.model.loading.reach = 0;
     return completed(setup);
 }
 

@@ -1,11 +1,47 @@
 #pragma once
 
+#include "domain/problem/drawn_start.hpp"
 #include "domain/problem/problem.hpp"
-#include "domain/problem/verification.hpp"
+#include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace rough::testing {
+
+/// A design for the paper's target on a grid of `nodes`, with amplitude free or by Eq. 11.
+inline DesignSetup drawn_setup(Index nodes, bool eq_11 = false) {
+    DesignSetup setup;
+    setup.model.grid.nodes = nodes;
+    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    if (eq_11)
+        setup.max_pressure = 1.6e-4;
+    return completed(setup);
+}
+
+/// A random genome of two series in the amplitude that fits the first target.
+inline Genome fitted_genome(std::mt19937_64& random, const DesignSetup& setup, std::size_t ridges = 1) {
+    return with_fitting_amplitude(
+        setup, random_genome(random, 2, ridges, setup.model.grid.length, setup.limits.shortest_wave));
+}
+
+/// The value of an objective for a genome.
+inline double fitness(const DesignProblem& problem, const Genome& genome, const std::string& name) {
+    for (const auto& objective : problem.objectives())
+        if (objective.name == name)
+            return objective.fitness(problem.evaluate(genome));
+    FAIL("no objective " << name);
+    return 0;
+}
+
+/// A verification's four similarities by one solution each.
+inline std::array<double, 4> separate_similarities(const DesignSetup& setup, const Genome& genome) {
+    const auto alone = [&](Index refine, int times) {
+        Model model = refined(setup.model, refine);
+        model.loading.steps *= times;
+        return similarity(setup, respond(setup, genome, model));
+    };
+    return {alone(1, 1), alone(4, 1), alone(1, 4), alone(4, 4)};
+}
 
 /// All values at which a misfit has a corner: contact sets, extreme nodes, the segment that serves a point,
 /// the band.

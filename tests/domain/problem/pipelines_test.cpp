@@ -1,15 +1,12 @@
 #include "domain/design/pipelines.hpp"
-#include "domain/mwm/genome.hpp"
+#include "tests/domain/problem/jacobian.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rough;
 
 TEST_CASE("every kind of pipeline keeps bounds and budget, with equal bits on any threads") {
-    DesignSetup setup;
-    setup.model.grid.nodes = 64;
-    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
-    setup.limits.shortest_wave = 8 * setup.model.grid.spacing();
+    const DesignSetup setup = rough::testing::drawn_setup(64);
     const DesignProblem problem(setup);
     for (const std::string generation :
          {"tournament 2 | cross n_points 2 | mutate 0.2 | score | elite 1",

@@ -2,27 +2,17 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/paper/dominance.hpp"
-#include "domain/problem/drawn_start.hpp"
 #include "ga/problem/ranking.hpp"
 #include "tests/domain/problem/jacobian.hpp"
-#include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rough;
 using rough::testing::check_jacobian;
+using rough::testing::drawn_setup;
+using rough::testing::fitted_genome;
 
 namespace {
-
-const char* const drawn_target = RUGOSA_TEST_DATA "/target_paper.csv";
-
-DesignSetup drawn_setup(Index nodes = 128) {
-    DesignSetup setup;
-    setup.model.grid.nodes = nodes;
-    setup.targets = {read_target(drawn_target)};
-    setup.limits.shortest_wave = 8 * setup.model.grid.spacing();
-    return setup;
-}
 
 /// A target of n points up to `last` whose y goes from `first` to `highest`.
 Target straight(Quantity quantity, Index n, double last, double first, double highest) {
@@ -35,14 +25,9 @@ Target straight(Quantity quantity, Index n, double last, double first, double hi
 
 /// The drawn target and a contact area at each of its pressures.
 DesignSetup drawn_with_area() {
-    DesignSetup setup = drawn_setup();
+    DesignSetup setup = drawn_setup(128);
     setup.targets.push_back(straight(Quantity::area_at_pressure, 20, setup.targets[0].last(), 0.05, 0.6));
     return setup;
-}
-
-Genome fitted_genome(std::mt19937_64& random, const DesignSetup& setup, std::size_t ridges = 1) {
-    return with_fitting_amplitude(
-        setup, testing::random_genome(random, 2, ridges, 0.84942, setup.limits.shortest_wave));
 }
 
 } // namespace
@@ -50,9 +35,7 @@ Genome fitted_genome(std::mt19937_64& random, const DesignSetup& setup, std::siz
 TEST_CASE("derivatives of misfits agree with differences in every gene, with and without Eq. 11") {
     std::mt19937_64 random(31);
     for (const bool free_amplitude : {false, true}) {
-        DesignSetup setup = drawn_setup();
-        if (!free_amplitude)
-            setup.max_pressure = 1.6e-4;
+        DesignSetup setup = drawn_setup(128, !free_amplitude);
         for (std::size_t ridges : {1u, 2u})
             for (const char* objective : {"similarity", "low", "high", "more_steps", "verified"})
                 check_jacobian(setup, fitted_genome(random, setup, ridges), objective);
@@ -66,11 +49,11 @@ TEST_CASE("derivatives of misfits agree with differences in every gene, with and
 TEST_CASE("derivatives agree for contact fractions, and for loads, bands and weights together") {
     std::mt19937_64 random(32);
     for (const Quantity quantity : {Quantity::area_at_pressure, Quantity::area_at_displacement}) {
-        DesignSetup setup = drawn_setup();
+        DesignSetup setup = drawn_setup(128);
         setup.targets = {straight(quantity, 10, 2e-4, 0.05, 0.6)}; // smooth contact fractions
         check_jacobian(setup, fitted_genome(random, setup), "similarity");
     }
-    DesignSetup setup = drawn_setup();
+    DesignSetup setup = drawn_setup(128);
     setup.targets.push_back(straight(Quantity::load_at_displacement, 10, 2e-4, 1.2e-5, 1.2e-4));
     setup.targets[1].weight = 0.4;
     setup.targets[0].lower = 0.97 * setup.targets[0].y;
@@ -82,9 +65,10 @@ TEST_CASE("derivatives agree for a periodic profile in full contact before the t
     std::mt19937_64 random(37);
     for (const Quantity quantity : {Quantity::load_at_displacement, Quantity::stiffness,
                                     Quantity::area_at_displacement, Quantity::area_at_pressure}) {
-        DesignSetup setup = drawn_setup();
+        DesignSetup setup = drawn_setup(128);
         setup.model.body.kernel = Kernel::periodic;
         setup.model.grid.periodic = true;
+        setup.model.loading.reach = 0;
         const Genome genome =
             testing::random_genome(random, 2, 1, setup.model.grid.length, setup.limits.shortest_wave);
         const double full = displacement_range(sample(genome, setup.model.grid), Kernel::periodic);
@@ -97,7 +81,7 @@ TEST_CASE("derivatives agree for a periodic profile in full contact before the t
                 10 * (quantity == Quantity::stiffness ? plain.tangent_stiffness[2] : plain.pressure[2]);
             check_jacobian(setup, genome, "similarity");
         }
-        // Beyond full contact only a contact fraction can meet a target.
+        // Only a contact fraction can meet its target beyond full contact.
         const Curve met = respond(setup, genome, setup.model).curves.front();
         const double end = met.x[met.x.size() - 2];
         target.y = target.x.unaryExpr([&](double x) { return met.at(std::min(x, end)); });
@@ -111,9 +95,7 @@ TEST_CASE("derivatives agree for a periodic profile in full contact before the t
 
 TEST_CASE("rows of limits on shape agree with differences, and are 0 within the limits") {
     for (const bool free_amplitude : {false, true}) {
-        DesignSetup setup = drawn_setup();
-        if (!free_amplitude)
-            setup.max_pressure = 1.6e-4;
+        DesignSetup setup = drawn_setup(128, !free_amplitude);
         DesignProblem problem(setup);
         Genome genome = shaped_start(setup, ga::Stream(5));
         genome = problem.settled(genome, problem.evaluate(genome));
@@ -176,9 +158,7 @@ TEST_CASE("a genome moved within its bounds has no wave shorter than allowed") {
 
 TEST_CASE("some starts shaped to the drawn target are near it before any search") {
     for (const bool free_amplitude : {false, true}) {
-        DesignSetup setup = drawn_setup(512);
-        if (!free_amplitude)
-            setup.max_pressure = 1.6e-4;
+        const DesignSetup setup = drawn_setup(512, !free_amplitude);
         int near = 0;
         for (std::uint64_t key = 0; key < 16; ++key)
             near += similarity(setup, shaped_start(setup, ga::Stream(key))) > 0.9;
@@ -200,7 +180,7 @@ TEST_CASE("each of several targets has an objective, whose rows are a part of al
 }
 
 TEST_CASE("a genome reduced to a target keeps at least one chromosome") {
-    DesignSetup setup = drawn_setup();
+    DesignSetup setup = drawn_setup(128);
     std::mt19937_64 random(34);
     for (int scene = 0; scene < 5; ++scene) {
         const Genome genome = testing::random_genome(random, 1, 1, 0.84942, setup.limits.shortest_wave);

@@ -27,7 +27,7 @@ TEST_CASE("a file written atomically has exactly the new content") {
     CHECK(entries(folder.path()) == 1);
 }
 
-TEST_CASE("a file that cannot be written is refused in one line and leaves nothing") {
+TEST_CASE("a file that cannot be written is refused in one line, without a trace") {
     const Folder folder;
     CHECK_THROWS_AS(rough::write_atomically(folder / "missing" / "a.csv", "x"), rough::InputError);
     fs::create_directory(folder / "taken");
