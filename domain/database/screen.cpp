@@ -160,7 +160,7 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
 
     const int threads = ga::thread_count(options.threads);
     const std::size_t parts = static_cast<std::size_t>(threads);
-    // A coarse amplitude can hide a good genome, so many more genomes are narrowed than returned.
+    // A coarse amplitude can hide a good genome. Therefore many more genomes are narrowed than returned.
     const std::size_t candidates =
         rescaled ? std::max<std::size_t>(options.best, 1) : 200 + 20 * options.best;
     std::vector<WorstFirst> best(parts, WorstFirst(better));

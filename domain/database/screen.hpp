@@ -23,9 +23,10 @@ struct ScreenOptions {
 bool need_fractions(const std::vector<Target>& targets);
 
 /// The stored genomes nearest to the targets, best first; equal similarities by index. Genomes whose curves
-/// end before a target are omitted. If amplitude is free, 33 amplitudes of each genome are compared: from the
-/// lowest whose curves reach 2 % beyond the targets up to 16 times that. The best ones are then narrowed
-/// between their neighbours. Throws InputError if a target reaches beyond max_pressure, or nothing is stored.
+/// end before a target are omitted. If amplitude is free, 33 amplitudes of each genome are compared. The
+/// lowest one makes the curves reach 2 % beyond the targets, and the highest is 16 times that. The best are
+/// then narrowed between their neighbours. Throws InputError if a target reaches beyond max_pressure, or
+/// nothing is stored.
 std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets,
                           const ScreenOptions& options);
 

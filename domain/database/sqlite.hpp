@@ -15,13 +15,13 @@ namespace rough {
 /// file.
 class Sqlite {
   public:
-    /// Opens an existing file, or makes one if there is none.
+    /// Opens an existing file; `create` also makes a new one.
     enum class Access { existing, create };
     /// Throws InputError if `file` cannot be opened.
     Sqlite(std::filesystem::path file, Access access);
 
-    void run(const std::string& sql);             ///< runs statements whose rows do not matter
-    std::uint64_t number(const std::string& sql); ///< the first column of the first row; 0 without a row
+    void run(const std::string& sql);                           ///< runs statements whose rows do not matter
+    std::uint64_t number(const std::string& sql);               ///< the first column of the first row, or 0
     const std::filesystem::path& file() const { return file_; } ///< as it was given
 
   private:
@@ -51,8 +51,8 @@ class Statement {
         int parameter = 0;
         (bind(++parameter, values), ...);
     }
-    bool step();                              ///< goes to the next row; false if there is none
-    std::uint64_t number(int column) const;   ///< of the row, columns from 0
+    bool step();                              ///< goes to the next row; false after the last one
+    std::uint64_t number(int column) const;   ///< a cell of the row; columns count from 0
     std::string_view bytes(int column) const; ///< text or blob, valid until the next step
 
   private:

@@ -34,10 +34,10 @@ struct StoredAnswer {
     Answer answer;           ///< stretched, with that amplitude, verified as a design is (verified_answer)
 };
 
-/// The stored genomes whose stored curves are nearest to a design's targets, as `stored_starts`, but verified
-/// before they are ranked, because stored load steps may be too few for a target. At least 16 genomes are
-/// verified and `count` returned, the highest `similarity_worst` first. Genomes without a response on a finer
-/// grid are omitted. Throws InputError as scale_to and `validate` of the set-up do.
+/// The stored genomes whose stored curves are nearest to a design's targets. Unlike `stored_starts`, they are
+/// verified before they are ranked, because stored load steps may be too few for a target. At least 16
+/// genomes are verified and `count` returned, the highest `similarity_worst` first. Genomes without a
+/// response on a finer grid are omitted. Throws InputError as scale_to and `validate` of the set-up do.
 std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& setup,
                                          std::size_t count, int threads = 0);
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t application = 0x52554741; // "RUGA"
 constexpr std::uint64_t form = 2;
 
-/// The statements that make a database, in alphabetic order. Blobs have their own tables, so that scoring
+/// The statements that make a database, in alphabetic order. Each kind of blob has a table, so that scoring
 /// reads only pressures.
 std::vector<std::string> schema() {
     const std::string blobs = "(first INTEGER PRIMARY KEY, numbers BLOB NOT NULL, checksum INTEGER NOT NULL)";

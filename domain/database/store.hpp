@@ -37,7 +37,7 @@ struct StoredBatch {
 /// at the same time.
 class GenomeStore {
   public:
-    /// Opens a database, or makes one if there is none. Throws InputError on a file of another set-up, naming
+    /// Opens an existing database, or makes a new one. Throws InputError on a file of another set-up, naming
     /// the first difference, and on a file that is not a genome database.
     static GenomeStore create(const std::filesystem::path& file, const DatabaseSetup& setup);
     /// Opens an existing database, to read it or to continue its build.
@@ -53,19 +53,19 @@ class GenomeStore {
     static bool begun(const std::filesystem::path& file);
 
     const DatabaseSetup& setup() const { return setup_; }   ///< as the file states it
-    const std::string& version() const { return version_; } ///< of the program that made the file
+    const std::string& version() const { return version_; } ///< the program's version when it made the file
     std::uint64_t stored() const;                           ///< number of stored genomes
-    const std::filesystem::path& file() const;              ///< where the database is
+    const std::filesystem::path& file() const;              ///< the database's path
 
-    /// The next genomes of `wanted` to compute, at most `batch`: first those that no builder has taken, then
-    /// those taken and never delivered, except the batches for which `is_own` is true. Nothing if all are
-    /// stored. Stored genomes are removed from the beginning of `wanted`, so the next call starts behind
-    /// them.
+    /// The next genomes of `wanted` to compute, at most `batch`. Genomes that no builder has taken come
+    /// first. Then come those taken and never delivered, except batches for which `is_own` is true. Nothing
+    /// if all are stored. Stored genomes are removed from the beginning of `wanted`, so the next call starts
+    /// behind them.
     std::optional<Span> take(Span& wanted, std::uint64_t batch,
                              const std::function<bool(std::uint64_t first)>& is_own = {});
     /// The spans of these genomes that are not stored, in order.
     std::vector<Span> gaps(const Span& of) const;
-    /// Stores a batch. False if another builder has stored it before; then that copy stays.
+    /// Stores genomes and responses. False if another builder stored them before; then that copy stays.
     bool add(const Span& span, const std::vector<Genome>& genomes, const std::vector<Response>& responses);
 
     std::vector<Span> batches() const; ///< as they are stored, in order

@@ -101,7 +101,7 @@ Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome) {
         return genome;
     const Target& target = setup.targets.front();
     Model model = setup.model;
-    // On a map, where a curve is expensive, a start needs no finer load steps.
+    // Curves of maps are expensive, and a start does not need finer load steps.
     const int steps = model.grid.is_2d() ? model.loading.steps : std::max(40, model.loading.steps);
     model.loading = {steps, model.loading.reach};
     const Response response = respond(folded(genome), model);

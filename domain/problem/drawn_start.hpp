@@ -10,11 +10,11 @@ namespace rough {
 /// Appends every chromosome down to the shortest wave (mm), with `ridges` phases uniform in [0, 2 pi).
 void add_chromosomes(Series& series, double shortest, int ridges, ga::Stream& random);
 
-/// Series of amplitude 1 without chromosomes, with one H. Together they have each harmonic L/k of a length L
-/// (mm) once, down to `shortest` (mm) or k = 32: lambda = L/k for every odd k, gamma = 2.
+/// Series of amplitude 1 without chromosomes, with one H: lambda = L/k for every odd k, gamma = 2. Together
+/// they have each harmonic L/k of a length L (mm) once, down to `shortest` (mm) or k = 32.
 std::vector<Series> harmonic_series(double length, double shortest, double H);
 
-/// The genome with every wave moved to the nearest harmonic L/k, k >= 1, of the length L (mm), so that it
+/// The genome with every wave moved to the nearest harmonic L/k, k >= 1, of the length L (mm). It then
 /// repeats without a jump. Amplitudes and phases are kept, and series that consist of harmonics.
 Genome in_harmonics(const Genome& genome, double length);
 

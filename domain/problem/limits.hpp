@@ -55,7 +55,7 @@ struct Margin {
     bool is_least;    ///< whether the limit is a lower one
     /// Whether the value keeps the limit.
     bool holds() const { return limit == 0 || (is_least ? value >= limit : value <= limit); }
-    /// The distance inside the limit over the limit; negative outside; 1 without a limit.
+    /// The distance inside the limit, over the limit: negative outside, 1 without a limit.
     double margin() const { return limit == 0 ? 1 : (is_least ? 1 - limit / value : 1 - value / limit); }
 };
 

@@ -13,12 +13,12 @@ struct Loadings {
 };
 /// The loadings of a set-up's targets, with the steps of `loading`.
 Loadings loadings_of(const DesignSetup& setup, const Loading& loading);
-/// The load steps, or, if they pass full contact of an elastic periodic body, load steps up to 0.999 of its
-/// displacement: beyond it there is no displacement.
+/// The load steps. If they pass full contact of an elastic periodic body, they are replaced by load steps up
+/// to 0.999 of its displacement, beyond which displacement is not defined.
 Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model);
 /// Continues a curve that ends in full contact before its target, and its derivatives if given. The contact
-/// fraction stays. Stiffness and load have no value there: over a further range of the curve they rise by 100
-/// times the last value, so that they meet no target.
+/// fraction stays. Stiffness and load have no value there. They rise by 100 times the last value over a
+/// further range of the curve, so that they meet no target.
 void continue_beyond_full_contact(const DesignSetup& setup, const Target& target, Curve& curve,
                                   CurveJacobian* jacobian = nullptr);
 /// The set-up's model with each of its targets' loadings.

@@ -21,8 +21,8 @@ Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& mo
 /// into derivatives in genes. Throws what respond() throws.
 Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const Loadings& loadings,
                  const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& in_genes);
-/// The rows of a genome on a grid `refine` times finer: in the load steps of `finer` (in_finer_steps), then
-/// in every fourth of them, which are the set-up's load steps. One solution gives both.
+/// The rows of a genome on a grid `refine` times finer. The first are in the load steps of `finer`
+/// (in_finer_steps), the second in every fourth of them, which are the set-up's. One solution gives both.
 std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& finer, const Genome& genome,
                                  Index refine);
 

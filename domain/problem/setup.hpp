@@ -37,8 +37,8 @@ struct DesignSetup {
     std::optional<Profile> like = {};
     /// The verified similarity from which a search may end and an answer is called found.
     double required_similarity = default_required_similarity;
-    /// Number of ridges M of each chromosome of a drawn genome. 0: 1 on a line, where ridges collapse to one
-    /// cosine, and 8 on a map, where they are directions.
+    /// Number of ridges M of each chromosome of a drawn genome. 0: 1 on a line, because its ridges collapse
+    /// to one cosine, and 8 on a map, whose ridges are directions.
     int ridges = 0;
     MakingErrors errors = {}; ///< that an answer has to survive
 };

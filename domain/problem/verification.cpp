@@ -40,8 +40,8 @@ Response read_between(Response response, const std::vector<char>& solved) {
     return response;
 }
 
-/// The finer load steps to solve on a finer grid, by a solution of all of them on this one: every fourth, and
-/// those between two of these if interpolation is not accurate there.
+/// The finer load steps to solve on a finer grid, given a solution of all of them on this one. These are
+/// every fourth step, and the steps between if interpolation is not accurate there.
 std::vector<char> steps_to_solve(const Response& all) {
     const Index count = all.steps();
     std::vector<char> solved(static_cast<std::size_t>(count), 1);

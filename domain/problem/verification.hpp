@@ -22,9 +22,9 @@ struct Verification {
     double refined = 0;       ///< on a grid of 4(N - 1) + 1 nodes (periodic: 4 N), along both axes of a map
     double stepped = 0;       ///< in four times the load steps, on both sides
     double both = 0;          ///< on that grid in those steps
-    double reading_error = 0; ///< of interpolated load steps on a map, already subtracted from `both`
-    std::vector<Response> on_own;   ///< by pressed(), on the set-up's grid in its load steps
-    std::vector<Response> on_finer; ///< by pressed(), on the finer grid in the set-up's load steps
+    double reading_error = 0; ///< error of interpolated load steps, already subtracted from `both`
+    std::vector<Response> on_own;   ///< responses on the set-up's grid in its load steps
+    std::vector<Response> on_finer; ///< responses on the finer grid in the set-up's load steps
     double seconds = 0;             ///< wall time of the verification
     /// Misfits of each target, in the order of the four similarities.
     std::array<std::vector<Eigen::VectorXd>, 4> misfits;
@@ -40,11 +40,12 @@ class Verifier {
     explicit Verifier(DesignSetup setup, int threads = 1) : setup_(std::move(setup)), threads_(threads) {}
 
     /// Two solutions in finer load steps give all four similarities, because every fourth step is one of the
-    /// set-up's. On a fine map, every fourth step is solved. Steps between are interpolated by cubics through
-    /// the pressures and tangents next to them. If such a cubic has an error above 2e-3 of a secant on the
-    /// set-up's grid, where all steps are solved, they are solved too. The effect of this on the set-up's
-    /// grid is subtracted from `both`. If ContactOptions::stop ends it, the remaining similarities are NaN,
-    /// and their misfits and responses empty. Otherwise throws what respond() throws.
+    /// set-up's. On a fine map, only every fourth step is solved, and the steps between are interpolated by
+    /// cubics through the pressures and tangents next to them. All steps are solved on the set-up's grid.
+    /// Steps with an interpolation error above 2e-3 of a secant there are solved on the fine map, too. The
+    /// effect of the interpolation on the set-up's grid is subtracted from `both`. If ContactOptions::stop
+    /// ends the verification, the remaining similarities are NaN, and their misfits and responses empty.
+    /// Otherwise throws what respond() throws.
     Verification of(const Genome& genome) const;
     /// of(), which keeps the last 32 complete verifications.
     Verification remembered(const Genome& genome) const;
@@ -65,7 +66,7 @@ class Verifier {
     mutable std::once_flag finer_made_;
     mutable DesignSetup finer_;
     mutable std::mutex guard_;
-    mutable std::deque<std::pair<std::string, Verification>> known_; ///< by key_of()
+    mutable std::deque<std::pair<std::string, Verification>> known_; ///< under key_of()
 };
 
 } // namespace rough

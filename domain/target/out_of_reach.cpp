@@ -69,9 +69,9 @@ struct Load {
     double last; ///< MPa
 };
 
-/// The lowest K or K_i that a curve can have at a pressure (MPa), MPa/mm. With a second secant near full
-/// contact, the line that continues K_i below the first secant is arbitrarily steep: there is no limit there.
-/// The first secant lies at P/(2 n) at most, since secants never fall.
+/// The lowest K or K_i that a curve can have at a pressure (MPa), MPa/mm. If the second secant is near full
+/// contact, the line that continues K_i below the first one is arbitrarily steep, and the limit there is 0.
+/// The first secant lies at P/(2 n) at most, because secants never fall.
 double lowest_at(double pressure, const Target& target, const Load& load) {
     const double share = pressure / load.last;
     if (target.quantity == Quantity::stiffness || std::isinf(load.secants.max)) // periodic: K_i = K
@@ -122,8 +122,8 @@ void find_beyond_limits(const Target& target, const Load& load, std::vector<OutO
     found.insert(found.end(), {stiff, soft});
 }
 
-/// A load above the chord of two points, the first of which may be (0, 0), or one that rises between two
-/// points by more than full contact's or by less than a single node's.
+/// A load above the chord of two points, the first of which may be (0, 0). Or one that rises by more than in
+/// full contact, or by less than with a single node.
 void find_beyond_loads(const Target& target, const StiffnessLimits& limits, std::vector<OutOfReach>& found) {
     const Allowed allowed{target};
     OutOfReach steep, light;

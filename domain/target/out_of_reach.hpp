@@ -18,8 +18,8 @@ struct StiffnessLimits {
 StiffnessLimits stiffness_limits(const Model& model);
 
 /// The lowest and highest K(p), MPa/mm, that any profile's scored curve can have at a share p/P_nt of its
-/// last load. (secant_stiffness continues the curve to 0 and P_nt with the slopes of its end segments.) The
-/// limits are sharp for secants between `secants`; `steps` are even and at least 2.
+/// last load. The scored curve (secant_stiffness) is continued to 0 and P_nt with the slopes of its end
+/// segments. The limits are sharp if all secants lie between `secants`. `steps` are even and at least 2.
 StiffnessLimits scored_limits(const StiffnessLimits& secants, int steps, double share);
 
 /// Why no profile can meet a target exactly, and how near the best one could come.
@@ -33,14 +33,15 @@ struct OutOfReach {
     std::string verdict() const;
 };
 
-/// Exact tests of each target by itself, without a search, under a model that is solved throughout:
-/// - Contact sets are nested, so K(P) and contact fractions never fall. If y_i is above y_j with i < j, a
-/// curve
-///   that does not fall misses one of them by at least (y_i - y_j)/(y_i + y_j).
+/// Exact tests of each target by itself, without a search, for a model that is solved throughout:
+/// - Contact sets are nested, so K(P) and contact fractions never fall. If y_i > y_j with i < j, a curve that
+/// does
+///   not fall misses one of them by at least (y_i - y_j)/(y_i + y_j).
 /// - Secants of K lie between a single node and full contact. So the scored curve, with its ends continued,
 ///   lies between scored_limits(). The lower limit falls as the grid is refined.
-/// - K_i never falls either. It has no upper limit. From the middle of the first load step on, where every
-///   curve has its first secant, it is at least that of a single node. On a periodic body it is K.
+/// - K_i never falls either, and its upper limit is infinite. From the middle of the first load step on,
+/// where
+///   every curve has its first secant, it is at least that of a single node. On a periodic body it is K.
 /// - P(Delta) is convex from (0, 0) on, for the same reason. It is no steeper than full contact and no
 /// flatter
 ///   than a single node.

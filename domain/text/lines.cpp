@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t max_lines = 12'000'000; // a table of 1e7 rows and its header
 
-/// Units of UTF-8 or UTF-16 as UTF-8, where a unit outside any character becomes the code `replace(unit)`.
+/// Units of UTF-8 or UTF-16 as UTF-8. A unit outside any character becomes the code `replace(unit)`.
 template <class Units, class Replace>
 std::string transcoded(const Units& units, Replace replace) {
     namespace utf = boost::locale::utf;

@@ -18,7 +18,7 @@ class Zip {
     /// `bytes` must outlive the archive; `file` begins the messages. Throws InputError on a damaged archive.
     Zip(const std::string& bytes, std::string file);
 
-    /// Passes an entry's bytes to `take`, piece by piece. False if there is no such entry. Throws InputError
+    /// Passes an entry's bytes to `take`, piece by piece. False if it does not exist. Throws InputError
     /// on an entry of more than `max_size` bytes, before it is unpacked, and on a damaged entry.
     bool read(const std::string& name, std::size_t max_size,
               const std::function<void(std::string_view)>& take) const;
