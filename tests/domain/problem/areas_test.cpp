@@ -30,7 +30,7 @@ TEST_CASE("derivatives of misfits on maps agree with differences in every gene",
             DesignSetup setup = area_setup(kernel);
             if (!free_amplitude)
                 setup.max_pressure = 1.6e-4;
-            check_jacobian(setup, fitted_genome(random, setup), "similarity");
+            check_jacobian(setup, fitted_genome(random, setup, 3), "similarity");
         }
     random.seed(72);
     for (const Quantity quantity : {Quantity::interface_stiffness, Quantity::area_at_pressure,
@@ -46,7 +46,7 @@ TEST_CASE("derivatives of misfits on maps agree with differences in every gene",
         if (quantity == Quantity::interface_stiffness)
             target.y = Eigen::VectorXd::LinSpaced(8, 0.5, 4);
         // A smooth contact fraction is steep just before a node touches, and differences are less accurate.
-        check_jacobian(setup, fitted_genome(random, setup), "similarity",
+        check_jacobian(setup, fitted_genome(random, setup, 3), "similarity",
                        is_contact_fraction(quantity) ? 1e-4 : 1e-5);
     }
 }
@@ -58,7 +58,7 @@ TEST_CASE("a map's verification agrees with four separate solutions", "[areas]")
         setup.model.loading.steps = 20;
         setup.max_pressure = 1.6e-4;
         setup.model.contact.tolerance = 1e-9;
-        const Genome genome = fitted_genome(random, setup);
+        const Genome genome = fitted_genome(random, setup, 3);
         const auto [similarity, refined, stepped, both] =
             rough::testing::separate_similarities(setup, genome);
         const Verification verified = Verifier(setup).of(genome);
@@ -76,7 +76,7 @@ TEST_CASE("a stopped verification of a map has only the similarities solved befo
     std::mt19937_64 random(75);
     DesignSetup setup = area_setup(Kernel::periodic);
     setup.max_pressure = 1.6e-4;
-    const Genome genome = fitted_genome(random, setup);
+    const Genome genome = fitted_genome(random, setup, 3);
     const Verification whole = Verifier(setup).of(genome);
     long count = 0;
     const auto stopped_after = [&](long questions) {
@@ -100,7 +100,7 @@ TEST_CASE("a stopped verification of a map has only the similarities solved befo
 TEST_CASE("a stopped evaluation of a map is reported as stopped, not as a failed genome", "[areas]") {
     std::mt19937_64 random(76);
     DesignSetup setup = area_setup(Kernel::periodic);
-    const Genome genome = fitted_genome(random, setup);
+    const Genome genome = fitted_genome(random, setup, 3);
     const DesignOutcome outcome = DesignProblem(setup).evaluate(genome);
     setup.model.contact.stop = [] { return true; };
     const DesignProblem problem(setup);
@@ -151,7 +151,7 @@ TEST_CASE("rows of limits on a map's shape agree with differences", "[areas]") {
     DesignSetup setup = area_setup(Kernel::free);
     setup.max_pressure = 1.6e-4;
     const DesignProblem problem(setup);
-    Genome genome = fitted_genome(random, setup);
+    Genome genome = fitted_genome(random, setup, 3);
     genome = problem.settled(genome, problem.evaluate(genome));
     const auto has = margins(genome, setup.model.grid, {});
     setup.limits.max_slope = 0.8 * has[1].value;
