@@ -2,7 +2,6 @@
 
 /// @file
 /// All that a user of the library needs. What is included here, and what that includes, is installed.
-#include "domain/accuracy/doubts.hpp"
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/resolution.hpp"
 #include "domain/accuracy/respond.hpp"
@@ -35,11 +34,8 @@
 #include "domain/mwm/waves.hpp"
 #include "domain/paper/variants.hpp"
 #include "domain/problem/problem.hpp"
-#include "domain/profile/derivatives.hpp"
 #include "domain/profile/detrend.hpp"
 #include "domain/profile/filter.hpp"
-#include "domain/profile/finer.hpp"
-#include "domain/profile/fractal.hpp"
 #include "domain/profile/outliers.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/solid.hpp"

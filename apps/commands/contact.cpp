@@ -8,8 +8,7 @@
 #include "apps/report/result.hpp"
 #include "apps/report/surface.hpp"
 #include "apps/report/units.hpp"
-#include "domain/accuracy/doubts.hpp"
-#include "domain/accuracy/line_of_map.hpp"
+#include "domain/accuracy/reduced.hpp"
 #include "domain/accuracy/resolution.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/contact/pressure_and_gap.hpp"
@@ -288,9 +287,7 @@ void add_jump_note(const rough::Profile& surface, const rough::Model& model,
 Pressed pressed_area(const Settings& settings) {
     AreaScene scene = area_from(settings);
     scene.model = within_accuracy(loaded(scene.model, settings), settings);
-    rough::AccountedResponse result =
-        scene.model.accuracy > 0 ? rough::respond_within(scene.map, scene.model, scene.model.accuracy)
-                                 : rough::respond_exactly(scene.map, scene.model);
+    rough::AccountedResponse result = respond_within(scene.map, scene.model);
     scene.model.contact.tolerance = result.account.tolerance;
     std::vector<std::string> notes = std::move(scene.notes);
     if (!settings.has("genome"))
@@ -303,7 +300,7 @@ Pressed pressed(const Settings& settings) {
     rough::Model model = within_accuracy(loaded(model_from(settings, source), settings), settings);
     if (model.accuracy > 0 && source.genome && !settings.has("nodes"))
         model.grid = rough::resolved_grid(*source.genome, model.grid.length, model.grid.periodic);
-    rough::AccountedResponse result = respond_accounted(source, model);
+    rough::AccountedResponse result = respond_within(source, model);
     model.contact.tolerance = result.account.tolerance;
     std::vector<std::string> notes;
     rough::Profile profile = source.on(model.grid);

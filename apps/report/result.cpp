@@ -51,7 +51,7 @@ json account_json(const rough::Account& account) {
 }
 
 json modelled_json(const rough::Genome& genome, const rough::Model& model) {
-    const rough::AccountedResponse found = respond_accounted(genome, model);
+    const rough::AccountedResponse found = respond_within(genome, model);
     json result = account_json(found.account);
     result.erase("seconds"); // of this one curve; the search's own stand beside
     result["true_error"] =

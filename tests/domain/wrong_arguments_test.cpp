@@ -4,9 +4,9 @@
 #include "domain/design/statistical.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/test_surfaces.hpp"
 #include "domain/problem/problem.hpp"
 #include "domain/profile/filter.hpp"
-#include "domain/profile/fractal.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/solid.hpp"
 #include "domain/response/partial_slip.hpp"
@@ -95,9 +95,10 @@ TEST_CASE("a wrong argument from code is refused by its name, with its value") {
         {[] {
              Model model;
              model.body.hardness = 1;
-             respond_within(good, model, 0.01);
+             model.accuracy = 0.01;
+             respond_within(good, model);
          },
-         "accuracy: given with a hardness"},
+         "accuracy: its bounds do not hold with a hardness"},
         {[] {
              roughness(line_of({0, 1, 0, 1, 0, 1, 0, 1, 0}));
          },
@@ -111,7 +112,7 @@ TEST_CASE("a wrong argument from code is refused by its name, with its value") {
         {[] {
              fractal_profile({512, 0.8, false}, 1, 1, 0);
          },
-         "hurst: 1.0"},
+         "hurst: 1 is out of range"},
         {[] { binary_stl(good, {.width = -1}); }, "width"},
         {design([](DesignSetup& s) { s.targets.clear(); }), "none given"},
         {design([](DesignSetup& s) { s.targets[0].weight = 2; }), "weight"},

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/experiments/paper/run.hpp"
+#include "domain/mwm/test_surfaces.hpp"
 #include "domain/paper/dominance.hpp"
-#include "domain/profile/fractal.hpp"
 #include "domain/response/curve.hpp"
 
 /// What is measured beside the searches, for claims that no search bears on.

@@ -63,11 +63,13 @@ Csv coverage_table(const AccuracyRun& run) {
 void add_savings(AccuracyRun& run, SavingRow row, const rough::Genome& genome, const rough::Model& model,
                  const std::vector<double>& accuracies) {
     rough::AccountedResponse exact, cheap;
-    row.resolved_seconds = least_seconds([&] { exact = respond_exactly(genome, model); }, 2, HUGE_VAL);
+    row.resolved_seconds = least_seconds([&] { exact = respond_within(genome, exactly(model)); }, 2, HUGE_VAL);
     row.resolved_nodes = model.grid.nodes;
     for (const double accuracy : accuracies) {
         row.accuracy = accuracy;
-        row.seconds = least_seconds([&] { cheap = respond_within(genome, model, accuracy); }, 2, HUGE_VAL);
+        rough::Model within = model;
+        within.accuracy = accuracy;
+        row.seconds = least_seconds([&] { cheap = respond_within(genome, within); }, 2, HUGE_VAL);
         // Both err by what their solvers' certificates leave open.
         row.estimated_error = cheap.account.estimated_error + exact.account.estimated_error;
         row.true_error = rough::relative_error(cheap.response.pressure, exact.response.pressure);

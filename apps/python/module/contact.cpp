@@ -69,7 +69,7 @@ Curve of_surface(const rough::Profile& surface, Keywords& keywords, Gradient gra
     keywords.expect_none_left();
     Curve curve = pressed(
         surface, model, gradient,
-        [&](const rough::Model& m) { return respond_within(surface, m, m.accuracy); },
+        [&](const rough::Model& m) { return respond_within(surface, m); },
         [](const rough::ResponseGradient& rows, const rough::AreaGradient& area) {
             return rough::ResponseJacobian{rows.pressure, rows.last_displacement, area.by_heights};
         });
@@ -85,7 +85,7 @@ Curve of_genome(const rough::Genome& genome, Keywords& keywords, Gradient gradie
     keywords.expect_none_left();
     return pressed(
         sample(genome, model.grid), model, gradient,
-        [&](const rough::Model& m) { return respond_accounted(genome, m); },
+        [&](const rough::Model& m) { return respond_within(genome, m); },
         [&](const rough::ResponseGradient& rows, const rough::AreaGradient& area) {
             return rough::in_genes(
                 rows,

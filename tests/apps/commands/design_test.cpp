@@ -199,7 +199,7 @@ TEST_CASE("a design within an accuracy says what it modelled, and its similariti
     CHECK(account["resolved_nodes"] == 1025);
     CHECK(account["estimated_error"] <= 0.01);
     CHECK(account["true_error"] <= 0.01);
-    CHECK_THAT(account["words"].get<std::string>(), Catch::Contains("0.01 was asked for"));
+    CHECK_THAT(account["words"].get<std::string>(), Catch::Contains("0.01 was requested"));
     const json exact = result_in(folder / "exact")["variants"]["pipeline"]["modelled"][0];
     CHECK(exact["true_error"] == 0);
     CHECK(exact["grids"] == json{1025});

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "domain/mwm/test_surfaces.hpp"
 #include "domain/problem/problem.hpp"
-#include "domain/profile/fractal.hpp"
 #include "tests/domain/random_genome.hpp"
 
 /// Twenty targets of stiffness: what unseen surfaces of several kinds answer, and formulas.

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "domain/mwm/test_surfaces.hpp"
 #include "domain/profile/detrend.hpp"
-#include "domain/profile/fractal.hpp"
 #include "ga/base/random.hpp"
 
 #include <algorithm>
