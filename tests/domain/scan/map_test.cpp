@@ -30,7 +30,7 @@ std::string refusal(const std::string& bytes, const MapLayout& layout = {}) {
 
 } // namespace
 
-TEST_CASE("a map written as X3P is read back with both its spacings", "[map]") {
+TEST_CASE("a map written as X3P is read back with both spacings", "[map]") {
     const Map map = read(x3p(relief));
     CHECK(map.heights.shape() == relief.shape());
     CHECK(map.heights.spacing == Approx(0.01).epsilon(1e-14));
@@ -54,7 +54,7 @@ TEST_CASE("a matrix and points x, y, height in any order are the same map", "[ma
     }
 }
 
-TEST_CASE("a text that names its format is read as that map", "[map]") {
+TEST_CASE("a text in a named format is read as that map", "[map]") {
     const Map map = read("aISO-1.0\nNumPoints = 3\nNumProfiles = 2\nXscale = 1e-5\nYscale = 2e-5\n"
                          "Zscale = 1e-6\nDataType = 5\n*\n1 2 3\n4 5 6\n*\n");
     CHECK(map.heights.shape() == Extent{3, 2});
@@ -62,10 +62,10 @@ TEST_CASE("a text that names its format is read as that map", "[map]") {
     CHECK(map.heights.row_spacing == Approx(0.02));
     for (Index k = 0; k < 6; ++k)
         CHECK(map.heights.heights[k] == Approx(1e-3 * double(k + 1)));
-    CHECK_THAT(refusal(testing::gsf_file()), Catch::Contains("row 2: no height in column 8, expected 9"));
+    CHECK_THAT(refusal(testing::gsf_file()), Catch::Contains("row 2: no height in column 8; give 9"));
 }
 
-TEST_CASE("what is no whole map is refused with its place", "[map]") {
+TEST_CASE("an incomplete map is refused with its place", "[map]") {
     CHECK_THAT(refusal("1 2 3 4\n4 5 6 7\n"), Catch::Contains("distance of its nodes"));
     CHECK_THAT(refusal("0 0 1\n1 0 2\n0 1 3\n"), Catch::Contains("no height at x = 1, y = 1"));
     CHECK_THAT(refusal("0 0 1\n1 0 2\n0 1 3\n1 1 4\n0 0 5\n"), Catch::Contains("line 5"));
@@ -73,7 +73,7 @@ TEST_CASE("what is no whole map is refused with its place", "[map]") {
     CHECK_THAT(refusal("1 2 3 4\n", {.spacing = 1, .row_spacing = 1}), Catch::Contains("2 x 2"));
 }
 
-TEST_CASE("a map's VTK file holds every point, the highest byte first", "[map]") {
+TEST_CASE("a map's VTK file has every point, highest byte first", "[map]") {
     const std::string bytes = vtk(relief);
     CHECK_THAT(bytes, Catch::StartsWith("# vtk DataFile Version 3.0\n"));
     CHECK_THAT(bytes, Catch::Contains("DIMENSIONS 6 4 1\nPOINTS 24 double\n"));

@@ -21,20 +21,27 @@ void check_refused(const std::string& content, const std::string& part) {
     CHECK_THROWS_WITH(read_scan(folder.write("scan.txt", content), {}), Catch::Contains(part));
 }
 
+std::string repeated(const std::string& part, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i)
+        all += part;
+    return all;
+}
+
 } // namespace
 
-TEST_CASE("a number of twenty digits is no count of points") {
+TEST_CASE("a number of twenty digits is not a count of points") {
     check_refused("12345678901234567890\n" + rows, "missing value");
     const Folder folder;
     CHECK(read_scan(folder.write("scan.txt", "4\n" + rows), {}).profile.nodes() == 4);
 }
 
-TEST_CASE("an export's count above 1e9 is refused") {
+TEST_CASE("a count above 1e9 is refused") {
     check_refused("SigmaSurf_Data\nSPACING_UM: 0.25\nNUMBER_OF_POINTS: 1e300\nPROFILE_UM:\n1\n2\n",
                   "up to 1e9");
 }
 
-TEST_CASE("empty quotes in a header, half a pair of UTF-16 and a tiny exponent leave a scan readable") {
+TEST_CASE("a scan is readable with empty quotes, half a UTF-16 pair, or a tiny exponent") {
     const Folder folder;
     for (const std::string head : {"x z\n\"\"\n", "\"\" height\n", "\"\"\n\"\" \"\"\n"})
         CHECK(read_scan(folder.write("scan.txt", head + rows), {}).profile.nodes() == 4);
@@ -47,8 +54,7 @@ TEST_CASE("empty quotes in a header, half a pair of UTF-16 and a tiny exponent l
 
 namespace {
 
-/// Bytes that this process holds beyond those it held before, at most, while it reads; none where /proc
-/// cannot tell.
+/// Largest number of bytes that reading adds to this process; 0 without /proc.
 std::size_t peak_while(const std::function<void()>& read) {
     const auto kilobytes = [](const std::string& key) {
         std::ifstream status("/proc/self/status");
@@ -85,32 +91,24 @@ void check_frugal(const std::string& name, const std::string& content, const std
     }
 }
 
-std::string repeated(const std::string& part, int times) {
-    std::string all;
-    for (int i = 0; i < times; ++i)
-        all += part;
-    return all;
-}
-
 } // namespace
 
-TEST_CASE("a small file never takes much memory, whatever it claims") {
+TEST_CASE("a small file never takes much memory") {
     check_frugal("one long row among short ones",
-                 repeated("1 2 3 4\n", 100'000) + repeated("1 ", 1'000'000) + "\n", "columns, expected");
-    std::string widths = repeated("1 ", 1'000'000) + "\n"; // the widest is as common as any other
+                 repeated("1 2 3 4\n", 100'000) + repeated("1 ", 1'000'000) + "\n", "columns, but");
+    std::string widths = repeated("1 ", 1'000'000) + "\n"; // each width is as common as the widest
     for (int i = 1; i < 1000; ++i)
         widths += repeated("1 ", i) + "\n";
-    check_frugal("rows of all widths", widths, "columns, expected 1000000 as in the other rows");
+    check_frugal("rows of all widths", widths, "columns, but the other rows have 1000000");
     std::string places; // no two points share an x or a y
     for (int i = 0; i < 200'000; ++i)
         places += std::to_string(i) + " " + std::to_string(i) + ".5 1\n";
     const Folder folder;
-    CHECK_THROWS_WITH(read_map(folder.write("grid.txt", places), {}),
-                      Catch::Contains("expected a whole grid"));
+    CHECK_THROWS_WITH(read_map(folder.write("grid.txt", places), {}), Catch::Contains("give a whole grid"));
     check_frugal("nodes of XML", zipped({{"main.xml", "<p>" + repeated("<a/>x", 3'000'000) + "</p>"}}),
                  "more than 1000000 elements");
 }
 
-TEST_CASE("a line of more numbers than a scan may have points is refused") {
+TEST_CASE("a line with too many numbers for a scan is refused") {
     check_refused(repeated("1 ", 10'000'002), "more than 1e7 numbers");
 }

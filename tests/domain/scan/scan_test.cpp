@@ -35,7 +35,7 @@ std::string rows(int count, auto height) {
 
 } // namespace
 
-TEST_CASE("a file with any one quirk of real scans holds the same profile as the others") {
+TEST_CASE("files with different quirks of real scans give the same profile") {
     const auto files = quirk_files();
     REQUIRE(files.size() >= 30);
     for (const QuirkFile& file : files) {
@@ -52,7 +52,7 @@ TEST_CASE("a file with any one quirk of real scans holds the same profile as the
     }
 }
 
-TEST_CASE("of an areal matrix one row is taken, counted from 1, with the spacing given") {
+TEST_CASE("the requested row of an areal matrix is taken, from 1") {
     const std::string matrix = "1 2 3 4\n5 6 7 9\n0 0 1 0\n";
     ScanOptions options{.unit = "um", .spacing = 2, .detrend = Detrend::none, .row = 2};
     const Scan scan = read(matrix, options);
@@ -62,15 +62,15 @@ TEST_CASE("of an areal matrix one row is taken, counted from 1, with the spacing
     options.row = 3;
     CHECK(read("# map\n" + matrix, options).profile.heights[2] == Approx(1e-3));
     options.row = 4;
-    CHECK_THAT(refusal(matrix, options), Catch::Contains("row 4 given of 3 rows"));
+    CHECK_THAT(refusal(matrix, options), Catch::Contains("row 4 of 3 rows"));
     options.row = 1;
-    CHECK_THAT(refusal("0 1\n1 2\n2 1\n", options), Catch::Contains("row 1 given of 3 rows of 2"));
+    CHECK_THAT(refusal("0 1\n1 2\n2 1\n", options), Catch::Contains("row 1 of 3 rows of 2"));
     CHECK_THAT(refusal("1 NaN 3 4\n5 6 7 9\n", options), Catch::Contains("missing"));
     options.spacing = 0;
     CHECK_THAT(refusal(matrix, options), Catch::Contains("spacing"));
 }
 
-TEST_CASE("a unit that contradicts the header is refused, one that agrees with it is not") {
+TEST_CASE("a unit is refused only if it contradicts the header") {
     CHECK_THAT(refusal("x [mm];z [um]\n0;1\n1;2\n2;1\n", {.unit = "mm"}),
                Catch::Contains("header gives heights in µm"));
     CHECK_THAT(refusal("x [um];z [um]\n0;1\n1;2\n2;1\n", {.unit = "nm"}),
@@ -81,12 +81,12 @@ TEST_CASE("a unit that contradicts the header is refused, one that agrees with i
     CHECK_THAT(refusal("x [mm];z [V]\n0;1\n1;2\n2;1\n"), Catch::Contains("line 1") && Catch::Contains("'V'"));
 }
 
-TEST_CASE("a unit that nobody knows is refused by its name, unless one is given") {
+TEST_CASE("an unknown unit is refused by its name unless a unit is given") {
     for (const std::string header : {"x [ft] z [ft]", "x [ft]\tz [ft]", "x (ft);z (ft)", "x [yd],z [a.u.]"}) {
         INFO(header);
         CHECK_THAT(refusal(header + "\n0 1\n1 2\n2 1\n"),
                    Catch::Contains("a column in '" + std::string(header[3] == 'y' ? "yd" : "ft") + "'") &&
-                       Catch::Contains("or one given"));
+                       Catch::Contains("or give one"));
         CHECK_NOTHROW(read(header + "\n0 1\n1 2\n2 1\n", {.unit = "in"}));
     }
     CHECK_THAT(refusal("x [mm];z [a.u.]\n0;1\n1;2\n2;1\n"), Catch::Contains("'a.u.'"));
@@ -94,7 +94,7 @@ TEST_CASE("a unit that nobody knows is refused by its name, unless one is given"
         CHECK_NOTHROW(read(header + "\n0;1\n1;2\n2;1\n"));
 }
 
-TEST_CASE("a missing value is refused with its line and filled linearly when asked") {
+TEST_CASE("a missing value is refused with its line, or filled linearly on request") {
     for (const std::string missing : {"NaN", "nan", "BAD", "--", "n/a", ""}) {
         INFO(missing);
         const std::string text = "x;z\n0;1\n1;" + missing + "\n2;3\n3;0\n";
@@ -110,7 +110,7 @@ TEST_CASE("a missing value is refused with its line and filled linearly when ask
     CHECK_THAT(refusal("1\nnan\n3\n", {.spacing = 1}), Catch::Contains("line 2"));
 }
 
-TEST_CASE("missing values at the ends of a scan are left out when filling") {
+TEST_CASE("filling removes missing values at the ends of a scan") {
     const Scan scan = read("0 nan\n1 2\n2 nan\n3 6\n4 1\n5 nan\n", {.detrend = Detrend::none, .fill = true});
     REQUIRE(scan.profile.nodes() == 4);
     CHECK(scan.profile.heights[1] == Approx(4));
@@ -151,12 +151,12 @@ TEST_CASE("points out of order are refused with their line") {
                Catch::Contains("line 2") && Catch::Contains("0.25 mm after 1 mm"));
 }
 
-TEST_CASE("what cannot be a line scan is refused in one line that says why") {
-    CHECK_THAT(refusal(""), Catch::Contains("holds no numbers"));
+TEST_CASE("a file that is not a line scan is refused in one line with the reason") {
+    CHECK_THAT(refusal(""), Catch::Contains("contains no numbers"));
     CHECK_THAT(refusal(std::string("\x89PNG\0\0\1", 7)), Catch::Contains("binary"));
-    CHECK_THAT(refusal("1\n2\n0\n"), Catch::Contains("expected a spacing"));
+    CHECK_THAT(refusal("1\n2\n0\n"), Catch::Contains("give the spacing"));
     CHECK_THAT(refusal("0.5 1\n1 2\n2 1\n", {.spacing = 0.5}), Catch::Contains("two columns"));
-    CHECK_THAT(refusal("1 2 3 4\n5 6 7 9\n"), Catch::Contains("of an areal matrix, the row to take"));
+    CHECK_THAT(refusal("1 2 3 4\n5 6 7 9\n"), Catch::Contains("for an areal matrix the row to take"));
     CHECK_THAT(refusal("0 1 5\n1 2 5.5\n3 1 7\n"), Catch::Contains("3 columns"));
     CHECK_THAT(refusal("0 1\n1 2\n2 here\n3 1\n"), Catch::Contains("line 3") && Catch::Contains("2 here"));
     CHECK_THAT(refusal("0 1\n1 2\n2 3 4\n3 1\n"), Catch::Contains("line 3") && Catch::Contains("3 columns"));
@@ -167,7 +167,7 @@ TEST_CASE("what cannot be a line scan is refused in one line that says why") {
     CHECK_THROWS_WITH(read_scan("no/such/scan.txt"), Catch::Contains("no/such/scan.txt"));
 }
 
-TEST_CASE("a layout of its own that is no profile, or ends early, is refused with its line") {
+TEST_CASE("an export that is not a profile, or ends early, is refused with its line") {
     const std::string head = "aISO-1.0\nNumPoints = 3\nNumProfiles = 1\nXscale = 1e-6\nZscale = 1e-6\n";
     CHECK_THAT(refusal("aISO-1.0\nXscale = 1e-6\nNumProfiles = 4\n*\n1\n2\n1\n*\n"),
                Catch::Contains("3 heights") && Catch::Contains("NumProfiles times"));
@@ -186,7 +186,7 @@ TEST_CASE("a layout of its own that is no profile, or ends early, is refused wit
     CHECK_THAT(refusal("SigmaSurf_Data 1.0\nPROFILE_UM:\n1\n2\n"), Catch::Contains("SPACING_UM"));
 }
 
-TEST_CASE("mean, line and parabola are removed exactly and only they") {
+TEST_CASE("only the mean, line or parabola is removed, exactly") {
     const auto polynomial = [](int i) { return 3 - 0.5 * i + 0.02 * i * i; };
     const auto bump = [](int i) { return i == 10 ? 1. : 0.; };
     const auto with_bump = [&](int i) { return polynomial(i) + bump(i); };
@@ -208,10 +208,10 @@ TEST_CASE("mean, line and parabola are removed exactly and only they") {
         CHECK(name_of(detrend_named(name, "")) == name);
 }
 
-TEST_CASE("the form of a polynomial or an arc is removed exactly, and the rest is left") {
+TEST_CASE("the form of a polynomial or an arc is removed exactly") {
     Profile profile{Eigen::VectorXd(301), 0.01};
     Eigen::VectorXd quartic(301), rest(301);
-    const double radius = 20, steep = 0.05; // mm; an arc that is no parabola any more at 1e-12
+    const double radius = 20, steep = 0.05; // mm; no parabola fits this arc to 1e-12
     for (Index i = 0; i < 301; ++i) {
         const double x = 0.01 * double(i) - 1.5;
         profile.heights[i] = 3 - std::sqrt(radius * radius - std::pow(x - radius * steep, 2));
@@ -231,7 +231,7 @@ TEST_CASE("the form of a polynomial or an arc is removed exactly, and the rest i
                       Catch::Contains("no arc"));
 }
 
-TEST_CASE("outliers are told, and replaced where that is asked for") {
+TEST_CASE("outliers are reported, and replaced on request") {
     const auto wave = [](int i) { return std::cos(0.1 * i) + (i == 40 ? 3 : 0); };
     const Scan kept = read(rows(90, wave)),
                removed = read(rows(90, wave), {.detrend = Detrend::none, .remove_outliers = true});
@@ -242,15 +242,14 @@ TEST_CASE("outliers are told, and replaced where that is asked for") {
     CHECK(removed.profile.heights[41] == kept.profile.heights[41]);
 }
 
-TEST_CASE("filters take off short and long waves, after the form, and the account says so") {
+TEST_CASE("filters remove short and long waves after the form, as the account states") {
     const auto waves = [](double x) {
         return std::cos(2 * M_PI * x / 40) + 0.1 * std::cos(2 * M_PI * x / 4);
     };
     const auto text = rows(800, [&](int i) { return waves(0.1 * i); });
-    ScanOptions options{.detrend = Detrend::none};
-    options.lambda_c = 80, options.spacing = 0; // in mm, of a spacing of 1 mm
+    ScanOptions options{.detrend = Detrend::none, .lambda_c = 80}; // mm, at a spacing of 1 mm
     const Scan scan = read(text, options);
-    CHECK_THAT(scan.account, Catch::Contains("waves over lambda_c = 80 mm taken off"));
+    CHECK_THAT(scan.account, Catch::Contains("waves over lambda_c = 80 mm removed"));
     CHECK(scan.profile.heights[400] == Approx(waves(40.) - std::pow(2, -std::pow(80. / 400, 2)) * 1 -
                                               0.1 * std::pow(2, -std::pow(80. / 40, 2)))
                                            .margin(1e-4));
@@ -260,7 +259,7 @@ TEST_CASE("filters take off short and long waves, after the form, and the accoun
     CHECK_THAT(refusal(text, options), Catch::Contains("lambda-s: -1"));
 }
 
-TEST_CASE("x and heights may be given units of their own") {
+TEST_CASE("x and heights may have different given units") {
     const Scan scan = read("0 1\n1 3\n2 1\n", {.unit = "um,nm", .detrend = Detrend::none});
     CHECK(scan.profile.spacing == Approx(1e-3));
     CHECK(scan.profile.heights[1] == Approx(3e-6));

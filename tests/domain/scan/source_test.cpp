@@ -7,15 +7,13 @@
 
 using namespace rough;
 
-TEST_CASE("a genome file and a scan are sources of the same kind, each with its own grid") {
+TEST_CASE("a genome file and a scan are sources, each with its grid") {
     const tests::Folder folder;
     const auto genome = folder.write("g.json", R"({"length_mm":2,"series":[{"A":1,"H":0.8,"gamma":1.5,)"
                                                R"("lambda":2,"chromosomes":[{"n":1,"phases":[0.3]}]}]})");
     const auto scan = folder.write("s.txt", "1\n3\n0.5\n2\n1\n");
-    ScanOptions options;
-    options.spacing = 0.1;
-    options.detrend = Detrend::none;
-    const Source waves = open_genome(genome), points = open_scan(scan, options);
+    const Source waves = open_genome(genome),
+                 points = open_scan(scan, {.spacing = 0.1, .detrend = Detrend::none});
 
     CHECK(waves.grid().length == 2);
     CHECK(waves.on(waves.grid()).heights == sample(*waves.genome, waves.grid()).heights);
@@ -32,15 +30,12 @@ TEST_CASE("a genome file and a scan are sources of the same kind, each with its 
     CHECK_THROWS_WITH(points.on(longer), Catch::Contains("grid of 6 nodes") && Catch::Contains("scan's 5"));
 }
 
-TEST_CASE("a column of heights keeps the spacing that was given, to the bit") {
+TEST_CASE("a column of heights keeps the given spacing to the bit") {
     const tests::Folder folder;
     std::string heights;
     for (int i = 0; i < 301; ++i)
         heights += std::to_string(i % 7) + "\n";
     const auto file = folder.write("s.txt", heights);
-    for (const double spacing : {0.004, 0.1, 1.0 / 3, 7e-5}) {
-        ScanOptions options;
-        options.spacing = spacing;
-        CHECK(open_scan(file, options).measured.spacing == spacing);
-    }
+    for (const double spacing : {0.004, 0.1, 1.0 / 3, 7e-5})
+        CHECK(open_scan(file, {.spacing = spacing}).measured.spacing == spacing);
 }
