@@ -35,7 +35,7 @@ constexpr double safety = 2.3, thin_safety = 3; ///< thin: three grids, one more
 /// A weighted straight line in x = N^-order - resolved^-order. Its value at x = 0 is values * reading.
 struct Line {
     Eigen::VectorXd x, weights, reading;
-    double variance = 0; ///< of the value at x = 0, for scatter of unit weight
+    double variance = 0; ///< variance of the value at x = 0, for scatter of unit weight
 
     Line(const std::vector<Index>& grids, Index resolved, double order)
         : x(static_cast<Index>(grids.size())), weights(x.size()) {

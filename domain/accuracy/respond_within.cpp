@@ -38,8 +38,8 @@ constexpr double estimate_order = 2, patience = 1.3;
 constexpr double max_cost_share = 0.8;
 
 /// The elements around a resolved grid's nodes make up a body. This is a grid of `elements` equal ones over
-/// the same body, nodes in their middle. A coarse grid of nodes from end to end would be a longer body,
-/// because half an element hangs over at either end, and would err by that to first order.
+/// the same body, nodes in their middle. A coarse grid of nodes from end to end would be a longer body, by
+/// half an element at either end, and would err to first order.
 Grid cells(const Grid& resolved, Index elements) {
     if (resolved.periodic)
         return {elements, resolved.length, true, resolved.from};
@@ -129,9 +129,9 @@ class Question {
     /// Widest window of omitted chromosomes that is worth a try, mm.
     double widest_window() const { return window_share * accuracy_ * rows_.front(); }
 
-    /// Answers from coarser grids of a genome, which may lack short waves. The first rows, where contact is
-    /// slight, come from the resolved grid, because they are the least accurate on coarse grids and the
-    /// cheapest on fine ones. False if that does not pay.
+    /// Answers from coarser grids of a genome, which may lack short waves. The first rows, with slight
+    /// contact, come from the resolved grid: coarse grids are least accurate there, and fine ones cheap.
+    /// False if that does not pay.
     bool by_coarser_grids(const Genome& genome, const Window& window) {
         if (!pressed_.steps.empty())
             return false;

@@ -14,8 +14,8 @@ namespace {
 constexpr Index min_nodes = 10;
 
 constexpr Index reach = 3;
-constexpr std::array<double, 7> first{-1, 9, -45, 0, 45, -9, 1};        // over 60 delta
-constexpr std::array<double, 7> second{2, -27, 270, -490, 270, -27, 2}; // over 180 delta^2
+constexpr std::array<double, 7> first{-1, 9, -45, 0, 45, -9, 1};        // divided by 60 delta
+constexpr std::array<double, 7> second{2, -27, 270, -490, 270, -27, 2}; // divided by 180 delta^2
 
 /// The surface; a periodic one is continued by three nodes on every side.
 Eigen::ArrayXXd continued(const Profile& surface, bool periodic) {

@@ -122,7 +122,7 @@ TEST_CASE("the whole profile's pressure is within the reduced profile's shifted 
     CHECK(tightest < 1e-3);         // and are nearly attained
 }
 
-TEST_CASE("bounds from one curve and its tangents are no tighter than from shifted curves") {
+TEST_CASE("bounds from one curve are at least as wide as from shifted curves") {
     std::mt19937_64 random(6);
     for (int trial = 0; trial < 200; ++trial) {
         const Scene scene = random_scene(random);

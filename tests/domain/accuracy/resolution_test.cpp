@@ -11,14 +11,14 @@ using namespace rough;
 
 namespace {
 
-/// A sum of cosines with random phases over 1 mm, on a line or a square map: wavelengths from 1 mm to
+/// A sum of cosines with random phases over 1 mm, on a line or a square map. Wavelengths go from 1 mm to
 /// `shortest` spacings of the coarse grid.
 struct Cosines {
     struct Wave {
         double kx, ky, height, phase;
     };
     std::vector<Wave> waves;
-    Index nodes; ///< of the coarse grid, along an axis
+    Index nodes; ///< along an axis of the coarse grid
     bool is_2d, periodic;
 
     Cosines(unsigned seed, Index coarse, Index shortest, bool is_map, bool periodic)
@@ -88,7 +88,7 @@ TEST_CASE("finer heights keep the nodes and are exact for straight lines") {
     for (const Interpolation by : {Interpolation::linear, Interpolation::spline})
         CHECK((finer(slope, 4, by).heights - Eigen::VectorXd::LinSpaced(21, 0, 5)).cwiseAbs().maxCoeff() <
               1e-12);
-    // A jump at the ends of a periodic surface makes no spline oscillate.
+    // Splines do not oscillate at a jump at the ends of a periodic surface.
     CHECK(finer(slope, 4, Interpolation::spline, true).heights.maxCoeff() == Approx(5));
 }
 

@@ -134,7 +134,7 @@ TEST_CASE("a solid beyond single precision is refused, and its base leaves heigh
     for (const auto& facet : parsed(binary_stl({1e-9 * profile.heights, profile.spacing})).facets)
         for (const Corner& corner : facet)
             levels.insert(corner[2]);
-    CHECK(levels.size() >= 45); // of 50 nodes
+    CHECK(levels.size() >= 45); // 50 nodes
 }
 
 TEST_CASE("a 3MF file has the STL's solid in millimetres and the parts of its format") {

@@ -1,12 +1,121 @@
 #include "domain/errors.hpp"
 #include "domain/scan/height_map.hpp"
 #include "domain/scan/map.hpp"
-#include "tests/domain/scan/instrument_files.hpp"
+#include "domain/scan/scan.hpp"
+#include "domain/text/bytes.hpp"
+#include "domain/text/zip.hpp"
+#include "tests/domain/contact/maps.hpp"
 #include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace rough;
+
+/// Files in the formats of instruments, byte by byte from their descriptions: maps of 2 rows of 9 points, 2
+/// µm and 3 µm apart, heights in steps of 10 nm. The last but one of the second row was not measured.
+namespace testing {
+namespace {
+
+constexpr int map_columns = 9, map_rows = 2;
+const std::vector<int> map_heights{3, -2, 4, 1, -5, 9, 2, 6, 5, 7, -3, 5, 3, -1, 0, 4, -8, 2};
+constexpr std::size_t map_gap = 16;
+
+void put(std::string& bytes, std::size_t at, auto value) {
+    std::string part;
+    append_little_endian(part, value);
+    bytes.replace(at, part.size(), part);
+}
+
+/// ISO 25178-71, binary; `type` as in missing_mark().
+std::string sdf_file(int type = 5) {
+    std::string bytes = "bISO-1.0" + std::string(73, ' ');
+    put(bytes, 42, std::uint16_t(map_columns)), put(bytes, 44, std::uint16_t(map_rows));
+    put(bytes, 46, 2e-6), put(bytes, 54, 3e-6), put(bytes, 62, 1e-8), put(bytes, 70, 0.0);
+    bytes[78] = 0, bytes[79] = char(type), bytes[80] = 0;
+    for (std::size_t i = 0; i < map_heights.size(); ++i)
+        if (type == 4)
+            append_little_endian(bytes, std::int8_t(map_heights[i])); // has no mark of a missing value
+        else if (type == 5)
+            append_little_endian(bytes, std::int16_t(i == map_gap ? -32768 : map_heights[i]));
+        else if (type == 6)
+            append_little_endian(bytes, i == map_gap ? std::numeric_limits<int>::min() : map_heights[i]);
+        else
+            append_little_endian(bytes, i == map_gap ? std::nan("") : double(map_heights[i]));
+    return bytes;
+}
+
+/// Digital Surf, 16 or 32 bits, with a comment and a private zone before the heights.
+std::string sur_file(int bits = 32) {
+    std::string bytes(512, '\0');
+    bytes.replace(0, 12, "DIGITAL SURF");
+    put(bytes, 14, std::int16_t(1)), put(bytes, 18, std::int16_t(2));
+    put(bytes, 86, std::int16_t(1)), put(bytes, 98, std::int16_t(bits));
+    put(bytes, 100, -8), put(bytes, 104, 9), put(bytes, 108, map_columns), put(bytes, 112, map_rows);
+    put(bytes, 120, 0.002f), put(bytes, 124, 3.f), put(bytes, 128, 0.01f);
+    bytes.replace(180, 2, "mm"), bytes.replace(196, 2, "\xB5m"), bytes.replace(212, 2, "\xB5m");
+    put(bytes, 334, std::int16_t(5)), put(bytes, 336, std::int16_t(3));
+    bytes += "notes...";
+    for (std::size_t i = 0; i < map_heights.size(); ++i) {
+        const int height = i == map_gap ? -10 : map_heights[i];
+        if (bits == 16)
+            append_little_endian(bytes, std::int16_t(height));
+        else
+            append_little_endian(bytes, height);
+    }
+    return bytes;
+}
+
+/// Gwyddion's simple field.
+std::string gsf_file(const std::string& title = "t") {
+    std::string bytes = "Gwyddion Simple Field 1.0\nXRes = 9\nYRes = 2\nXReal = 1.8e-5\nYReal = 6e-6\n"
+                        "XYUnits = m\nZUnits = m\nTitle = " +
+                        title + "\n";
+    bytes.append(4 - bytes.size() % 4, '\0');
+    for (std::size_t i = 0; i < map_heights.size(); ++i)
+        append_little_endian(bytes, i == map_gap ? std::nanf("") : float(1e-8 * map_heights[i]));
+    return bytes;
+}
+
+/// main.xml of an X3P file of 16 bit heights with a mask of the valid points.
+std::string x3p_xml() {
+    return "<?xml version=\"1.0\"?>\n<p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">"
+           "<Record1><Revision>ISO5436 - 2000</Revision><FeatureType>SUR</FeatureType><Axes>"
+           "<CX><AxisType>I</AxisType><DataType>D</DataType><Increment>2e-6</Increment></CX>"
+           "<CY><AxisType>I</AxisType><DataType>D</DataType><Increment>3e-6</Increment></CY>"
+           "<CZ><AxisType>A</AxisType><DataType>I</DataType><Increment>1e-8</Increment></CZ></Axes></Record1>"
+           "<Record3><MatrixDimension><SizeX>9</SizeX><SizeY>2</SizeY><SizeZ>1</SizeZ></MatrixDimension>"
+           "<DataLink><PointDataLink>bindata/data.bin</PointDataLink>"
+           "<ValidPointsLink>bindata/valid.bin</ValidPointsLink></DataLink></Record3></p:ISO5436_2>";
+}
+
+template <class Number = std::int16_t>
+std::string x3p_data() {
+    std::string data;
+    for (const int height : map_heights)
+        append_little_endian(data, Number(height));
+    return data;
+}
+
+/// Heights of a type other than I, the archive's paths from here.
+std::string x3p_file(char type = 'I') {
+    std::string valid(3, '\xFF'), xml = x3p_xml();
+    valid[map_gap / 8] = char(~(1 << map_gap % 8));
+    xml[xml.find("<DataType>I") + 10] = type;
+    if (type != 'I')
+        for (const std::string path : {"bindata/data", "bindata/valid"})
+            xml.replace(xml.find(path), 0, "./");
+    return zipped({{"main.xml", xml},
+                   {"bindata/data.bin", type == 'L'   ? x3p_data<std::int32_t>()
+                                        : type == 'F' ? x3p_data<float>()
+                                        : type == 'D' ? x3p_data<double>()
+                                                      : x3p_data()},
+                   {"bindata/valid.bin", valid}});
+}
+
+} // namespace
+} // namespace testing
 
 namespace {
 
@@ -16,13 +125,30 @@ Scan read(const std::string& bytes, ScanOptions options) {
     return read_scan(folder.write("scan.bin", bytes), options);
 }
 
-std::string refusal(const std::string& bytes, ScanOptions options = {.row = 1}) {
+const Profile relief =
+    maps::map_of({6, 4}, 0.01, 0.025, [](double x, double y) { return 1e-3 * std::sin(300 * x) - y; });
+
+Map as_map(const std::string& bytes, const MapLayout& layout = {}) {
+    const tests::Folder folder;
+    return read_map(folder.write("map", bytes), layout);
+}
+
+/// The one line with which reading is refused.
+std::string refusal_of(auto reading) {
     try {
-        return "read as " + read(bytes, options).account;
+        return "read as " + reading().account;
     } catch (const InputError& error) {
         CHECK(std::string(error.what()).find('\n') == std::string::npos);
         return error.what();
     }
+}
+
+std::string refusal(const std::string& bytes, ScanOptions options = {.row = 1}) {
+    return refusal_of([&] { return read(bytes, options); });
+}
+
+std::string map_refusal(const std::string& bytes, const MapLayout& layout = {}) {
+    return refusal_of([&] { return as_map(bytes, layout); });
 }
 
 std::string changed(std::string bytes, const std::string& what, const std::string& to) {
@@ -193,4 +319,68 @@ TEST_CASE("a damaged instrument's file is refused in one line with its fault") {
     };
     for (const auto& [bytes, fault] : damaged)
         CHECK_THAT(refusal(bytes), Catch::Contains(fault));
+}
+
+TEST_CASE("a map written as X3P is read back with both spacings", "[map]") {
+    const Map map = as_map(x3p(relief));
+    CHECK(map.heights.shape() == relief.shape());
+    CHECK(map.heights.spacing == Approx(0.01).epsilon(1e-14));
+    CHECK(map.heights.row_spacing == Approx(0.025).epsilon(1e-14));
+    CHECK((map.heights.heights - relief.heights).cwiseAbs().maxCoeff() < 1e-16);
+    CHECK_THAT(map.account, Catch::Contains("X3P"));
+    CHECK_THAT(map_refusal(x3p(relief), {.spacing = 0.02}),
+               Catch::Contains("its own spacing along x is 0.01"));
+    CHECK_THAT(map_refusal(x3p(relief), {.unit = "um"}), Catch::Contains("heights are in m"));
+}
+
+TEST_CASE("a matrix and points x, y, height in any order are the same map", "[map]") {
+    const std::string matrix = "1 2 3\n4 5 6\n";
+    const Map by_rows = as_map(matrix, {.unit = "um", .spacing = 10, .row_spacing = 20});
+    const Map by_points = as_map("20 20 6\n0 0 1\n10 0 2\n0 20 4\n20 0 3\n10 20 5\n", {.unit = "um"});
+    for (const Map* map : {&by_rows, &by_points}) {
+        CHECK(map->heights.shape() == Extent{3, 2});
+        CHECK(map->heights.spacing == Approx(0.01));
+        CHECK(map->heights.row_spacing == Approx(0.02));
+        for (Index k = 0; k < 6; ++k)
+            CHECK(map->heights.heights[k] == Approx(1e-3 * double(k + 1)));
+    }
+}
+
+TEST_CASE("a text in a named format is read as that map", "[map]") {
+    const Map map = as_map("aISO-1.0\nNumPoints = 3\nNumProfiles = 2\nXscale = 1e-5\nYscale = 2e-5\n"
+                           "Zscale = 1e-6\nDataType = 5\n*\n1 2 3\n4 5 6\n*\n");
+    CHECK(map.heights.shape() == Extent{3, 2});
+    CHECK(map.heights.spacing == Approx(0.01));
+    CHECK(map.heights.row_spacing == Approx(0.02));
+    for (Index k = 0; k < 6; ++k)
+        CHECK(map.heights.heights[k] == Approx(1e-3 * double(k + 1)));
+    CHECK_THAT(map_refusal(testing::gsf_file()), Catch::Contains("row 2: no height in column 8; give 9"));
+}
+
+TEST_CASE("an incomplete map is refused with its place", "[map]") {
+    CHECK_THAT(map_refusal("1 2 3 4\n4 5 6 7\n"), Catch::Contains("distance of its nodes"));
+    CHECK_THAT(map_refusal("0 0 1\n1 0 2\n0 1 3\n"), Catch::Contains("no height at x = 1, y = 1"));
+    CHECK_THAT(map_refusal("0 0 1\n1 0 2\n0 1 3\n1 1 4\n0 0 5\n"), Catch::Contains("line 5"));
+    CHECK_THAT(map_refusal("0 0 1\n1 0 2\n3 0 2\n0 1 3\n1 1 4\n3 1 5\n"), Catch::Contains("even steps"));
+    CHECK_THAT(map_refusal("1 2 3 4\n", {.spacing = 1, .row_spacing = 1}), Catch::Contains("2 x 2"));
+}
+
+TEST_CASE("a map's VTK file has every point, highest byte first", "[map]") {
+    const std::string bytes = vtk(relief);
+    CHECK_THAT(bytes, Catch::StartsWith("# vtk DataFile Version 3.0\n"));
+    CHECK_THAT(bytes, Catch::Contains("DIMENSIONS 6 4 1\nPOINTS 24 double\n"));
+    const std::string mark = "POINTS 24 double\n";
+    const std::size_t first = bytes.find(mark) + mark.size();
+    const auto number = [&](std::size_t k) {
+        const std::string word(bytes.rbegin() + long(bytes.size() - first - 8 * (k + 1)),
+                               bytes.rbegin() + long(bytes.size() - first - 8 * k));
+        return little_endian<double>(word, 0);
+    };
+    for (const std::size_t k : {0, 5, 13, 23}) {
+        CHECK(number(3 * k) == Approx(0.01 * double(k % 6)).margin(1e-18));
+        CHECK(number(3 * k + 1) == Approx(0.025 * double(k / 6)).margin(1e-18));
+        CHECK(number(3 * k + 2) == relief.heights[Index(k)]);
+    }
+    CHECK_THAT(bytes.substr(first + 24 * 24),
+               Catch::StartsWith("\nPOINT_DATA 24\nSCALARS height_mm double 1\n"));
 }

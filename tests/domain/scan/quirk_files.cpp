@@ -121,7 +121,7 @@ std::vector<QuirkFile> headers() {
         {"two units by one key", "Units: x mm, z um\n" + two_columns(mixed)},
         {"units in words",
          "Lateral um,Raw Nanometer,\n" + two_columns(with(nano, [](Form& f) { f.behind = ",,"; }))},
-        {"units in a line of their own", "x;z\n[mm];[um]\n" + two_columns(mixed)},
+        {"units in a separate line", "x;z\n[mm];[um]\n" + two_columns(mixed)},
         {"units alone and a count",
          "\xC2\xB5m \xC2\xB5m\n8\n" + two_columns(with(micro, [](Form& f) { f.separator = ", "; }))},
         {"Latin-1 units", "x [mm];z [\xB5m]\n" + two_columns(mixed)},
@@ -138,7 +138,7 @@ std::vector<QuirkFile> headers() {
         {"HFM export", "X;Y;valid\n[mm];[mm];[1/0]\n" + two_columns({.separator = ";", .behind = ";1"})},
         {"matrix text with a width",
          "# Channel: Main\n# Width: 4 \xC2\xB5m\n# Value units: nm\n" + one_column({.height_unit = 1e-6})},
-        {"SPIP's keys, the lengths' unit by its own",
+        {"SPIP's keys with a key for the lengths' unit",
          "# x-pixels = 8\n# x-length = 4\n# x-unit = um\n# z-unit = nm\n" +
              one_column({.height_unit = 1e-6})},
         {"a first width of nothing and a factor of no unit",

@@ -1,5 +1,8 @@
 #include "domain/errors.hpp"
-#include "domain/scan/scan.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/scan/map.hpp"
+#include "domain/scan/source.hpp"
+#include "domain/text/zip.hpp"
 #include "tests/domain/scan/quirk_files.hpp"
 #include "tests/folder.hpp"
 
@@ -7,6 +10,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 
 using namespace rough;
 
@@ -31,6 +35,52 @@ std::string rows(int count, auto height) {
     for (int i = 0; i < count; ++i)
         text += std::to_string(i) + " " + std::to_string(height(i)) + "\n";
     return text;
+}
+
+const std::string four_rows = "1 2\n2 3\n3 5\n4 1\n";
+
+std::string repeated(const std::string& part, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i)
+        all += part;
+    return all;
+}
+
+/// Largest number of bytes that reading adds to this process; 0 without /proc.
+std::size_t peak_while(const std::function<void()>& read) {
+    const auto kilobytes = [](const std::string& key) {
+        std::ifstream status("/proc/self/status");
+        for (std::string word; status >> word;)
+            if (word == key)
+                return status >> word, std::stoul(word);
+        return 0UL;
+    };
+    std::ofstream("/proc/self/clear_refs") << "5"; // the peak is counted from here
+    const std::size_t before = kilobytes("VmRSS:");
+    read();
+    const std::size_t peak = kilobytes("VmHWM:");
+    return 1000 * (peak > before ? peak - before : 0);
+}
+
+void check_frugal(const std::string& name, const std::string& content, const std::string& part) {
+    INFO(name);
+    const tests::Folder folder;
+    const auto file = folder.write(name, content);
+    for (const bool as_map : {false, true}) {
+        std::string said = "read";
+        const std::size_t peak = peak_while([&] {
+            try {
+                if (as_map)
+                    read_map(file, {.spacing = 1, .row_spacing = 1});
+                else
+                    read_scan(file, {.row = 1});
+            } catch (const InputError& error) {
+                said = error.what();
+            }
+        });
+        CHECK_THAT(said, Catch::Contains(part));
+        CHECK(peak < std::max<std::size_t>(20 * content.size(), 200'000'000));
+    }
 }
 
 } // namespace
@@ -104,9 +154,9 @@ TEST_CASE("a missing value is refused with its line, or filled linearly on reque
         CHECK_THAT(scan.account, Catch::Contains("1 missing height filled"));
     }
     CHECK_THAT(refusal("x;z\n0;1\n;2\n2;3\n3;0\n"), Catch::Contains("line 3") && Catch::Contains("an x"));
-    CHECK_THAT(refusal("X;Y;valid\n[mm];[mm];[1/0]\n0;1;1\n1;9;0\n2;3;1\n"), Catch::Contains("line 4"));
-    CHECK(read("X;Y;valid\n[mm];[mm];[1/0]\n0;1;1\n1;9;0\n2;3;1\n", {.detrend = Detrend::none, .fill = true})
-              .profile.heights[1] == Approx(2));
+    const std::string invalid = "X;Y;valid\n[mm];[mm];[1/0]\n0;1;1\n1;9;0\n2;3;1\n";
+    CHECK_THAT(refusal(invalid), Catch::Contains("line 4"));
+    CHECK(read(invalid, {.detrend = Detrend::none, .fill = true}).profile.heights[1] == Approx(2));
     CHECK_THAT(refusal("1\nnan\n3\n", {.spacing = 1}), Catch::Contains("line 2"));
 }
 
@@ -128,7 +178,7 @@ TEST_CASE("unevenly spaced points are resampled on the straight lines between th
           Approx(2));
 }
 
-TEST_CASE("a spacing rounded in its last digit is even and moves no height") {
+TEST_CASE("a spacing rounded in its last digit is even and leaves heights unchanged") {
     const double spacing = 0.0000995587;
     std::string text;
     Eigen::VectorXd heights(5000);
@@ -204,8 +254,6 @@ TEST_CASE("only the mean, line or parabola is removed, exactly") {
     }
     CHECK(read(rows(5, polynomial)).profile.heights[2] == Approx(polynomial(2)));
     CHECK_THROWS_WITH(detrend_named("plane", "--detrend"), Catch::Contains("parabola"));
-    for (const auto& name : detrend_names())
-        CHECK(name_of(detrend_named(name, "")) == name);
 }
 
 TEST_CASE("the form of a polynomial or an arc is removed exactly") {
@@ -269,4 +317,77 @@ TEST_CASE("x and heights may have different given units") {
     CHECK_THAT(refusal("0 1\n1 3\n2 1\n", {.unit = "um,parsec"}), Catch::Contains("parsec"));
     CHECK_THAT(refusal("x [um] z [nm]\n0 1\n1 3\n2 1\n", {.unit = "um,um"}),
                Catch::Contains("heights in nm"));
+}
+
+TEST_CASE("a number of twenty digits is not a count of points") {
+    CHECK_THAT(refusal("12345678901234567890\n" + four_rows), Catch::Contains("missing value"));
+    CHECK(read("4\n" + four_rows).profile.nodes() == 4);
+}
+
+TEST_CASE("a count above 1e9 is refused") {
+    CHECK_THAT(refusal("SigmaSurf_Data\nSPACING_UM: 0.25\nNUMBER_OF_POINTS: 1e300\nPROFILE_UM:\n1\n2\n"),
+               Catch::Contains("up to 1e9"));
+}
+
+TEST_CASE("a scan is readable with empty quotes, half a UTF-16 pair, or a tiny exponent") {
+    for (const std::string head : {"x z\n\"\"\n", "\"\" height\n", "\"\"\n\"\" \"\"\n"})
+        CHECK(read(head + four_rows).profile.nodes() == 4);
+    CHECK(read("0.0e-2147483647 2\n" + four_rows).profile.nodes() == 5);
+    std::string wide("\xFF\xFE#\0\x00\xD8x\0\n\0", 10);
+    for (const char c : four_rows)
+        wide += {c, '\0'};
+    CHECK(read(wide).profile.nodes() == 4);
+}
+
+TEST_CASE("a small file never takes much memory") {
+    check_frugal("one long row among short ones",
+                 repeated("1 2 3 4\n", 100'000) + repeated("1 ", 1'000'000) + "\n", "columns, but");
+    std::string widths = repeated("1 ", 1'000'000) + "\n"; // each width is as common as the widest
+    for (int i = 1; i < 1000; ++i)
+        widths += repeated("1 ", i) + "\n";
+    check_frugal("rows of all widths", widths, "columns, but the other rows have 1000000");
+    std::string places; // no two points share an x or a y
+    for (int i = 0; i < 200'000; ++i)
+        places += std::to_string(i) + " " + std::to_string(i) + ".5 1\n";
+    const tests::Folder folder;
+    CHECK_THROWS_WITH(read_map(folder.write("grid.txt", places), {}), Catch::Contains("give a whole grid"));
+    check_frugal("nodes of XML", zipped({{"main.xml", "<p>" + repeated("<a/>x", 3'000'000) + "</p>"}}),
+                 "more than 1000000 elements");
+}
+
+TEST_CASE("a line with too many numbers for a scan is refused") {
+    CHECK_THAT(refusal(repeated("1 ", 10'000'002)), Catch::Contains("more than 1e7 numbers"));
+}
+
+TEST_CASE("a genome file and a scan are sources, each with its grid") {
+    const tests::Folder folder;
+    const auto genome = folder.write("g.json", R"({"length_mm":2,"series":[{"A":1,"H":0.8,"gamma":1.5,)"
+                                               R"("lambda":2,"chromosomes":[{"n":1,"phases":[0.3]}]}]})");
+    const auto scan = folder.write("s.txt", "1\n3\n0.5\n2\n1\n");
+    const Source waves = open_genome(genome),
+                 points = open_scan(scan, {.spacing = 0.1, .detrend = Detrend::none});
+
+    CHECK(waves.grid().length == 2);
+    CHECK(waves.on(waves.grid()).heights == sample(*waves.genome, waves.grid()).heights);
+    CHECK(points.grid().nodes == 5);
+    CHECK(points.grid().length == 4 * 0.1);
+    CHECK(points.grid(true).length == 5 * 0.1);
+    CHECK(points.on(points.grid()).spacing == 0.1);
+    CHECK(points.on(points.grid()).heights == (Eigen::VectorXd(5) << 1, 3, 0.5, 2, 1).finished());
+
+    Grid longer = points.grid();
+    longer.length = 0.8;
+    CHECK(points.on(longer).spacing == longer.spacing());
+    longer.nodes = 6;
+    CHECK_THROWS_WITH(points.on(longer), Catch::Contains("grid of 6 nodes") && Catch::Contains("scan's 5"));
+}
+
+TEST_CASE("a column of heights keeps the given spacing to the bit") {
+    const tests::Folder folder;
+    std::string heights;
+    for (int i = 0; i < 301; ++i)
+        heights += std::to_string(i % 7) + "\n";
+    const auto file = folder.write("s.txt", heights);
+    for (const double spacing : {0.004, 0.1, 1.0 / 3, 7e-5})
+        CHECK(open_scan(file, {.spacing = spacing}).measured.spacing == spacing);
 }
