@@ -200,7 +200,7 @@ void take(Header& header, const Entry& entry, const std::string& where) {
             header.x_unit = units.front();
         if (of != UnitOf::x)
             header.height_unit = units.back();
-    } else if (const double in_mm = conversion_unit(entry.key, where)) {
+    } else if (const double in_mm = conversion_unit(entry.key, where); in_mm > 0) {
         const auto factor = number(entry.value, Dialect{});
         if (!factor || !(factor->value > 0))
             refuse(where, ": ", entry.key, " '", entry.value, "' is not a number above 0");
