@@ -54,8 +54,8 @@ Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy)
 /// resolved ones at the same displacements.
 double relative_error(const Eigen::VectorXd& pressure, const Eigen::VectorXd& resolved);
 
-/// The difference of the gaps of the whole profile Z and a reduced profile Z', the lowest and the highest
-/// over the nodes: f_i = (Z'_i - max Z') - (Z_i - max Z) = g0_i - g0'_i.
+/// The range of the difference of gaps between the whole profile Z and a reduced profile Z' over the nodes:
+/// f_i = (Z'_i - max Z') - (Z_i - max Z) = g0_i - g0'_i.
 struct Window {
     double lowest = 0;                                ///< mm, <= 0
     double highest = 0;                               ///< mm, >= 0

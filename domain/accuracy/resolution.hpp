@@ -15,10 +15,11 @@ enum class Interpolation {
     spline, ///< cubic spline, on a map along x and then along y
 };
 
-/// A surface with `times` (>= 1) elements for each of its elements along each axis: times (N-1) + 1 nodes, or
-/// times N if it is `periodic`. The nodes of the surface keep their heights. Splines end with the slope of
-/// the parabola through the last three nodes. Across the ends of a periodic surface heights are linear, so
-/// that splines do not oscillate at a jump there. Along an axis of two nodes a spline is linear.
+/// A surface with `times` (>= 1) elements for each of its elements along each axis. An axis has times (N-1) +
+/// 1 nodes, or times N if the surface is `periodic`. The nodes of the surface keep their heights. Splines end
+/// with the slope of the parabola through the last three nodes. Across the ends of a periodic surface heights
+/// are linear, so that splines do not oscillate at a jump there. Along an axis of two nodes a spline is
+/// linear.
 Profile finer(const Profile& surface, Index times, Interpolation by, bool periodic = false);
 
 /// Whether contact is also computed on interpolated heights of a measured surface. `automatic` does so unless
@@ -30,8 +31,8 @@ const std::vector<std::string>& resolution_names();
 /// Contact spots of fewer nodes across are not resolved: their area is that of the nodes that touch.
 constexpr Index resolved_spot_nodes = 4;
 
-/// Usual width of the contact spots (contact/pressure_and_gap.hpp) in nodes. Half of the contact nodes lie in
-/// spots of at most this many nodes on a line, and of at most its square on a map. 0 without contact.
+/// Usual width of the contact spots (contact/pressure_and_gap.hpp) in nodes; 0 without contact. Half of the
+/// contact nodes lie in spots of at most this many nodes on a line, or its square on a map.
 Index spot_width(const std::vector<int>& contact, Extent shape, bool periodic);
 
 /// The responses of a scan or map with heights interpolated 4 times between its nodes, linearly and by a
@@ -46,7 +47,7 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
 /// The band holds the curves of the heights as measured, interpolated linearly, and interpolated by a spline.
 /// All are taken at the measured curve's mean pressures. Pressure is force over the length of
 /// each grid, for a free map over all of its patches. The band also holds the spline's curve continued to
-/// spacing 0, v + (v - measured)/3, because node counts err in proportion to the spacing (Richardson 1911).
+/// spacing 0, v + (v - measured)/3 (Richardson 1911), as node counts err in proportion to the spacing.
 /// It is wider by the change that one node of the finer grid makes. It does not cover roughness below the
 /// spacing.
 struct ResolutionBand {
@@ -77,8 +78,8 @@ struct ElasticEnd {
 /// log2(load steps) solutions, each of one load step. Throws as solve_contact.
 ElasticEnd elastic_end(const Profile& surface, const Model& model, const Response& response, double limit);
 
-/// The effect of outliers: values without them divided by values with them, at the load step where the
-/// contact fractions differ most.
+/// The effect of outliers: values without them divided by values with them. They are those of the load step
+/// at which the contact fractions differ most.
 struct OutlierCost {
     double contact_fraction = 1; ///< factor
     double stiffness = 1;        ///< factor of the tangent stiffness

@@ -30,9 +30,9 @@ struct Genome {
     std::vector<Series> series; ///< at least one
 };
 
-/// Checks every number. Throws InputError with `where` in front on an empty genome or series, A = 0, gamma
-/// <= 1, lambda <= 0, n < 1, an n twice in a series, a chromosome without phases, or a number that is not
-/// finite.
+/// Checks every number. Throws InputError, with `where` in front, on an empty genome or series, a chromosome
+/// without phases, or an n twice in a series. It also refuses A = 0, gamma <= 1, lambda <= 0, n < 1, and
+/// numbers that are not finite.
 void validate(const Genome& genome, const std::string& where);
 
 /// The profile with scale 1; its amplitudes are multiplied by the scale.

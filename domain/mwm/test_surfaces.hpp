@@ -20,20 +20,20 @@ struct SeriesRanges {
     double H_to = 1.5;   ///< highest Hurst exponent
 };
 
-/// A random genome. Each series has every wave from `length` down to `shortest` (mm), gamma from 1.4 to 2,
-/// and `ridges` phases for each wave from the whole turn.
+/// A random genome. Each series has every wave from `length` down to `shortest` (mm), with gamma from 1.4 to
+/// 2. Each wave has `ridges` phases from the whole turn.
 Genome random_genome(const Uniform& uniform, int series, std::size_t ridges, double length, double shortest,
                      const SeriesRanges& ranges = {});
 
-/// Waves of a self-affine profile. Wave n = 0 to count-1 has the amplitude `amplitude` ratio^(-n hurst) (mm)
-/// and the wavelength length/ratio^n (mm), or of a `periodic` profile the next one that divides the length.
-/// Phases by the golden angle.
+/// Waves n = 0 to count-1 of a self-affine profile. Their amplitudes are `amplitude` ratio^(-n hurst) (mm),
+/// their wavelengths length/ratio^n (mm). In a `periodic` profile wavelengths are the next ones that divide
+/// the length. Phases by the golden angle.
 std::vector<Wave> self_affine_waves(double length, double amplitude, double hurst, double ratio, int count,
                                     bool periodic = false);
 
-/// Waves of a fractional-Brownian profile: wave n = 1 to `count` has the wavelength length/n and the
-/// amplitude `amplitude` n^-(hurst + 1/2), both mm, so the power spectral density is ~ k^-(1 + 2 hurst).
-/// Phases are squares of n times the golden angle. If they grew evenly, the crests of these waves would meet.
+/// Waves n = 1 to `count` of a fractional-Brownian profile. Their wavelengths are length/n, their amplitudes
+/// `amplitude` n^-(hurst + 1/2), both mm. So the power spectral density is ~ k^-(1 + 2 hurst). Phases are
+/// squares of n times the golden angle. If they grew evenly, the crests of these waves would meet.
 std::vector<Wave> brownian_waves(double length, double amplitude, double hurst, int count);
 
 /// A sum of waves at x, both in mm, without their offsets.

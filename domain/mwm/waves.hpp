@@ -38,7 +38,7 @@ double shortest_wave(const Genome& genome);
 
 /// n_f of Eq. 4: the largest n whose wavelength is at least `shortest` (mm); 0 if even the first is
 /// shorter. A guard of 1e-12 keeps the last chromosome of an exact power. Throws InputError on `shortest`
-/// of 0 and gamma of 1, for which there is no last one.
+/// of 0 and gamma of 1, which have no last one.
 int last_chromosome(double lambda, double gamma, double shortest);
 
 /// The genome with only the chromosomes that are kept; empty series are removed.

@@ -45,24 +45,25 @@ struct SurfaceParameters {
 
 /// Parameters of a sampled profile about its mean line: Ra, Rq, Rsk, Rku, Rp, Rv, Rz, Rt, Rc, RSm, Rdq, Rmr,
 /// Rk, Rpk, Rvk, Rmrk1, Rmrk2. If the whole profile is one section, P replaces R, because no wavelengths over
-/// lambda_c were removed. Slopes and curvatures are by the seven-point formula. Then follow the rms curvature
-/// and the spectral moments m0, m2 and m4 (mean squares of height, slope and second derivative; Nayak 1971).
-/// The last is the bandwidth alpha = m0 m4/m2^2, at least 1.
+/// lambda_c were removed. Slopes and curvatures are by the seven-point formula.
+///
+/// Then follow the rms curvature and the spectral moments m0, m2 and m4 (mean squares of height, slope and
+/// second derivative; Nayak 1971). The last is the bandwidth alpha = m0 m4/m2^2, at least 1.
 struct Roughness : SurfaceParameters {
     double section_length = 0; ///< mm
     Index sections = 1;        ///< whole section lengths, which together are the evaluation length
 };
-/// Evaluates as many whole section lengths (mm: lambda_c of a roughness profile) as the profile has, in its
-/// middle; 0: the whole profile is one section. Throws InputError on fewer than ten nodes, fewer than two per
-/// section, a section longer than the profile, or a constant profile.
+/// Evaluates as many whole section lengths as the profile has, in its middle. `section_length` in mm
+/// (lambda_c of a roughness profile); 0: the whole profile is one section. Throws InputError on fewer than
+/// ten nodes, fewer than two per section, a section longer than the profile, or a constant profile.
 Roughness roughness(const Profile& profile, double section_length = 0);
 
 /// Rmr(c): the share of the length on which the profile, straight between its nodes, is higher than `level`
 /// (mm, from the zero of the heights). For a map, Smr(c): the share of its nodes.
 double material_ratio(const Profile& profile, double level);
 
-/// Smc(mr) of a map (ISO 25178-2): the height that a share `ratio` (0 to 1) of the nodes exceeds, mm from the
-/// zero of the heights. Linear between nodes; the inverse of Smr(c).
+/// Smc(mr) of a map (ISO 25178-2): the height that a share `ratio` (0 to 1) of the nodes exceeds. It is in mm
+/// from the zero of the heights, linear between nodes, and the inverse of Smr(c).
 double material_height(const Eigen::VectorXd& heights, double ratio);
 
 /// Parameters of the material ratio curve (ISO 21920-2; ISO 13565-2). The line of least squares through the
@@ -81,7 +82,7 @@ CoreHeights core_heights(const Eigen::VectorXd& heights);
 /// depth. An element runs from one crossing of the mean line to the next but one (ISO 21920-2:
 /// crossing-the-line segmentation, done from both ends).
 struct ProfileElements {
-    double RSm = 0; ///< mean width, mm; NaN if there is no whole element
+    double RSm = 0; ///< mean width, mm; NaN without a whole element
     double Rc = 0;  ///< mean height, hill to dale, mm
 };
 /// Takes a profile about its mean line: heights (mm) whose mean is 0.
@@ -89,8 +90,8 @@ ProfileElements profile_elements(const Profile& profile);
 
 /// Directions of a map's waves (ISO 25178-2).
 struct Texture {
-    /// autocorrelation length, mm: the distance, in the direction of fastest decay, at which the
-    /// autocorrelation has fallen to 0.2; NaN if it does not within half of the map
+    /// autocorrelation length, mm: the distance at which the autocorrelation has fallen to 0.2, in the
+    /// direction of fastest decay; NaN if it does not within half of the map
     double Sal = 0;
     /// aspect ratio, 0 to 1: Sal over that length in the direction of slowest decay. Near 0 the roughness has
     /// one direction, near 1 all directions are alike.

@@ -27,8 +27,8 @@ struct Mesh {
 /// the ridges, z up from the flat underside; mm. It is closed, with facets oriented outwards. N_x x N_y
 /// heights (a profile has two rows) give 2 N_x N_y vertices and 4 (N_x N_y - 1) facets.
 ///
-/// Throws InputError on lengths that are not above 0 or beyond single precision, on nodes or heights that
-/// it cannot resolve, and on a width for a map.
+/// Throws InputError on lengths that are not above 0, on a width for a map, and on lengths, nodes or
+/// heights beyond single precision.
 Mesh solid(const Profile& surface, const Extrusion& extrusion = {});
 
 /// The solid as a binary STL file's bytes, which have no unit; throws as solid().

@@ -25,9 +25,9 @@ struct Spectrum {
 /// fewer than four nodes along x or y.
 Spectrum continuous_spectrum(const Profile& surface, bool periodic = false);
 
-/// The power of each wave of a map, mm^2, by the same transform: (N_x/2 + 1) x N_y, where the waves of -q
-/// are added to those of q. Entry (i, j) is the power at q = 2 pi (i/(N_x delta_x), j/(N_y delta_y)), with
-/// j - N_y in place of j above N_y/2.
+/// The power of each wave of a map, mm^2, by the same transform: (N_x/2 + 1) x N_y. Waves of -q are added to
+/// those of q. Entry (i, j) is the power at q = 2 pi (i/(N_x delta_x), j/(N_y delta_y)), with j - N_y in
+/// place of j above N_y/2.
 Eigen::ArrayXXd wave_powers(const Profile& surface, bool periodic = false);
 
 } // namespace rough

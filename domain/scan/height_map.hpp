@@ -29,8 +29,8 @@ struct HeightMap {
 /// Throws InputError on a file without points, with more than 1e7 in one line, or more than 2e7 on a map.
 void expect_points(std::int64_t columns, std::int64_t rows, const std::string& file);
 
-/// The number that marks a missing value, by ISO 25178-71's number of the type (0 to 7: uint8, uint16,
-/// uint32, float, int8, int16, int32, double); NaN if the type has no mark.
+/// The number that marks a missing value of a type; NaN if the type has no mark. Types have ISO 25178-71's
+/// numbers, 0 to 7: uint8, uint16, uint32, float, int8, int16, int32, double.
 double missing_mark(int type);
 
 /// The first `count` numbers of a type as in missing_mark(), lowest byte first; NaN for `missing` and for
@@ -40,15 +40,15 @@ Eigen::VectorXd stored_numbers(std::string_view bytes, std::int64_t count, int t
 
 /// Whether a file that begins with these bytes is one that binary_map reads.
 bool is_binary_map(std::string_view head);
-/// Reads binary surface data files (ISO 25178-71 SDF, BCR), Digital Surf's SUR and PRO (not compressed),
-/// Gwyddion's simple field (GSF) and X3P (ISO 25178-72); nothing if the bytes begin otherwise. Sizes are
-/// compared with the bytes before memory is allocated. Throws InputError with one line on a file that cannot
-/// be read.
+/// Reads binary maps: surface data files (ISO 25178-71 SDF, BCR), Digital Surf's SUR and PRO (not
+/// compressed), Gwyddion's simple field (GSF), and X3P (ISO 25178-72). Nothing if the bytes begin otherwise.
+/// Sizes are compared with the bytes before memory is allocated. Throws InputError with one line on a file
+/// that cannot be read.
 std::optional<HeightMap> binary_map(const std::string& bytes, const std::string& file);
 
-/// Reads ASCII surface data files (ISO 25178-71 SDF, BCR), softgauges (ISO 5436-2 SMD), Talysurf's PRF (as
-/// in NPL's softgauges), PTB's PR, and SigmaSurf's data files; nothing for other lines. Throws InputError
-/// with file and line on a file that is not a profile or a map.
+/// Reads text maps: ASCII surface data files (ISO 25178-71 SDF, BCR), softgauges (ISO 5436-2 SMD), Talysurf's
+/// PRF (as in NPL's softgauges), PTB's PR, and SigmaSurf's data files. Nothing for other lines. Throws
+/// InputError with file and line on a file that is not a profile or a map.
 std::optional<HeightMap> text_map(const std::vector<std::string_view>& lines, const std::string& file);
 
 /// Reads an X3P file (ISO 25178-72, ISO 5436-2): a zip archive of main.xml and usually binary heights, x and

@@ -24,16 +24,16 @@ struct Map {
 /// line to line. Without a spacing, three columns are x, y and height of a whole grid in any order. X3P, SDF,
 /// SUR, GSF and other formats have units and spacings.
 ///
-/// Throws InputError with one line that names the file, the place and the fault: fewer than 2 x 2 heights,
-/// rows of different lengths, a missing height, a spacing or unit that contradicts the file's.
+/// Throws InputError with one line that names the file and the place. Faults are fewer than 2 x 2 heights,
+/// rows of different lengths, a missing height, or a spacing or unit that contradicts the file's.
 Map read_map(const std::filesystem::path& path, const MapLayout& layout);
 
 /// A profile or a map (mm) as the bytes of an X3P file (ISO 25178-72): double precision, metres, with the
 /// standard's check sums.
 std::string x3p(const Profile& surface);
 
-/// A map as a legacy VTK file's bytes (version 3.0, binary): a structured grid of points (x, y, z) in mm with
-/// the scalar `height_mm`, which viewers show as a relief.
+/// A map as a legacy VTK file's bytes (version 3.0, binary): a structured grid of points (x, y, z) in mm. Its
+/// scalar `height_mm` shows as a relief in viewers.
 std::string vtk(const Profile& map);
 
 } // namespace rough

@@ -34,7 +34,7 @@ struct Table {
 /// line is like "0,5", it is one column if `one_column` is set, else two.
 ///
 /// Comments (# % ! // *) and blank lines are skipped, trailing separators ignored. In a table of up to three
-/// columns, a row with fewer cells than the others has missing values at its end. Throws InputError with file
+/// columns, a shorter row has missing values at its end. Throws InputError with file
 /// and line on a line that is not a row, a short row of a matrix, more than 1e7 rows, or more than 2e7
 /// numbers.
 Table read_table(const std::vector<std::string_view>& lines, const std::string& file, bool one_column);

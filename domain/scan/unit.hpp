@@ -25,8 +25,7 @@ LengthUnit length_unit_named(std::string_view word, const std::string& where);
 /// ("[V]", "[s]", "[px]").
 std::vector<LengthUnit> length_units_in(std::string_view header, const std::string& where);
 
-/// A word in brackets after a column's name, as a unit would be, that is not a known unit: "ft" of "x [ft]",
-/// "z (yd)"; else "".
+/// A word in brackets after a column's name that is not a known unit ("ft" of "x [ft]", "z (yd)"); else "".
 std::string unknown_unit_in(std::string_view name);
 
 } // namespace rough
