@@ -1,7 +1,7 @@
-"""Which of the paper's claims hold under which reading of its text: the paper's experiment with other keys.
+"""Finds which of the paper's claims hold under which reading of its text, by the paper's experiment with other keys.
 
-`rugosa run readings.ini` runs this script with one argument, the settings as JSON, and reads what it writes to the
-folder: result.json, cells.csv, claims.csv, shares.csv, readings.json and targets/. It needs no module.
+`rugosa run readings.ini` runs this script with one argument, the settings as JSON. The script writes result.json,
+cells.csv, claims.csv, shares.csv, readings.json and targets/ to the folder. It does not need the module rugosa.
 """
 import bisect
 import concurrent.futures
@@ -40,7 +40,7 @@ BY_CLOCK = "minute"  # the claim on the time
 
 
 def part(name, keys, targets, read):
-    """What `read` finds in a folder of the paper's experiment with these keys; kept for --resume."""
+    """Runs the paper's experiment with these keys; `read` takes the values from its folder. Saved for --resume."""
     kept, folder = CHECKPOINTS / f"{name}.json", CHECKPOINTS / name
     if not kept.exists():
         model = {key: value for key, value in SETTINGS.items() if key.startswith("model.") and value}
@@ -61,7 +61,7 @@ def part(name, keys, targets, read):
 
 
 def all_of(work, items):
-    """The same for each item, in their order."""
+    """`work` for each item, in their order."""
     with concurrent.futures.ThreadPoolExecutor(GIVEN["threads"]) as pool:
         return list(pool.map(lambda item: work(*item), items))
 
@@ -81,7 +81,7 @@ def curves_in(folder):
 
 
 def interpolated(curve, p):
-    """Linear between the points, and beyond the ends along the last segments."""
+    """The curve at p, linear between the points and along the last segments beyond the ends."""
     right = min(max(bisect.bisect(curve, [p]), 1), len(curve) - 1)
     (a, y), (b, z) = curve[right - 1:right + 1]
     return y + (z - y) * (p - a) / (b - a)

@@ -1,4 +1,4 @@
-# The look of all figures. A colour stands for a meaning; the page replaces it by its own.
+# The look of all figures. A colour stands for a meaning; the page replaces it by a colour of its style sheet.
 # Another height: `eval sized(340)`.
 sized(h) = sprintf("set terminal svg size 480,%d dynamic rounded enhanced font 'Arial,14' name '%s'", h, figure)
 eval sized(300)
