@@ -24,9 +24,9 @@ std::vector<Setting> Experiment::all_settings() const {
         {{{"experiment.kind", "paper",
            "paper, variants, accuracy, chart, stability, compare, readings, features or statistical"},
           ga::whole("experiment.seed", "1", 0,
-                    "seed of the random numbers; with several runs a variant, the first seed")
+                    "seed of the random numbers; the first one if each variant runs several times")
               .up_to(0x1p53),
-          ga::whole("experiment.threads", "0", 0, "threads, where no time is measured; 0 takes all")
+          ga::whole("experiment.threads", "0", 0, "threads, unless times are measured; 0 takes all")
               .up_to(1024)},
          settings});
 }
@@ -56,10 +56,10 @@ void write(Findings& found, const Origin& origin, const std::filesystem::path& f
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request) {
     const ga::Stopwatch clock;
     if (request.resume && !experiment.resumes)
-        throw rough::InputError("--resume: given with an experiment of kind " + experiment.kind +
-                                ", which keeps no checkpoints");
+        throw rough::InputError("--resume: experiments of kind " + experiment.kind +
+                                " do not write checkpoints; leave it out");
     if (request.resume && request.out.empty())
-        throw rough::InputError("--resume: given without --out, expected the folder of the interrupted run");
+        throw rough::InputError("--resume: no --out; give the folder of the interrupted run");
     std::vector<std::string> names = experiment.files;
     names.insert(names.end(), {"result.json", request.page});
     if (experiment.resumes)
@@ -91,9 +91,9 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
             std::filesystem::remove_all(folder / "checkpoints");
     }
     say(folder.string() + ": " +
-        (found.result.is_null() ? "interrupted before anything was found, nothing written"
+        (found.result.is_null() ? "interrupted before the first result, nothing written"
          : interrupt.asked() && experiment.resumes
-             ? "interrupted; what was found is in result.json; --resume goes on"
+             ? "interrupted, the results so far are in result.json; --resume continues"
              : (found.summary.empty() ? "" : found.summary + "; ") + readable(clock.seconds()) + " s"));
     return interrupt.asked() ? exit_interrupted : found.code;
 }

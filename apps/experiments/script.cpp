@@ -23,7 +23,7 @@ namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// The last line that a script wrote to standard error.
+/// The last line of a script's standard error.
 std::string last_line(std::FILE* file) {
     std::rewind(file);
     std::string line, last;
@@ -35,8 +35,7 @@ std::string last_line(std::FILE* file) {
     return line.empty() ? last : line;
 }
 
-/// Runs an experiment's script with the settings as JSON. The script writes result.json and tables to the
-/// folder.
+/// Runs an experiment's script with the settings as JSON. The script writes result.json and tables.
 Findings findings_of_script(const Experiment& experiment, const Settings& settings,
                             const Conditions& conditions) {
     const std::string& kind = experiment.kind;
@@ -90,7 +89,7 @@ Experiment features_experiment() {
                 {{{"features.answers", "200", "different answers for each target, and as many that miss"},
                   {"features.similarity", "0.99", "lowest similarity of an answer"},
                   {"features.difference", "0.001",
-                   "least difference of two answers: 1 less the correlation of their heights"},
+                   "minimum difference of two answers: 1 less the correlation of their heights"},
                   {"features.starts", "6000", "maximum number of starts"},
                   {"features.held-out", "128", "starts of the held-out check"},
                   {"targets.files", "", "target curves (CSV), separated by commas"},
@@ -119,7 +118,7 @@ Experiment readings_experiment() {
             [](const Settings& settings, const Conditions& conditions) {
                 expect_none(settings,
                             {{"model.kernel", "", ""}, {"model.datum", "", ""}, {"model.reach", "", ""}},
-                            "given, expected none: the readings try several");
+                            "cannot be set, because the readings try several values; leave it out");
                 model_from(settings, "model.");
                 return findings_of_script(readings_experiment(), settings, conditions);
             },

@@ -51,7 +51,7 @@ Reached raced(const rough::DesignSetup& setup, const std::string& variant, const
     return tally.reached();
 }
 
-/// A benchmark whose instances a function makes of their number.
+/// A benchmark; `make` creates the instance of a number.
 template <class Make>
 Benchmark benchmark(std::string name, std::string group, std::string kind, std::vector<double> targets,
                     Make make) {
@@ -90,7 +90,7 @@ Benchmark bbob_benchmark(int dimension, int function) {
                      });
 }
 
-/// Those that are always the same, by name.
+/// All benchmarks except BBOB's functions and roughness.
 std::vector<Benchmark> fixed_benchmarks() {
     std::vector<Benchmark> all;
     for (const std::string& name : front_problems())
@@ -158,7 +158,7 @@ std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
         } else if (name == "roughness" && roughness) {
             all.push_back(roughness_benchmark(*roughness));
         } else if (name == "roughness") {
-            throw rough::InputError("roughness: given without a target, expected its file (CSV)");
+            throw rough::InputError("roughness: has no target; give its file (CSV)");
         }
         for (const Benchmark& each : fixed)
             if (each.name == name || each.group == name)
@@ -168,15 +168,15 @@ std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
             for (const Benchmark& each : fixed)
                 known.insert(known.end(), {each.name, each.group});
             throw rough::InputError("\"" + name +
-                                    "\" given, expected bbobN, bbobN-F (N of 2 to 40, F of 1 to 24), "
-                                    "zdt, dtlz, knapsack, tsp, one of theirs or roughness" +
+                                    "\" is not a problem; give bbobN, bbobN-F (N of 2 to 40, F of 1 to 24), "
+                                    "zdt, dtlz, knapsack, tsp, a problem of theirs or roughness" +
                                     ga::suggestion(name, known));
         }
     }
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (all[i].name == all[j].name)
-                throw rough::InputError("\"" + all[i].name + "\" given twice, expected once");
+                throw rough::InputError("\"" + all[i].name + "\" is given twice; give it once");
     return all;
 }
 

@@ -13,12 +13,12 @@ namespace app {
 
 namespace {
 
-constexpr int moments = 61; // of a runtime ECDF
+constexpr int moments = 61; // points of a runtime ECDF
 constexpr std::size_t resamples = 300;
 
 using Areas = std::vector<std::vector<double>>; // [variant][seed]
 
-/// Less is better, as ranks count from the smallest.
+/// Negative values: ranks count from the lowest value, but larger areas are better.
 std::vector<double> negative(std::vector<double> values) {
     for (double& value : values)
         value = -value;
@@ -35,7 +35,7 @@ std::vector<double> evaluations_of(const std::vector<const Bout*>& bouts) {
     return all;
 }
 
-/// The curve of each seed, the mean over the problems, gives the group's and its resamples.
+/// The share and its interval from the curve of each seed, which is a mean over the problems.
 RuntimeShare share_of(const std::vector<std::vector<double>>& of_seed, std::uint64_t seed) {
     RuntimeShare result;
     for (std::size_t at = 0; at < of_seed.front().size(); ++at) {
@@ -55,7 +55,7 @@ RuntimeShare share_of(const std::vector<std::vector<double>>& of_seed, std::uint
     return result;
 }
 
-/// Every pair of variants, corrected together. `p_of` gives the difference and its p.
+/// Adds every pair of variants, corrected together. `verifier` gives the difference and its p.
 template <class Verifier>
 void add_duels(std::vector<Duel>& duels, const std::string& problem, std::size_t variants,
                Verifier verifier) {
@@ -162,7 +162,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Whole decades and the last target.
+/// Whether ert.csv has a target: whole decades and the last target.
 bool is_told(const std::vector<double>& targets, std::size_t k) {
     const double decade = std::log10(targets[k]);
     return k + 1 == targets.size() || std::abs(decade - std::round(decade)) < 1e-9;

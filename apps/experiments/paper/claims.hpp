@@ -19,11 +19,11 @@ struct Finding {
 struct Claim {
     std::string id;
     std::string place;        ///< in the paper, e.g. "Figure 8A"
-    std::string sentence;     ///< what the paper says
-    std::string measure;      ///< what the number is
-    std::string number;       ///< how it is found: a name in measures.cpp, or "least similarity of sog gco"
-    std::string reproduced;   ///< condition, on every target
-    std::string contradicted; ///< condition, on every target; "otherwise": not `reproduced`
+    std::string sentence;     ///< the paper's words
+    std::string measure;      ///< meaning of the number, in words
+    std::string number;       ///< its name in measures.cpp, or an expression: "least similarity of sog gco"
+    std::string reproduced;   ///< condition on the number of every target
+    std::string contradicted; ///< condition on every number; "otherwise": `reproduced` is not met
     std::string remark;
 
     std::string rule() const; ///< both conditions in words
@@ -36,15 +36,15 @@ std::vector<std::pair<std::string, Finding>> findings_of(const Claim& claim, con
 /// The claims of the paper, in its order.
 const std::vector<Claim>& paper_claims();
 
-/// A claim with what was found, for each target or once.
+/// A claim with its numbers and its verdict.
 struct EvaluatedClaim {
     const Claim* claim;
-    std::vector<std::pair<std::string, Finding>> findings; ///< by the target's title; "" if found once
+    std::vector<std::pair<std::string, Finding>> findings; ///< with the target's title; "" if found once
     Verdict verdict = Verdict::undecidable;
 };
 
-/// Reproduced or contradicted if all numbers meet that condition; undecidable if a number is unknown, if
-/// there is none, or if the targets differ.
+/// The verdict whose condition all numbers meet. Undecidable if a number is unknown, if the list is empty, or
+/// if the targets differ.
 Verdict verdict_of(const Claim& claim, const std::vector<double>& numbers);
 EvaluatedClaim evaluated(const Claim& claim, const PaperRun& run, const Studies& studies);
 

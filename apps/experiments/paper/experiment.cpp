@@ -52,7 +52,7 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
     for (const auto& [name, text] : own) {
         if (texts.count(name))
             throw rough::InputError(settings.place("variants." + name) +
-                                    ": the name of one of the paper's variants, expected another");
+                                    ": the paper has a variant of this name; choose another");
         texts[name] = text;
     }
     for (const auto& [name, text] : own)
@@ -65,7 +65,7 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
 std::vector<rough::Genome> database_of(const PaperRun& run) {
     std::vector<rough::Genome> genomes = sobol_database(run.layout);
     const auto columns = static_cast<std::size_t>(run.layout.phase_columns);
-    for (std::size_t g = 0; run.phases > 0 && g < genomes.size(); ++g) { // the same for all pairs (H, gamma)
+    for (std::size_t g = 0; run.phases > 0 && g < genomes.size(); ++g) { // all pairs have equal phases
         ga::Stream random(ga::fold(ga::fold(ga::fold(run.origin.seed, "phases"), run.phases), g % columns));
         for (rough::Chromosome& chromosome : genomes[g].series[0].chromosomes)
             chromosome.phases[0] = random.uniform(0, 2 * std::numbers::pi);
@@ -73,7 +73,7 @@ std::vector<rough::Genome> database_of(const PaperRun& run) {
     return genomes;
 }
 
-/// What a run of a pipeline found, its answer solved throughout; nothing if it was stopped before a genome
+/// The record of a pipeline's run, its answer solved exactly. Empty if the run was stopped before a genome
 /// was scored.
 std::optional<VariantRun> finished_run(const std::string& name, const rough::DesignProblem& problem,
                                        const ga::Result<rough::Genome>& result,
@@ -130,7 +130,7 @@ std::vector<Scores> scores_of(const std::vector<Answered>& database, const rough
     return scores;
 }
 
-/// The paper's genomes and targets with what all variants share.
+/// The searches of one experiment, with the genomes and pipelines that all targets share.
 class Paper {
   public:
     Paper(const Settings& settings, PaperRun& run, const Conditions& conditions)
@@ -207,18 +207,18 @@ class Paper {
                           observers, keeper);
     }
 
-    /// Nothing when it was stopped before a genome was scored.
+    /// Empty if the run was stopped before a genome was scored.
     std::optional<VariantRun> run_variant(const Variant& variant, const DesignProblem& problem) const {
         std::vector<StageRecord> stages;
         const Run result = run_pipeline(variant, problem, {recorder(stages)});
         return finished_run(variant.name, problem, result, std::move(stages));
     }
 
-    /// The same with a checkpoint and a log of every stage in the run's folder.
+    /// Runs a variant and writes a checkpoint and a log of every stage to the run's folder.
     std::optional<VariantRun> run_kept(const Variant& variant, const DesignProblem& problem,
                                        const std::string& title) const {
         const std::string name = title + "-" + variant.name;
-        std::error_code none; // where there can be none, the run goes on without
+        std::error_code none; // without these folders the run continues
         for (const char* folder : {"checkpoints", "log"})
             std::filesystem::create_directories(conditions_.folder / folder, none);
         std::vector<StageRecord> stages;
@@ -243,7 +243,7 @@ class Paper {
     const Conditions& conditions_;
     std::unique_ptr<ga::Evaluator<DesignProblem>> evaluator_ = design_evaluator(run_.origin.threads);
     std::shared_ptr<rough::ResponseMemory> memory_ =
-        std::make_shared<rough::ResponseMemory>(); ///< of the sweep
+        std::make_shared<rough::ResponseMemory>(); ///< for the sweep
     std::vector<rough::Genome> genomes_;
     std::vector<Variant> variants_;
     std::vector<Variant> other_reading_; ///< the paper's three under the other reading of Algorithm 1

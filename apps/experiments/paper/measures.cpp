@@ -24,7 +24,7 @@ using Measure = std::variant<Finding (*)(const PaperRun&, const Studies&),
 using rough::column;
 using Numbers = std::vector<double>;
 
-/// The least or greatest of several numbers; NaN if there is none or one is unknown.
+/// The least or greatest number; NaN if the list is empty or a number is unknown.
 double extreme(const Numbers& numbers, bool greatest) {
     double result = unknown;
     for (const double number : numbers) {
@@ -130,10 +130,10 @@ double gain(const VariantRun& variant) {
     return greatest(after) - greatest(before);
 }
 
-/// log10 of a power octave by octave from the first wavenumber on: octave o holds the bins 2^o to 2^(o+1)
-/// - 1. In octaves, as the lines of two series of different gamma never coincide.
+/// log10 of the power in each octave. Octave o has the bins 2^o to 2^(o+1) - 1. Octaves make series of
+/// different gamma comparable, whose lines never coincide.
 struct Octaves {
-    Eigen::VectorXd continuous, discrete; ///< of the sampled heights; of the genome's waves, -inf if none
+    Eigen::VectorXd continuous, discrete; ///< from the sampled heights; from the genome's waves, or -inf
     rough::Index half() const { return continuous.size() / 2; }
 };
 
@@ -156,8 +156,8 @@ Octaves octaves_of(const PaperRun& run, const VariantRun& variant) {
             Eigen::Map<Eigen::VectorXd>(discrete.data(), count)};
 }
 
-/// The factor by which a continuous spectrum differs from its own discrete one, in the geometric mean over
-/// those octaves of the upper or lower half that hold a wave.
+/// Factor between a genome's continuous and discrete spectrum. It is the geometric mean over the octaves of
+/// the upper or lower half that have a wave.
 double off_its_waves(const PaperRun& run, const VariantRun& variant, bool high) {
     const Octaves octaves = octaves_of(run, variant);
     const Eigen::Index from = high ? octaves.continuous.size() - octaves.half() : 0,
@@ -196,8 +196,8 @@ Finding proportion(const PaperRun& run, const TargetRun& target) {
             {{"mean factor", std::pow(10, ratio.mean())}}};
 }
 
-/// Peaks of a continuous spectrum, at least twice as high as two wavenumbers to either side, with no wave of
-/// the genome within two wavenumbers (the width of the window).
+/// Number of peaks of a continuous spectrum without a wave of the genome within two wavenumbers (the width of
+/// the window). A peak is at least twice as high as two wavenumbers to either side.
 double peaks_without_waves(const PaperRun& run, const VariantRun& variant) {
     const rough::Spectrum spectrum = continuous_spectrum(sample(variant.answer.genome, run.model.grid));
     const Eigen::VectorXd& density = spectrum.density;
@@ -215,8 +215,8 @@ double peaks_without_waves(const PaperRun& run, const VariantRun& variant) {
     return peaks;
 }
 
-/// "least similarity of sog gco cco", or "of pairs": a number of each of these answers, or of each two of the
-/// three, and what they are reduced to.
+/// The value of an expression like "least similarity of sog gco cco". After "of" stand answers; "pairs" is
+/// each two of the three. The quantity of each is reduced to one number.
 Finding over_answers(const std::string& words, const PaperRun& run, const TargetRun& target) {
     using Run = const PaperRun&;
     using Answer = const VariantRun&;
@@ -275,7 +275,7 @@ Finding over_answers(const std::string& words, const PaperRun& run, const Target
     return finding;
 }
 
-/// Numbers that are not of answers alone, by their names.
+/// All other numbers, by their names.
 const std::map<std::string, Measure>& measures() {
     using Run = const PaperRun&;
     using Target = const TargetRun&;

@@ -18,7 +18,7 @@ std::pair<double, double> range_from(const Settings& settings, const std::string
     const double from = settings.number(name + "from"), to = settings.number(name + "to");
     if (from > to)
         throw rough::InputError(settings.place(name + "to") + ": " + settings.text(name + "to") +
-                                " given, expected a number from " + settings.text(name + "from"));
+                                " is below the start of the range, " + settings.text(name + "from"));
     return {from, to};
 }
 
@@ -37,7 +37,7 @@ rough::DatabaseLayout layout_from(const Settings& settings, const rough::Model& 
     return layout;
 }
 
-/// The target that a measured profile's own response is: K at 20 even pressures up to its last.
+/// A measured profile's response as a target: K at 20 even pressures up to its last one.
 rough::Target target_of(const rough::Source& scan, const rough::Model& model, const std::string& name) {
     const rough::Response response = respond(scan.measured, model);
     const rough::Curve curve = secant_stiffness(response);
@@ -50,13 +50,12 @@ rough::Target target_of(const rough::Source& scan, const rough::Model& model, co
     return target;
 }
 
-/// The paper's targets are of K alone; what a file records of its model is held against none here.
+/// The paper's targets contain only K. A recorded model would be ignored, so it is refused.
 rough::Target stiffness_from(const std::string& file) {
     rough::Target target = rough::read_target(file);
     if (target.quantity != rough::Quantity::stiffness || target.has_band() || !target.recorded.empty())
-        throw rough::InputError(file +
-                                ": a target of another quantity, with a band or a recorded model given, "
-                                "expected pressure_MPa,stiffness_MPa_per_mm alone");
+        throw rough::InputError(file + ": has another quantity, a band or a recorded model; give only "
+                                       "pressure_MPa,stiffness_MPa_per_mm");
     return target;
 }
 
@@ -73,7 +72,7 @@ void take_measured_target(const Settings& settings, PaperRun& run) {
 void take_target_files(const Settings& settings, PaperRun& run) {
     if (!settings.has("target.file"))
         throw rough::InputError(settings.place("target.file") +
-                                ": missing, expected a target (CSV), or target.profile, a measured profile");
+                                ": missing; name a target (CSV), or a measured profile as target.profile");
     run.searched = model_from(settings, "model.");
     run.max_pressure = settings.number("paper.max-pressure");
     run.targets.push_back({"drawn", stiffness_from(settings.path("target.file")), 0, {}, {}, {}});
@@ -81,13 +80,13 @@ void take_target_files(const Settings& settings, PaperRun& run) {
         run.targets.push_back({"held-out", stiffness_from(settings.path("heldout.file")), 0, {}, {}, {}});
 }
 
-/// What an experiment of kind readings has found, claim by claim.
+/// The sentence on each claim from an experiment of kind readings.
 std::map<std::string, std::string> readings_from(const std::filesystem::path& file) {
     try {
         return nlohmann::json::parse(rough::read_whole(file)).at("claims");
     } catch (const nlohmann::json::exception& error) {
         throw rough::InputError(file.string() + ": " + error.what() +
-                                ", expected readings.json of an experiment of kind readings");
+                                "; give readings.json of an experiment of kind readings");
     }
 }
 
@@ -96,26 +95,27 @@ std::map<std::string, std::string> readings_from(const std::filesystem::path& fi
 std::vector<Setting> paper_settings() {
     const std::vector<Setting> settings{
         {"target.file", "", "target curve (CSV)"},
-        {"target.profile", "", "measured profile whose response is the target, in place of target.file"},
+        {"target.profile", "", "measured profile whose response is the target, instead of target.file"},
         {"heldout.file", "", "second target curve (CSV)"},
         {"variants.*", "", "NAME = pipeline: further variants, as text (rugosa operators)"},
         pressure("paper.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"),
         ga::number("paper.threshold", "0.5", 0, 1, "p_bar over p_max"),
         ga::number("paper.sweep-from", "0.31", 0.01, 1, "first p_bar over p_max of the threshold sweep"),
-        ga::number("paper.sweep-to", "0.69", 0.01, 1, "last one"),
-        ga::whole("paper.sweep-points", "20", 0, "how many; 0: no sweep").up_to(1000),
+        ga::number("paper.sweep-to", "0.69", 0.01, 1, "last p_bar over p_max of the sweep"),
+        ga::whole("paper.sweep-points", "20", 0, "number of thresholds; 0: no sweep").up_to(1000),
         {"paper.readings", "",
-         "readings.json of an experiment of kind readings: what other readings make of each claim"},
+         "readings.json of an experiment of kind readings: claims under other readings"},
         Setting(
             "paper.dominance", "pressure",
             "Algorithm 1 compares K at the same pressure, K at the same load step, or raw tangents by step")
             .of({"pressure", "step", "raw"}),
         ga::number("paper.dominant-above", "0.95", 0, 1,
                    "correlation above which it finds a chromosome dominant"),
-        Setting("paper.cco-reduces", "parents", "what CCO applies it to").of({"parents", "children"}),
+        Setting("paper.cco-reduces", "parents", "genomes to which CCO applies it")
+            .of({"parents", "children"}),
         ga::number("paper.phase-relative", "0.1", 0, 10,
-                   "how far refinement moves a phase, over paper.phase-of"),
-        Setting("paper.phase-of", "value", "value: the phase's own value; turn: 2 pi").of({"value", "turn"}),
+                   "maximum change of a phase by refinement, over paper.phase-of"),
+        Setting("paper.phase-of", "value", "value: the phase itself; turn: 2 pi").of({"value", "turn"}),
         ga::whole("database.pairs", "20", 1, "Sobol pairs (H, gamma)").up_to(100000),
         ga::whole("database.phase-columns", "5", 1, "Sobol phase columns").up_to(1000),
         ga::number("database.hurst-from", "0.5", ga::above_zero, 10, "lowest H"),

@@ -17,7 +17,7 @@ namespace app {
 
 namespace {
 
-/// What `difference` makes of the two curves at each point of `a` within the range of `b`.
+/// `difference` of the two curves at each point of `a` within the range of `b`.
 template <class Difference>
 std::vector<double> differences(const rough::Curve& a, const rough::Curve& b, Difference difference) {
     std::vector<double> all;
@@ -27,7 +27,7 @@ std::vector<double> differences(const rough::Curve& a, const rough::Curve& b, Di
     return all;
 }
 
-constexpr double rounding = 1e-12; ///< of M: where |g1| = R exactly, the last bit must not decide
+constexpr double rounding = 1e-12; ///< times M: if |g1| = R, rounding must not affect the result
 
 bool holds(double g1, double radicand, double ridges) {
     return std::abs(g1) <= std::sqrt(std::max(radicand, 0.0)) + rounding * ridges;
@@ -45,7 +45,7 @@ double pair_sum(const std::vector<double>& phases) {
     return g3;
 }
 
-constexpr double hurst = 0.8; ///< of fracture surfaces (Bouchaud, Lapasset and Planes 1990)
+constexpr double hurst = 0.8; ///< H of fracture surfaces (Bouchaud, Lapasset and Planes 1990)
 constexpr double rms = 1e-3;  ///< mm; a profile's K does not depend on its amplitude
 
 FractalStudy study_of(const rough::Model& model, std::uint64_t seed, rough::DominanceReading reading,
@@ -94,7 +94,7 @@ Genome half_of(const Genome& genome, bool coarse) {
     });
 }
 
-/// How the whole's curves change to those of what is left; NaN where that has no height at the nodes.
+/// Change of the curves from the whole genome to the remaining one; NaN if that is flat at the nodes.
 Removal removal(const rough::Response& whole, const Genome& left, const rough::Model& model) {
     const rough::Profile profile = sample(left, model.grid);
     if (is_flat(profile, left))
@@ -104,7 +104,7 @@ Removal removal(const rough::Response& whole, const Genome& left, const rough::M
             relative_gap(area_against_pressure(whole), area_against_pressure(rest))};
 }
 
-/// The contact sets of a genome's own load steps, one compared with the next.
+/// Compares the contact set of each load step of a genome with the next.
 Contacts contacts_of(const Answered& member, const rough::Model& model) {
     const Eigen::VectorXd& steps = member.response.displacement;
     rough::ContactOptions options = model.contact;

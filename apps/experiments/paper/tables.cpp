@@ -19,10 +19,10 @@ bool is_papers(const std::string& name) {
     return std::find(algorithms.begin(), algorithms.end(), name) != algorithms.end();
 }
 
-/// Whether figures show an answer: those of the paper's algorithms and of the experiment's own variants.
+/// Whether figures show an answer: all except the minimax forms.
 bool is_shown(const std::string& name) { return is_papers(name) || !name.ends_with("-minimax"); }
 
-/// "sog-minimax" as "SOG, minimax"; an experiment's own variant by its own name.
+/// "SOG, minimax" for "sog-minimax"; the name itself for a variant of the .ini file.
 std::string shown_name(const std::string& name) {
     const std::string algorithm = name.substr(0, name.find("-minimax"));
     if (!is_papers(algorithm))

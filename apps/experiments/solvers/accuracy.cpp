@@ -38,7 +38,7 @@ Csv medians_table(const AccuracyRun& run) {
     return table;
 }
 
-/// Whether the errors are what they are promised to be, for each accuracy.
+/// Errors against their estimates and limits, for each accuracy.
 Csv coverage_table(const AccuracyRun& run) {
     std::map<double, std::vector<SavingRow>, std::greater<>> by_accuracy;
     for (const SavingRow& row : run.savings)
@@ -68,7 +68,7 @@ void add_savings(AccuracyRun& run, SavingRow row, const rough::Genome& genome, c
     for (const double accuracy : accuracies) {
         row.accuracy = accuracy;
         row.seconds = least_seconds([&] { cheap = respond_within(genome, model, accuracy); }, 2, HUGE_VAL);
-        // Both err by what their solvers' certificates leave open.
+        // Both curves have the error that their solvers' certificates allow.
         row.estimated_error = cheap.account.estimated_error + exact.account.estimated_error;
         row.true_error = rough::relative_error(cheap.response.pressure, exact.response.pressure);
         row.nodes = cheap.account.grids.back();
@@ -83,7 +83,7 @@ void try_accuracies(AccuracyRun& run, const Settings& settings, const Conditions
     const std::vector<double> accuracies = settings.numbers("accuracy.accuracies");
     if (accuracies.empty())
         throw rough::InputError(settings.place("accuracy.accuracies") +
-                                ": none given, expected numbers with commas between");
+                                ": the list is empty; give numbers separated by commas");
     const double light = settings.number("accuracy.light");
     for (const std::string kind : {"smooth", "rough"})
         for (const rough::Kernel kernel : {rough::Kernel::free, rough::Kernel::strip})
@@ -166,7 +166,7 @@ Findings findings_of(const AccuracyRun& run) {
 Experiment accuracy_experiment() {
     return {
         .kind = "accuracy",
-        .summary = "what accuracy costs, and what is gained by modelling no more than an answer needs",
+        .summary = "time of curves within an accuracy, and the error budget of a designed surface",
         .settings = joined(
             {{Setting(ga::number("accuracy.accuracies", "3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4", ga::above_zero,
                                  1, "accuracies to try, separated by commas"))

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// What the accuracy experiment found, as its page and files read it. Seconds are of one core.
+/// Results of the accuracy experiment. Seconds are those of one core.
 namespace app {
 
 /// One scene under one accuracy.
@@ -14,7 +14,7 @@ struct SavingRow {
     std::string surface; ///< smooth or rough
     std::string kernel;
     std::string load; ///< light or full
-    int sample = 0;   ///< which of the random surfaces
+    int sample = 0;   ///< number of the random surface
     double accuracy = 0;
     double seconds = 0, resolved_seconds = 0;
     double estimated_error = 0, true_error = 0; ///< relative, worst row
@@ -27,7 +27,7 @@ struct SavingRow {
 
 struct AccuracyRun {
     std::vector<SavingRow> savings;
-    rough::DesignSetup setup; ///< of the designed surface
+    rough::DesignSetup setup; ///< for the designed surface
     VariantRun design;
     std::vector<rough::ErrorSource> budget;
     Origin origin;

@@ -29,7 +29,7 @@ constexpr double longest_wave = 0.84942; ///< mm
 
 bool is_iterative(Solver method) { return method == Solver::polonsky_keer || method == Solver::active_set; }
 
-/// Displacement, pressure, stiffness and contact fraction at each of so many points behind 0.
+/// A truth with a point at 0 and `points` more: displacement, pressure, stiffness and contact fraction.
 ChartTruth truth_through(int points, const std::function<std::array<double, 4>(int)>& at) {
     ChartTruth truth;
     const std::array columns{&truth.displacement, &truth.pressure, &truth.stiffness, &truth.fraction};
@@ -242,20 +242,20 @@ class Course {
         } catch (const rough::NotConverged&) {
             if (!stopped())
                 throw;
-            truths_.emplace_back(); // nothing will be measured against it
+            truths_.emplace_back(); // not used: the chart ends
         }
         data_.scenes.push_back(scene);
         data_.scenes.back().reference = truths_.back().origin;
     }
 
-    /// The same method, steps and tolerance on the scene, whatever the grid.
+    /// A setting's key for all grids: scene, method, steps and tolerance.
     static ChartSetting on_any_grid(ChartSetting setting) {
         setting.nodes = 0;
         return setting;
     }
 
-    /// Why a setting is not tried; a curve takes at least as many times its coarser grid's time as it has
-    /// more nodes.
+    /// The reason to leave a setting out, if there is one. The time of a curve grows at least like the number
+    /// of nodes.
     std::optional<LeftOutFor> barred(const ChartSetting& setting, bool is_late) const {
         const auto found = coarser_.find(on_any_grid(setting));
         if (stopped())
@@ -358,11 +358,12 @@ Experiment chart_experiment() {
         .summary =
             "Charts the time of a pressure curve against its error for theories, profiles and maps, and for "
             "every contact solver, grid, number of load steps and tolerance, on scenes with a known or a "
-            "refined solution: from coarse grids to fine, so that a chart that ends early has the same of "
-            "every scene. Writes chart.csv (as it goes), models.csv and a page that says which model and "
-            "method to take when, and what was left out and why. Ctrl-C ends it; what was measured is kept.",
+            "refined solution. It goes from coarse grids to fine ones, so that a chart that ends early has "
+            "equal grids for every scene. Writes chart.csv (while it runs), models.csv and a page that "
+            "recommends models and methods and lists settings that were left out. Ctrl-C ends the chart; "
+            "its measurements are kept.",
         .settings = {positive("chart.minutes", "10",
-                              "no setting begins after so many; the coarsest grid is always done"),
+                              "no setting starts after this time, except on the coarsest grid"),
                      {"chart.quick", "", "fewer and smaller grids: under a minute", true}},
         .files = {"chart.csv", "points.csv", "models.csv", "model_errors.csv"},
         .run = run_chart_experiment,

@@ -34,7 +34,7 @@ Profile ground_on(Index side) {
     return map;
 }
 
-/// Contact fraction and stiffness at pressures; NaN at those that the surface cannot bear.
+/// Contact fraction and stiffness at pressures; NaN beyond full contact.
 rough::TheoryCurve pressed(const Profile& surface, const VectorXd& pressures) {
     rough::Body body;
     body.kernel = rough::Kernel::periodic;
@@ -62,7 +62,7 @@ ModelScene modelled(const std::function<bool()>& stop, const std::string& name, 
     const rough::RandomSurface random = random_surface(surface, true);
     ModelScene scene{name,
                      words,
-                     "the same surface on " + std::to_string(finest) +
+                     "this surface on " + std::to_string(finest) +
                          (is_map ? " x " + std::to_string(finest) : "") + " nodes",
                      rms_slope(random),
                      std::sqrt(spectral_moments(random).m0),

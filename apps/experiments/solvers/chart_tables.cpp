@@ -24,8 +24,8 @@ struct ErrorKind {
     double ChartRun::*value;
     bool between_steps; ///< also measured between the load steps, so that more of them help
 
-    /// Whether a run has it, in a way to be compared with other runs: errors at the load steps only are
-    /// compared for the usual number of steps. Auto stands for the solver that it chooses.
+    /// Whether a run has this error and can be compared with other runs. Errors measured at the load steps
+    /// are compared only for the usual number of steps. Auto is left out, as it is one of the other solvers.
     bool compares(const ChartRun& run) const {
         return run.setting.method != Solver::automatic && run.*value != ChartRun::unknown &&
                (between_steps || run.setting.steps == usual_steps);
@@ -37,7 +37,7 @@ constexpr std::array<ErrorKind, 3> error_kinds{{{"pressure", &ChartRun::error_pr
 
 const std::string& method_of(const ChartRun& run) { return rough::name_of(run.setting.method); }
 
-/// The run at a setting, or none if it was not solved.
+/// The run at a setting, or null if it was not solved.
 const ChartRun* solved(const ChartData& data, const ChartSetting& setting) {
     const ChartRun* run = data.at(setting);
     return run && run->outcome == Outcome::solved ? run : nullptr;
@@ -51,8 +51,7 @@ std::set<Index> grids_of(const ChartData& data) {
     return grids;
 }
 
-/// Brings the fastest to the front, or nested where it is about as fast: it needs no tolerance, and NNLS,
-/// which is, is there to check it.
+/// Sorts runs by time, and puts nested first if it is about as fast as the fastest: it needs no tolerance.
 void fastest_first(std::vector<const ChartRun*>& runs) {
     constexpr double same_time = 1.1;
     std::stable_sort(runs.begin(), runs.end(),
@@ -134,9 +133,9 @@ json left_out_rows(const ChartData& data) {
     return rows;
 }
 
-constexpr double fair = 0.2; ///< up to this error a model is said to hold
+constexpr double fair = 0.2; ///< a model holds up to this error
 
-/// Contact fractions between which an error stays fair, around the load where it is lowest; null if nowhere.
+/// The range of contact fractions around the lowest error in which errors stay fair; null if it is empty.
 json fair_range(const Eigen::VectorXd& errors, const Eigen::VectorXd& fractions) {
     Index best = -1;
     for (Index j = 0; j < errors.size(); ++j)
@@ -271,7 +270,7 @@ Csv points_table(const ChartData& data) {
             std::stable_sort(runs.begin(), runs.end(), [&](const ChartRun* a, const ChartRun* b) {
                 return std::pair(a->seconds, a->*kind.value) < std::pair(b->seconds, b->*kind.value);
             });
-            double least = HUGE_VAL; // of the faster runs, of all methods and of the same
+            double least = HUGE_VAL; // lowest error of the faster runs: any method, and each method
             std::map<Solver, double> least_of;
             for (const ChartRun* run : runs) {
                 const double error = run->*kind.value;

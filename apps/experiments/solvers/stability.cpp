@@ -22,7 +22,7 @@ std::pair<double, double> span_of(const std::vector<double>& values, double fact
     return {factor * *least, factor * *most};
 }
 
-/// How a load step differs from its reference, or "".
+/// The difference of a load step from its reference, in words; "" if they agree.
 template <class Span>
 std::string difference(const rough::LoadStep& step, std::size_t j, const Span& span, double tolerance) {
     const std::array<std::pair<const char*, double>, 3> results{
@@ -37,7 +37,7 @@ std::string difference(const rough::LoadStep& step, std::size_t j, const Span& s
             continue;
         rough::PlainStream line;
         line.precision(12);
-        line << what << " of step " << j + 1 << " is " << given << " where the reference has " << least;
+        line << what << " of step " << j + 1 << " is " << given << ", but the reference has " << least;
         if (most > least)
             line << " to " << most;
         return line.str();
@@ -45,7 +45,7 @@ std::string difference(const rough::LoadStep& step, std::size_t j, const Span& s
     return "";
 }
 
-/// A scene and what each solver made of it, in the order of their names.
+/// A scene and the trial of each solver, in the order of their names.
 struct StabilityRow {
     std::string scene, kernel;
     bool has_solution;
@@ -55,7 +55,7 @@ using Rows = std::vector<StabilityRow>;
 
 constexpr std::array outcomes{Outcome::solved, Outcome::refused, Outcome::not_converged, Outcome::wrong};
 
-/// How many cells have an outcome; of one method, or of all (-1).
+/// Number of cells with an outcome, for one method or for all (-1).
 long count(const Rows& rows, Outcome outcome, int method = -1) {
     long number = 0;
     for (const StabilityRow& row : rows)
@@ -187,7 +187,7 @@ const std::vector<StabilityReference::Span>& StabilityReference::spans(double to
     const double largest = largest_displacement(scene_.profile, scene_.body);
     const double range = scene_.profile.heights.maxCoeff() - scene_.profile.heights.minCoeff();
     for (const double displacement : scene_.displacements) {
-        // First loading: the oracle needs some displacement, which stands for none.
+        // The oracle needs a displacement above 0; a tiny one stands for first touch.
         const double at = displacement > 0 ? displacement : 1e-9 * range;
         const rough::Oracle oracle = consult_oracle(
             scene_.profile, scene_.body,
@@ -233,9 +233,9 @@ void StabilityReference::verifier(ContactTrial& trial, double tolerance) {
 Experiment stability_experiment() {
     return {.kind = "stability",
             .summary =
-                "Tries every contact solver on scenes in which methods fail, and says which solved them, "
-                "refused them or did not converge; 'wrong' is a result that a second opinion "
-                "contradicts. Writes stability.csv and a page; a cell takes at most 30 s.",
+                "Tries every contact solver on scenes in which methods fail. A cell is solved, refused, not "
+                "converged, or wrong if a second solution contradicts it. Writes stability.csv and a page; "
+                "a cell takes at most 30 s.",
             .settings = {{"stability.scene", "", "only the scene of this name"}},
             .files = {"stability.csv"},
             .run = run_stability,

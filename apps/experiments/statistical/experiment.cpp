@@ -16,7 +16,7 @@ const char* const usual_pipeline =
 
 rough::StatisticalTask task_of(const Settings& settings) {
     if (!settings.has("target.file"))
-        throw rough::InputError(settings.place("target.file") + ": missing, expected a target's file");
+        throw rough::InputError(settings.place("target.file") + ": missing; name a target's file (CSV)");
     rough::StatisticalTask task;
     task.target = rough::read_target(settings.path("target.file"));
     settings.take("statistical.theory", task.theory);
@@ -25,7 +25,7 @@ rough::StatisticalTask task_of(const Settings& settings) {
     if (task.is_area && task.nodes > 2048)
         throw rough::InputError(settings.place("statistical.nodes") + ": " +
                                 settings.text("statistical.nodes") +
-                                " given, expected at most 2048 a side of an area");
+                                " is out of range for a map (40 to 2048 along each side)");
     task.length = settings.number("statistical.length");
     task.effective_modulus = settings.number("statistical.modulus");
     return task;
@@ -48,7 +48,7 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
     add("target", target.y);
     add(theory, answer.foretold);
     std::map<std::string, std::string> files;
-    std::vector<double> similarities; ///< of the surfaces that are drawn
+    std::vector<double> similarities; // one per drawn surface
     const long count = settings.whole("statistical.realisations");
     for (long k = 1; k <= count && !conditions.stop; ++k) {
         const std::string name = "surface-" + std::to_string(k);
@@ -87,19 +87,20 @@ Experiment statistical_experiment() {
     return {
         .kind = "statistical",
         .summary =
-            "Finds the statistical parameters of a surface (H, two cut-offs, rms slope) whose curve, as "
-            "a theory foretells it, is the target's, and solves surfaces that have them. Writes "
-            "curves.csv, the surfaces (X3P) and a page.",
+            "Finds the statistical parameters of a surface (H, two cut-offs, rms slope) whose curve, by a "
+            "theory, is the target's, and solves surfaces with these parameters. Writes curves.csv, the "
+            "surfaces (X3P) and a page.",
         .settings =
             {{"target.file", "", "stiffness or contact fraction against pressure, CSV"},
-             Setting("statistical.theory", "persson", "of contact").of(rough::theory_names()),
-             Setting("statistical.surface", "area", "a profile by persson alone").of({"profile", "area"}),
-             ga::whole("statistical.nodes", "128", 40, "of the surfaces, a side; no wave is under 8 nodes")
+             Setting("statistical.theory", "persson", "theory of contact").of(rough::theory_names()),
+             Setting("statistical.surface", "area", "area, or profile (only with persson)")
+                 .of({"profile", "area"}),
+             ga::whole("statistical.nodes", "128", 40, "nodes along each side; waves have at least 8 nodes")
                  .up_to(1000000),
-             positive("statistical.length", "1", "of the surfaces, mm"),
+             positive("statistical.length", "1", "length of each side, mm"),
              positive("statistical.modulus", "1", "effective modulus E*, MPa"),
-             ga::whole("statistical.realisations", "3", 0, "surfaces that are drawn and solved").up_to(100),
-             {"statistical.pipeline", usual_pipeline, "how the parameters are searched for"}},
+             ga::whole("statistical.realisations", "3", 0, "number of surfaces to draw and solve").up_to(100),
+             {"statistical.pipeline", usual_pipeline, "search for the parameters"}},
         .files = {"curves.csv", "*.x3p"},
         .run = run_statistical};
 }

@@ -23,10 +23,10 @@ namespace {
 
 using nlohmann::json;
 
-/// The best similarity so far when so much was spent.
+/// A moment of a search with its best similarity so far.
 struct Spent {
     double evaluations; ///< curves and gradients
-    double seconds;     ///< since the search began
+    double seconds;     ///< from the start of the search
     double similarity;
 };
 
@@ -34,8 +34,8 @@ struct RaceRun {
     std::uint64_t seed;
     std::vector<Spent> history; ///< after each stage
     VariantRun run;
-    double last_displacement = 0; ///< of the answer, at the end of the load, mm
-    long crossed = 0, better = 0; ///< children of two scored parents, and those above the better parent
+    double last_displacement = 0; ///< mm, at the answer's last load step
+    long crossed = 0, better = 0; ///< children of two scored parents; children better than both
 };
 
 struct RaceVariant {
@@ -52,7 +52,7 @@ struct RaceVariant {
         });
         return runs[order[(runs.size() - 1) / 2]];
     }
-    /// Median over the runs of the best similarity when so much was spent; -1 if a run had none yet.
+    /// Median over the runs of the best similarity up to this moment; -1 if a run had none yet.
     double median_at(double Spent::*axis, double spent) const {
         return rough::median(rough::column(runs, [&](const RaceRun& run) {
             double best = -1;
@@ -66,11 +66,11 @@ struct RaceVariant {
 
 struct RaceTarget {
     rough::DesignSetup setup;
-    std::vector<RaceVariant> variants; ///< those that ran
+    std::vector<RaceVariant> variants; ///< with at least one finished run
 
     const std::string& name() const { return setup.targets[0].name; }
     bool is_2d() const { return setup.model.grid.is_2d(); }
-    /// The highest similarity first.
+    /// The variants by falling similarity.
     std::vector<const RaceVariant*> ranked() const {
         std::vector<const RaceVariant*> order;
         for (const RaceVariant& variant : variants)
@@ -82,7 +82,8 @@ struct RaceTarget {
     }
 };
 
-/// Every target on every grid of model.nodes; those of the first grid are called by the target alone.
+/// Every target on every grid of model.nodes. On the first grid the name is the target's, on others the grid
+/// follows.
 std::vector<RaceTarget> targets_from(const Settings& settings) {
     std::vector<std::string> grids = rough::listed(settings.text("model.nodes"));
     if (grids.empty())
@@ -111,14 +112,14 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
     return targets;
 }
 
-/// An individual's similarity, where it was found.
+/// An individual's similarity, if it was evaluated with success.
 std::optional<double> similarity_of(const ga::Individual<rough::Genome>& individual) {
     static const ga::Name similarity("similarity");
     const ga::Fitness& fitness = individual.fitness;
     return fitness.known(similarity) && !fitness.has_failed() ? std::optional(fitness.value()) : std::nullopt;
 }
 
-/// Counts children of two parents whose similarity is known, and how many are better than both, as they come.
+/// Counts children of two scored parents, and the children that are better than both.
 class ParentsWatch {
   public:
     explicit ParentsWatch(RaceRun& run) : run_(run) {}
@@ -197,18 +198,18 @@ json result_of(const RaceTarget& target, const Origin& origin, long budget) {
 
 std::vector<Setting> variants_settings() {
     const std::vector<Setting> settings{
-        ga::whole("experiment.seeds", "3", 1, "runs of each way").up_to(1000),
-        ga::whole("experiment.budget", "3000", 1, "curves and gradients each run may ask for").up_to(1e9),
-        {"targets.files", "", "target curves (CSV), with commas between"},
+        ga::whole("experiment.seeds", "3", 1, "runs of each pipeline").up_to(1000),
+        ga::whole("experiment.budget", "3000", 1, "maximum number of curves and gradients of a run")
+            .up_to(1e9),
+        {"targets.files", "", "target curves (CSV), separated by commas"},
         pressure("targets.max-pressure", "", "p_max of Eq. 11, MPa [amplitude is a gene]"),
-        positive("targets.shortest-wave", "", "shortest wave, mm [8 node distances]"),
-        ga::whole("database.ridges", "", 1, "ridges of each chromosome [1; an area, their directions: 8]")
-            .up_to(64),
-        {"variants.*", "", "a way to search: a named variant or a pipeline as text"},
+        positive("targets.shortest-wave", "", "shortest wave, mm [8 node spacings]"),
+        ga::whole("database.ridges", "", 1, "ridges of each chromosome [1; on a map 8 directions]").up_to(64),
+        {"variants.*", "", "a named variant or a pipeline as text"},
     };
     std::vector<Setting> model = model_settings("model.");
     for (Setting& setting : model)
-        if (setting.name == "model.nodes") // of several grids, with commas between
+        if (setting.name == "model.nodes") // several grids, separated by commas
             setting.takes = ga::word_list({}, {});
     return joined({settings, model, {accuracy_setting("model.")}});
 }
@@ -253,7 +254,7 @@ std::vector<RaceTarget> raced(const Settings& settings, const Conditions& condit
     return targets;
 }
 
-/// 1 less the best similarity so far, in the median over the seeds, against what was spent.
+/// 1 less the best similarity so far, median over the seeds, against evaluations and seconds.
 Csv shortfall_table(const std::vector<RaceTarget>& targets, long budget) {
     constexpr int points = 60;
     Csv table("target,variant,axis,spent,shortfall", 6);
@@ -330,7 +331,7 @@ Findings run_variants(const Settings& settings, const Conditions& conditions) {
         if (&target != &targets.front())
             found.files[target.name() + "/result.json"] =
                 rough::json_text(result_of(target, conditions.origin, budget)) + "\n";
-        json told = model_json(target.setup.model); // what the page says of its grid
+        json told = model_json(target.setup.model); // for the page's sentence on the grid
         told.update({{"name", target.name()}, {"is_2d", target.is_2d()}, {"ridges", target.setup.ridges}});
         found.result["targets"].push_back(std::move(told));
         for (const RaceVariant& variant : target.variants)
@@ -350,7 +351,7 @@ Findings run_variants(const Settings& settings, const Conditions& conditions) {
 
 Experiment variants_experiment() {
     return {.kind = "variants",
-            .summary = "ways to search, on the same targets with the same budget and seeds",
+            .summary = "search pipelines on the same targets with the same budget and seeds",
             .settings = variants_settings(),
             .files = {"variants.csv", "shortfall.csv", "ended.csv", "surfaces.csv"},
             .run = run_variants};

@@ -23,7 +23,7 @@ TEST_CASE("the accuracy experiment charts every kind of scene and ends in a budg
     const Folder folder;
     const json result = result_of(rugosa(small + "--pictures off --out e", folder.path()), folder / "e");
     CHECK(result["accuracy"] == 0.01);
-    REQUIRE(result["savings"].size() == 16); // smooth, rough; free, strip; light, full; two accuracies
+    REQUIRE(result["savings"].size() == 16); // two surfaces, kernels, loads and accuracies
     for (const json& row : result["savings"]) {
         CHECK(row["seconds"] > 0);
         CHECK(row["estimated_error"] <= 1.01 * row["accuracy"].get<double>());

@@ -7,7 +7,7 @@
 
 namespace app::testing {
 
-/// What a run that is to end well leaves in a folder of its own in `where`.
+/// Runs rugosa, which must succeed, and returns result.json of the folder `out` in `where`.
 inline nlohmann::json finished(const std::string& words, const Folder& where, const std::string& out = "r") {
     const Ended ended = rugosa(words + " --out " + out, where.path());
     INFO(ended.err);
@@ -16,8 +16,8 @@ inline nlohmann::json finished(const std::string& words, const Folder& where, co
     return result_in(where / out);
 }
 
-/// The same run as in r on one thread, and once more stopped when its first part is kept and gone on with,
-/// which other settings cannot: all write the same files.
+/// Repeats the run in r on one thread, and with an interrupt after the first checkpoint and a resume. All
+/// must write equal files. A resume with other settings must be refused.
 inline void expect_repeated(const std::string& words, const Folder& where,
                             const std::vector<std::string>& files) {
     finished(words + " --threads 1", where, "one");

@@ -124,7 +124,7 @@ TEST_CASE("profiles are alike by the correlation of their heights") {
     CHECK(similar("cco-approximates", 1, 1 + std::acos(0.88)) == no);
 }
 
-TEST_CASE("a spectrum matches its own waves unless the profile holds more than they show") {
+TEST_CASE("a spectrum matches the genome's waves unless the profile has other waves, too") {
     const std::vector<double> phases{0.1, 1.2, 2.3, 0.4, 1.5};
     const auto with = [&](const rough::Genome& genome) {
         return answers(variant("sog", genome), variant("gco", genome),

@@ -43,7 +43,7 @@ TEST_CASE("a genome's curves change without half of its waves and at another dat
     }
     CHECK(studies.without_coarse[0].stiffness > studies.without_fine[0].stiffness);
     CHECK(studies.datum_similarity.at(0) < 1);
-    double nodes = 0; // of all steps but the last
+    double nodes = 0; // summed over all steps except the last
     for (int j = 0; j < 7; ++j)
         nodes += 64 * run.database[0].response.contact_fraction[j];
     CHECK(studies.contacts.nodes == Approx(nodes));

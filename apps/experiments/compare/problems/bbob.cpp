@@ -11,7 +11,7 @@ namespace app::bbob {
 
 namespace {
 
-constexpr double next_to_nothing = 1e-99; // in the place of 0, whose logarithm is none
+constexpr double next_to_nothing = 1e-99; // replaces 0, which has no logarithm
 constexpr long modulus = 2147483647;
 
 } // namespace
@@ -112,7 +112,7 @@ Array asymmetric(double beta, const Array& ramp, const Array& x) {
     return y;
 }
 
-/// f_pen: squares of what lies beyond [-5, 5].
+/// f_pen: squared distances beyond [-5, 5].
 double penalty(const Array& x) { return (x.abs() - 5).max(0).square().sum(); }
 
 double ellipsoid(const Array& ramp, const Array& z) { return (Eigen::pow(1e6, ramp) * z.square()).sum(); }
@@ -121,7 +121,7 @@ double rastrigin(const Array& z) {
 }
 double rest(const Array& z) { return z.tail(z.size() - 1).square().sum(); }
 
-/// Terms of Rosenbrock's function, one a pair of neighbours.
+/// Terms of Rosenbrock's function, one for each pair of neighbours.
 Array valley(const Array& z) {
     const Index n = z.size() - 1;
     return 100 * (z.head(n).square() - z.tail(n)).square() + (z.head(n) - 1).square();
@@ -162,7 +162,7 @@ double katsuura(const Array& z) {
     return 10 / (n * n) * (std::pow(product, 10 / std::pow(n, 1.2)) - 1);
 }
 
-/// Places in ascending order of the numbers.
+/// Indices in ascending order of the numbers.
 std::vector<double> order_of(const std::vector<double>& numbers) {
     std::vector<double> order(numbers.size());
     std::iota(order.begin(), order.end(), 0.0);

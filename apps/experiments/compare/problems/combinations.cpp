@@ -33,7 +33,7 @@ Knapsack::Knapsack(std::size_t things, std::uint64_t seed) {
 }
 
 int Knapsack::best() const {
-    std::vector<int> most(static_cast<std::size_t>(capacity) + 1, 0); // by weight
+    std::vector<int> most(static_cast<std::size_t>(capacity) + 1, 0); // highest value for each weight
     for (std::size_t i = 0; i < weights.size(); ++i)
         for (auto room = most.size(); room-- > static_cast<std::size_t>(weights[i]);)
             most[room] = std::max(most[room], most[room - static_cast<std::size_t>(weights[i])] + values[i]);
@@ -89,8 +89,7 @@ double shortest_tour(const std::vector<Town>& towns) {
     std::vector<std::vector<double>> way(std::size_t{1} << others, std::vector<double>(others, HUGE_VAL));
     for (std::size_t i = 0; i < others; ++i)
         way[std::size_t{1} << i][i] = distance(towns[others], towns[i]);
-    for (std::size_t seen = 1; seen < way.size();
-         ++seen) // way[seen][i]: through all that is seen, to end at i
+    for (std::size_t seen = 1; seen < way.size(); ++seen) // way[seen][i]: shortest through `seen` to i
         for (std::size_t i = 0; i < others; ++i)
             if (std::isfinite(way[seen][i]))
                 for (std::size_t next = 0; next < others; ++next)

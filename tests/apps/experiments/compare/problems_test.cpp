@@ -75,7 +75,7 @@ TEST_CASE("nothing drawn at random betters a known front, and the front can be r
     }
 }
 
-TEST_CASE("IGD+ by hand: a better point falls short of nothing, a worse one by what it is worse") {
+TEST_CASE("IGD+ counts only shortfalls: a better point has none") {
     RealInstance instance;
     instance.objectives = 2;
     instance.front = std::make_shared<const std::vector<ga::Point>>(std::vector<ga::Point>{{0, 1}, {1, 0}});
@@ -86,7 +86,7 @@ TEST_CASE("IGD+ by hand: a better point falls short of nothing, a worse one by w
     CHECK(nearness.after({{-1, -1}}) == 0);
 }
 
-TEST_CASE("what breaks its constraints comes no nearer") {
+TEST_CASE("an infeasible evaluation does not improve the precision") {
     BitsInstance instance;
     instance.best = -10;
     instance.scale = 10;
