@@ -31,19 +31,9 @@ std::vector<Setting> Experiment::all_settings() const {
          settings});
 }
 
-namespace {
-
-std::string in_one(const Settings& settings) {
-    std::string text;
-    for (const std::string& name : settings.names_under(""))
-        if (name != "experiment.threads")
-            text += name + "=" + settings.text(name) + "\n";
-    return text;
-}
-
-} // namespace
-
 void write(Findings& found, const Origin& origin, const std::filesystem::path& folder) {
+    for (const auto& [name, table] : found.tables)
+        found.files[name] = table.text();
     for (const auto& [name, text] : found.files) {
         if (const auto parent = std::filesystem::path(name).parent_path(); !parent.empty())
             subfolder(folder, parent.string());
@@ -77,8 +67,7 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
         const Origin origin{experiment.kind, RUGOSA_VERSION, request.command,
                             settings.whole<std::uint64_t>("experiment.seed"),
                             ga::thread_count(settings.whole<int>("experiment.threads"))};
-        found = experiment.run(
-            settings, {origin, progress, interrupt.flag(), folder, request.resume, in_one(settings)});
+        found = experiment.run(settings, {origin, progress, interrupt.flag(), folder, request.resume});
         output.restored();
         if (!found.result.is_null())
             write(found, origin, folder);

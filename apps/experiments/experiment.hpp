@@ -2,8 +2,8 @@
 
 #include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"
+#include "apps/report/csv.hpp"
 #include "apps/report/record.hpp"
-#include "ga/base/stopwatch.hpp"
 
 #include <atomic>
 #include <filesystem>
@@ -18,16 +18,20 @@ struct Conditions {
     const std::atomic<bool>& stop; ///< true ends the run; results so far are kept
     std::filesystem::path folder;  ///< for the results
     bool resume = false;           ///< continue from the folder's checkpoints
-    std::string settings = {};     ///< all given settings in one text, except threads
-    ga::Stopwatch clock = {};      ///< started when the run began
 };
 
 /// Results of an experiment.
 struct Findings {
     nlohmann::json result = {}; ///< result.json without the run's origin; null without any results
-    std::map<std::string, std::string> files = {}; ///< tables and other files by name, perhaps with a folder
+    std::map<std::string, std::string> files = {}; ///< other files by name, perhaps with a folder
     std::string summary = {};                      ///< one line, shown at the end
     int code = 0;                                  ///< exit code of the program
+    std::map<std::string, Csv> tables = {};        ///< by file name, perhaps with a folder
+
+    /// The table of a file; it is created by the first call.
+    Csv& table(const std::string& name, const std::string& header, int digits = 17) {
+        return tables.try_emplace(name, header, digits).first->second;
+    }
 };
 
 /// A kind of experiment.

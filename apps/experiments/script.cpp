@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <sys/wait.h>
 
@@ -22,18 +23,6 @@ namespace app {
 namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-/// The last line of a script's standard error.
-std::string last_line(std::FILE* file) {
-    std::rewind(file);
-    std::string line, last;
-    for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file))
-        if (c == '\n')
-            last = std::exchange(line, "");
-        else
-            line += static_cast<char>(c);
-    return line.empty() ? last : line;
-}
 
 /// Runs an experiment's script with the settings as JSON. The script writes result.json and tables.
 Findings findings_of_script(const Experiment& experiment, const Settings& settings,
@@ -67,7 +56,10 @@ Findings findings_of_script(const Experiment& experiment, const Settings& settin
         if (conditions.stop)
             kill(-child, SIGTERM);
     if (!conditions.stop && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {
-        const std::string problem = last_line(errors.get());
+        std::ifstream lines("/proc/self/fd/" + std::to_string(fileno(errors.get())));
+        std::string problem; // the last line
+        for (std::string line; std::getline(lines, line);)
+            problem = line;
         throw rough::InputError(kind + ": " + problem +
                                 (problem.find("No module") == std::string::npos
                                      ? ""

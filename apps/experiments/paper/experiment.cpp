@@ -10,6 +10,7 @@
 #include "domain/problem/stored.hpp"
 #include "domain/target/similarity.hpp"
 #include "domain/text/json.hpp"
+#include "domain/text/words.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/random.hpp"
 #include "ga/base/stopwatch.hpp"
@@ -168,8 +169,7 @@ class Paper {
         const long count = settings_.whole("paper.sweep-points");
         for (long i = 0; i < count; ++i) {
             const double fraction =
-                count > 1 ? from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1)
-                          : from;
+                from + (to - from) * static_cast<double>(i) / static_cast<double>(std::max(count - 1, 1L));
             const DesignProblem problem(setup_for(target, fraction * run_.max_pressure), memory_);
             for (const std::size_t cross_over : {1, 2}) {
                 if (conditions_.stop)
@@ -282,27 +282,11 @@ Experiment paper_experiment() {
     return {.kind = "paper",
             .summary = "the paper's experiment: SOG, GCO and CCO on one or two targets, every claim tried",
             .settings = paper_settings(),
-            .files = {"claims.csv",
-                      "genomes.csv",
-                      "database.csv",
-                      "scores.csv",
-                      "stages.csv",
-                      "refinements.csv",
-                      "convergence.csv",
-                      "curves.csv",
-                      "stiffness.csv",
-                      "heights.csv",
-                      "spectra.csv",
-                      "lines.csv",
-                      "target.csv",
-                      "thresholds.csv",
-                      "chromosomes.csv",
-                      "ridges.csv",
-                      "fractal-heights.csv",
-                      "fractal-bands.csv",
-                      "fractal-curves.csv",
-                      "heldout",
-                      "log"},
+            .files = rough::listed(
+                "claims.csv, genomes.csv, database.csv, scores.csv, stages.csv, refinements.csv, "
+                "convergence.csv, curves.csv, stiffness.csv, heights.csv, spectra.csv, lines.csv, "
+                "target.csv, thresholds.csv, chromosomes.csv, ridges.csv, fractal-heights.csv, "
+                "fractal-bands.csv, fractal-curves.csv, heldout, log"),
             .run = run_paper,
             .resumes = true};
 }

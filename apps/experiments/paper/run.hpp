@@ -10,7 +10,6 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <optional>
 
 /// Results of the paper's experiment. Pressures in MPa, lengths in mm, stiffness in MPa/mm. An unknown number
 /// is NaN.
@@ -46,9 +45,9 @@ struct TargetRun {
     std::string title; ///< "drawn" or "held-out"
     rough::Target target;
     double p_bar = 0;                           ///< threshold of the variants below
-    std::vector<Scores> database;               ///< one per database genome, in the same order
-    std::vector<VariantRun> variants;           ///< the paper's three, then their minimax forms
-    std::vector<ThresholdRow> thresholds;       ///< p_bar ascending, gco and cco at each
+    std::vector<Scores> database = {};          ///< one per database genome, in the same order
+    std::vector<VariantRun> variants = {};      ///< the paper's three, then their minimax forms
+    std::vector<ThresholdRow> thresholds = {};  ///< p_bar ascending, gco and cco at each
     std::vector<VariantRun> other_reading = {}; ///< the paper's three under the other reading of Algorithm 1
 };
 

@@ -186,34 +186,20 @@ Studies studies_of(const PaperRun& run) {
     const rough::DominanceRule ours(responses, run.dominance, run.dominant_above),
         others(responses, other(run.dominance), run.dominant_above);
     rough::Model farther = run.model;
-    farther.body.datum *= studies.datum_factor;
-    const std::size_t count = run.database.size();
-    studies.ours.resize(count);
-    studies.other.resize(count);
-    studies.without_coarse.resize(count);
-    studies.without_fine.resize(count);
-    studies.datum_similarity.resize(count);
-    std::vector<Curve> elsewhere(count);
-    std::vector<Contacts> contacts(count);
-    ga::parallel_for(count, run.origin.threads, [&](std::size_t i) {
+    farther.body.datum *= datum_factor;
+    studies.genomes.resize(run.database.size());
+    ga::parallel_for(studies.genomes.size(), run.origin.threads, [&](std::size_t i) {
         const Answered& member = run.database[i];
-        const Curve whole = secant_stiffness(member.response);
-        studies.ours[i] = reduction_of(member.genome, whole, run, ours);
-        studies.other[i] = reduction_of(member.genome, whole, run, others);
-        studies.without_fine[i] = removal(member.response, half_of(member.genome, true), run.model);
-        studies.without_coarse[i] = removal(member.response, half_of(member.genome, false), run.model);
-        elsewhere[i] = at_pressure(respond(member.genome, farther), run.max_pressure);
-        studies.datum_similarity[i] = similarity(whole, elsewhere[i]);
-        contacts[i] = contacts_of(member, run.model);
+        const Curve whole = secant_stiffness(member.response),
+                    elsewhere = at_pressure(respond(member.genome, farther), run.max_pressure);
+        studies.genomes[i] = {reduction_of(member.genome, whole, run, ours),
+                              reduction_of(member.genome, whole, run, others),
+                              removal(member.response, half_of(member.genome, false), run.model),
+                              removal(member.response, half_of(member.genome, true), run.model),
+                              similarity(whole, elsewhere),
+                              elsewhere,
+                              contacts_of(member, run.model)};
     });
-    for (const Contacts& one : contacts)
-        studies.contacts.nodes += one.nodes, studies.contacts.lost += one.lost;
-    for (const TargetRun& target : run.targets) {
-        double best = -std::numeric_limits<double>::infinity();
-        for (const Curve& curve : elsewhere)
-            best = std::max(best, similarity(target.target, curve));
-        studies.datum_best.push_back(best);
-    }
     return studies;
 }
 

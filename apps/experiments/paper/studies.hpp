@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/experiments/paper/run.hpp"
-#include "domain/paper/dominance.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "domain/profile/fractal.hpp"
 #include "domain/response/curve.hpp"
 
@@ -61,19 +61,30 @@ struct Contacts {
     long nodes = 0, lost = 0;
 };
 
-/// The studies of one run. Vectors over the database have one entry per genome.
+/// The studies of one genome of the database.
+struct GenomeStudy {
+    Reduction ours = {}, other = {};                ///< under the run's reading of Algorithm 1, and the other
+    Removal without_coarse = {}, without_fine = {}; ///< without the longer, the shorter half of the waves
+    double datum_similarity = unknown;              ///< similarity of K(p) at the two data
+    rough::Curve at_other_datum = {};               ///< K(p) at p_max
+    Contacts contacts = {};
+};
+
+/// The studies of one run.
 struct Studies {
     std::vector<ChromosomeExample> chromosomes = {}; ///< n = 1, 2
     std::vector<RidgeCount> ridges = {};
-    std::vector<FractalStudy> fractals = {};      ///< twenty profiles, on the run's grid and body
-    std::vector<Reduction> ours = {}, other = {}; ///< under the run's reading of Algorithm 1, and another
-    std::vector<Removal> without_coarse = {}, without_fine = {}; ///< without the longer, the shorter half
-    double datum_factor = 4;                                     ///< the second datum over the run's
-    std::vector<double> datum_similarity = {}; ///< similarity of a genome's K(p) at the two data
-    std::vector<double> datum_best = {};       ///< best similarity of the database there, for each target
-    Contacts contacts = {};
+    std::vector<FractalStudy> fractals = {}; ///< twenty profiles, on the run's grid and body
+    std::vector<GenomeStudy> genomes = {};   ///< one per genome of the database
 };
+constexpr double datum_factor = 4; ///< the second datum over the run's
 Studies studies_of(const PaperRun& run);
+
+/// A number of each genome's study.
+template <class Part>
+std::vector<double> genome_column(const Studies& studies, Part GenomeStudy::*part, double Part::*value) {
+    return rough::column(studies.genomes, [&](const GenomeStudy& one) { return one.*part.*value; });
+}
 
 /// Mean relative difference |b - a|/a at the points of `a` within the range of `b`; NaN without such points.
 double relative_gap(const rough::Curve& a, const rough::Curve& b);
