@@ -213,102 +213,17 @@ ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const Chart
 
 namespace {
 
-class Course {
-  public:
-    Course(const std::vector<ChartScene>& scenes, const ChartExtent& extent, const ChartBounds& bounds)
-        : scenes_(scenes), extent_(extent), bounds_(bounds), plan_(chart_plan(extent)) {
-        data_.limit = extent.limit;
-    }
-
-    ChartData run() {
-        if (bounds_.finest_map > 0) {
-            tell("theories, profiles and maps");
-            data_.models = charted_models(bounds_.finest_map, bounds_.stop);
-        }
-        for (const ChartScene& scene : scenes_)
-            find_truth(scene);
-        for (const ChartSetting& setting : plan_)
-            try_on_all(setting);
-        return std::move(data_);
-    }
-
-  private:
-    bool stopped() const { return bounds_.stop && bounds_.stop(); }
-
-    void find_truth(const ChartScene& scene) {
-        tell("reference of " + scene.name);
-        try {
-            truths_.push_back(truth_of(scene, extent_.most_for_truth, bounds_.stop));
-        } catch (const rough::NotConverged&) {
-            if (!stopped())
-                throw;
-            truths_.emplace_back(); // not used: the chart ends
-        }
-        data_.scenes.push_back(scene);
-        data_.scenes.back().reference = truths_.back().origin;
-    }
-
-    /// A setting's key for all grids: scene, method, steps and tolerance.
-    static ChartSetting on_any_grid(ChartSetting setting) {
-        setting.nodes = 0;
-        return setting;
-    }
-
-    /// The reason to leave a setting out, if there is one. The time of a curve grows at least like the number
-    /// of nodes.
-    std::optional<LeftOutFor> barred(const ChartSetting& setting, bool is_late) const {
-        const auto found = coarser_.find(on_any_grid(setting));
-        if (stopped())
-            return LeftOutFor::interrupt;
-        if (found == coarser_.end())
-            return is_late ? std::optional(LeftOutFor::time) : std::nullopt;
-        const ChartRun& coarser = found->second;
-        if (coarser.outcome != Outcome::solved && !coarser.late)
-            return LeftOutFor::unsolved;
-        if (coarser.seconds * static_cast<double>(setting.nodes) >
-            extent_.limit * static_cast<double>(coarser.setting.nodes))
-            return LeftOutFor::limit;
-        return is_late ? std::optional(LeftOutFor::time) : std::nullopt;
-    }
-
-    void try_on_all(ChartSetting setting) {
-        const bool is_late = setting.nodes > plan_.front().nodes && clock_.seconds() > bounds_.seconds;
-        for (setting.scene = 0; setting.scene < scenes_.size(); ++setting.scene) {
-            auto why = barred(setting, is_late);
-            if (!why) {
-                const ChartRun run = run_chart(scenes_[setting.scene], truths_[setting.scene], setting,
-                                               extent_.limit, bounds_.stop);
-                if (stopped()) {
-                    why = LeftOutFor::interrupt;
-                } else {
-                    coarser_[on_any_grid(setting)] = run;
-                    data_.runs.push_back(run);
-                    tell(scenes_[setting.scene].name + ", " + name_of(setting.method) +
-                         ", N = " + std::to_string(setting.nodes));
-                }
-            }
-            if (why)
-                data_.left_out.push_back({setting, *why});
-        }
-    }
-
-    void tell(const std::string& what) const {
-        if (bounds_.watch)
-            bounds_.watch(data_, std::to_string(data_.runs.size() + data_.left_out.size()) + " of " +
-                                     std::to_string(plan_.size() * scenes_.size()) + ", at most " +
-                                     duration_words(std::max(0.0, bounds_.seconds - clock_.seconds())) +
-                                     " left: " + what);
-    }
-
-    const std::vector<ChartScene>& scenes_;
-    const ChartExtent& extent_;
-    const ChartBounds& bounds_;
-    std::vector<ChartSetting> plan_;
-    std::vector<ChartTruth> truths_;
-    std::map<ChartSetting, ChartRun> coarser_; ///< the last grid's run
-    ga::Stopwatch clock_;
-    ChartData data_;
-};
+/// The reason to leave a setting out, if there is one. The time of a curve grows at least like the number of
+/// nodes. @param coarser  the run on the next coarser grid, or null
+std::optional<LeftOutFor> barred(const ChartSetting& setting, const ChartRun* coarser, double limit,
+                                 bool is_late) {
+    if (coarser && coarser->outcome != Outcome::solved && !coarser->late)
+        return LeftOutFor::unsolved;
+    if (coarser && coarser->seconds * static_cast<double>(setting.nodes) >
+                       limit * static_cast<double>(coarser->setting.nodes))
+        return LeftOutFor::limit;
+    return is_late ? std::optional(LeftOutFor::time) : std::nullopt;
+}
 
 Findings run_chart_experiment(const Settings& settings, const Conditions& conditions) {
     static const ChartExtent quick_extent{{128, 512, 2048}, {512, 2048}, {5, 80}, {1e-3, 1e-6}, 8193, 1},
@@ -349,7 +264,62 @@ Findings run_chart_experiment(const Settings& settings, const Conditions& condit
 
 ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& extent,
                   const ChartBounds& bounds) {
-    return Course(scenes, extent, bounds).run();
+    const ga::Stopwatch clock;
+    const std::vector<ChartSetting> plan = chart_plan(extent);
+    ChartData data;
+    data.limit = extent.limit;
+    const auto stopped = [&] { return bounds.stop && bounds.stop(); };
+    const auto tell = [&](const std::string& what) {
+        if (bounds.watch)
+            bounds.watch(data, std::to_string(data.runs.size() + data.left_out.size()) + " of " +
+                                   std::to_string(plan.size() * scenes.size()) + ", at most " +
+                                   duration_words(std::max(0.0, bounds.seconds - clock.seconds())) +
+                                   " left: " + what);
+    };
+    if (bounds.finest_map > 0) {
+        tell("theories, profiles and maps");
+        data.models = charted_models(bounds.finest_map, bounds.stop);
+    }
+    std::vector<ChartTruth> truths;
+    for (const ChartScene& scene : scenes) {
+        tell("reference of " + scene.name);
+        try {
+            truths.push_back(truth_of(scene, extent.most_for_truth, bounds.stop));
+        } catch (const rough::NotConverged&) {
+            if (!stopped())
+                throw;
+            truths.emplace_back(); // not used: the chart ends
+        }
+        data.scenes.push_back(scene);
+        data.scenes.back().reference = truths.back().origin;
+    }
+    std::map<ChartSetting, ChartRun> last; // the run on the last grid, by the setting without its nodes
+    for (ChartSetting setting : plan) {
+        const bool is_late = setting.nodes > plan.front().nodes && clock.seconds() > bounds.seconds;
+        for (setting.scene = 0; setting.scene < scenes.size(); ++setting.scene) {
+            ChartSetting key = setting;
+            key.nodes = 0;
+            const auto coarser = last.find(key);
+            auto why = stopped() ? LeftOutFor::interrupt
+                                 : barred(setting, coarser == last.end() ? nullptr : &coarser->second,
+                                          extent.limit, is_late);
+            if (!why) {
+                const ChartRun run = run_chart(scenes[setting.scene], truths[setting.scene], setting,
+                                               extent.limit, bounds.stop);
+                if (stopped()) {
+                    why = LeftOutFor::interrupt;
+                } else {
+                    last[key] = run;
+                    data.runs.push_back(run);
+                    tell(scenes[setting.scene].name + ", " + name_of(setting.method) +
+                         ", N = " + std::to_string(setting.nodes));
+                }
+            }
+            if (why)
+                data.left_out.push_back({setting, *why});
+        }
+    }
+    return data;
 }
 
 Experiment chart_experiment() {

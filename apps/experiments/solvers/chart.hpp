@@ -3,6 +3,7 @@
 #include "apps/experiments/solvers/trial.hpp"
 #include "apps/report/csv.hpp"
 
+#include <cmath>
 #include <compare>
 #include <functional>
 #include <optional>
@@ -75,13 +76,11 @@ ChartTruth truth_of(const ChartScene& scene, rough::Index most_nodes, const std:
 struct ChartRun {
     ChartSetting setting;
     double seconds = 0; ///< time of one curve on one core, the lowest of a few
-    double error_pressure = unknown, error_stiffness = unknown, error_contact = unknown;
+    double error_pressure = NAN, error_stiffness = NAN, error_contact = NAN; ///< NaN if unknown
     long iterations = 0;
     Outcome outcome = Outcome::solved;
     bool late = false;           ///< stopped at the limit
     double contact_fraction = 0; ///< at the last step
-
-    static constexpr double unknown = -1;
 };
 
 /// Sets the root mean square errors of a run. Pressure: relative errors at the curve's displacements.
@@ -147,8 +146,6 @@ struct ChartData {
     double limit = 0;               ///< maximum time of one curve, s
     std::vector<ModelScene> models; ///< theories, lines and maps
 
-    /// The run at a setting, or null.
-    const ChartRun* at(const ChartSetting& setting) const;
     /// A scene's contact fraction at its last step on the finest solved grid; 0 without one.
     double contact(std::size_t scene) const;
 };

@@ -27,7 +27,7 @@ struct ErrorKind {
     /// Whether a run has this error and can be compared with other runs. Errors measured at the load steps
     /// are compared only for the usual number of steps. Auto is left out, as it is one of the other solvers.
     bool compares(const ChartRun& run) const {
-        return run.setting.method != Solver::automatic && run.*value != ChartRun::unknown &&
+        return run.setting.method != Solver::automatic && !std::isnan(run.*value) &&
                (between_steps || run.setting.steps == usual_steps);
     }
 };
@@ -39,8 +39,10 @@ const std::string& method_of(const ChartRun& run) { return rough::name_of(run.se
 
 /// The run at a setting, or null if it was not solved.
 const ChartRun* solved(const ChartData& data, const ChartSetting& setting) {
-    const ChartRun* run = data.at(setting);
-    return run && run->outcome == Outcome::solved ? run : nullptr;
+    for (const ChartRun& run : data.runs)
+        if (run.setting == setting && run.outcome == Outcome::solved)
+            return &run;
+    return nullptr;
 }
 
 /// The grids of the runs, increasing.
@@ -209,12 +211,6 @@ json losses_of_auto(const ChartData& data) {
 
 } // namespace
 
-const ChartRun* ChartData::at(const ChartSetting& setting) const {
-    const auto found =
-        std::find_if(runs.begin(), runs.end(), [&](const ChartRun& run) { return run.setting == setting; });
-    return found == runs.end() ? nullptr : &*found;
-}
-
 double ChartData::contact(std::size_t scene) const {
     double fraction = 0;
     for (const ChartRun& run : runs)
@@ -228,14 +224,11 @@ Csv chart_table(const ChartData& data) {
         "scene,kernel,method,nodes,steps,tolerance,seconds,error_pressure,error_stiffness,error_contact,"
         "iterations,outcome",
         6);
-    const auto known = [](double error) {
-        return error == ChartRun::unknown ? std::nullopt : std::optional(error);
-    };
     for (const ChartRun& run : data.runs) {
         const ChartScene& scene = data.scenes[run.setting.scene];
         table.row(scene.name, name_of(scene.body.kernel), method_of(run), run.setting.nodes,
-                  run.setting.steps, run.setting.tolerance, run.seconds, known(run.error_pressure),
-                  known(run.error_stiffness), known(run.error_contact), run.iterations, name_of(run.outcome));
+                  run.setting.steps, run.setting.tolerance, run.seconds, run.error_pressure,
+                  run.error_stiffness, run.error_contact, run.iterations, name_of(run.outcome));
     }
     for (const ModelScene& scene : data.models)
         for (const ModelRun& run : scene.runs) // errors of the fraction itself, as above

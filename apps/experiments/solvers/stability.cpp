@@ -1,7 +1,6 @@
 #include "apps/experiments/solvers/stability.hpp"
 
 #include "apps/experiments/experiment.hpp"
-#include "apps/report/csv.hpp"
 #include "domain/contact/solvers/oracle.hpp"
 #include "domain/contact/solvers/problem.hpp"
 #include "domain/plain_stream.hpp"
@@ -54,94 +53,57 @@ struct StabilityRow {
 using Rows = std::vector<StabilityRow>;
 
 constexpr std::array outcomes{Outcome::solved, Outcome::refused, Outcome::not_converged, Outcome::wrong};
-
-/// Number of cells with an outcome, for one method or for all (-1).
-long count(const Rows& rows, Outcome outcome, int method = -1) {
-    long number = 0;
-    for (const StabilityRow& row : rows)
-        for (std::size_t m = 0; m < row.trials.size(); ++m)
-            number +=
-                row.trials[m].outcome == outcome && (method < 0 || m == static_cast<std::size_t>(method));
-    return number;
-}
-
-/// Outcomes of each method over all scenes.
-json by_method(const Rows& rows) {
-    json table = json::array();
-    for (std::size_t m = 0; m < rough::solver_names().size(); ++m) {
-        table.push_back({{"method", rough::solver_names()[m]},
-                         {"missed", std::count_if(rows.begin(), rows.end(), [&](const StabilityRow& row) {
-                              return row.has_solution && row.trials[m].outcome != Outcome::solved;
-                          })}});
-        for (const Outcome outcome : outcomes)
-            table.back()["outcomes"].push_back(count(rows, outcome, static_cast<int>(m)));
-    }
-    return table;
-}
-
-/// Each scene and kernel with one cell per method.
-json by_scene(const Rows& rows) {
-    json table = json::array();
-    for (const StabilityRow& row : rows) {
-        table.push_back({{"scene", row.scene}, {"kernel", row.kernel}});
-        for (const ContactTrial& trial : row.trials) {
-            const bool solved = trial.outcome == Outcome::solved;
-            table.back()["cells"].push_back({{"milliseconds", solved ? json(1000 * trial.seconds) : json()},
-                                             {"failure", solved ? "" : name_of(trial.outcome)}});
-        }
-    }
-    return table;
-}
-
-/// Messages of the cells that were not solved; equal ones of a scene once, with their methods.
-json messages(const Rows& rows) {
-    json table = json::array();
-    for (const StabilityRow& row : rows) {
-        std::map<std::string, std::size_t> known;
-        for (std::size_t m = 0; m < row.trials.size(); ++m) {
-            const ContactTrial& trial = row.trials[m];
-            const std::string& method = rough::solver_names()[m];
-            if (trial.outcome == Outcome::solved)
-                continue;
-            const auto [entry, is_new] = known.emplace(trial.message, table.size());
-            if (is_new)
-                table.push_back({{"scene", row.scene},
-                                 {"kernel", row.kernel},
-                                 {"methods", method},
-                                 {"outcome", name_of(trial.outcome)},
-                                 {"message", trial.message}});
-            else
-                table[entry->second]["methods"].get_ref<std::string&>() += ", " + method;
-        }
-    }
-    return table;
-}
+using Counts = std::array<long, outcomes.size()>; ///< cells with each outcome
 
 Findings findings_of(const Rows& rows) {
-    Csv table("scene,kernel,method,outcome,kkt_residual,iterations,seconds,message", 6);
-    for (const StabilityRow& row : rows)
-        for (std::size_t m = 0; m < row.trials.size(); ++m) {
+    const std::vector<std::string>& methods = rough::solver_names();
+    Findings found;
+    Csv& table = found.table("stability.csv",
+                             "scene,kernel,method,outcome,kkt_residual,iterations,seconds,message", 6);
+    Counts all{};
+    std::vector<Counts> by_method(methods.size());
+    std::vector<long> missed(methods.size()); // not solved although there is a solution
+    json scenes = json::array(), messages = json::array();
+    for (const StabilityRow& row : rows) {
+        scenes.push_back({{"scene", row.scene}, {"kernel", row.kernel}});
+        std::map<std::string, std::size_t> known; // equal messages of a scene appear once
+        for (std::size_t m = 0; m < methods.size(); ++m) {
             const ContactTrial& trial = row.trials[m];
-            table.row(row.scene, row.kernel, rough::solver_names()[m], name_of(trial.outcome),
+            const std::string& outcome = name_of(trial.outcome);
+            const bool solved = trial.outcome == Outcome::solved;
+            table.row(row.scene, row.kernel, methods[m], outcome,
                       trial.curve.steps.empty() ? std::nullopt : std::optional(trial.kkt_residual()),
                       trial.curve.iterations, trial.seconds, trial.message);
+            scenes.back()["cells"].push_back({{"milliseconds", solved ? json(1000 * trial.seconds) : json()},
+                                              {"failure", solved ? "" : outcome}});
+            ++all[static_cast<std::size_t>(trial.outcome)];
+            ++by_method[m][static_cast<std::size_t>(trial.outcome)];
+            if (solved)
+                continue;
+            missed[m] += row.has_solution;
+            const auto [entry, is_new] = known.emplace(trial.message, messages.size());
+            if (is_new)
+                messages.push_back({{"scene", row.scene},
+                                    {"kernel", row.kernel},
+                                    {"methods", methods[m]},
+                                    {"outcome", outcome},
+                                    {"message", trial.message}});
+            else
+                messages[entry->second]["methods"].get_ref<std::string&>() += ", " + methods[m];
         }
-    json names = json::array();
-    std::string summary; // "433 cells: 380 solved, ..."
-    for (const Outcome outcome : outcomes) {
-        names.push_back(name_of(outcome));
-        summary += (summary.empty() ? std::to_string(table.rows().size()) + " cells: " : ", ") +
-                   std::to_string(count(rows, outcome)) + " " + name_of(outcome);
     }
-    return {.result = {{"summary", summary},
-                       {"outcomes", names},
-                       {"methods", by_method(rows)},
-                       {"scenes", by_scene(rows)},
-                       {"messages", messages(rows)},
-                       {"runs", table.rows()}},
-            .files = {{"stability.csv", table.text()}},
-            .summary = summary,
-            .code = count(rows, Outcome::wrong) > 0 ? 3 : 0};
+    for (std::size_t m = 0; m < methods.size(); ++m)
+        found.result["methods"].push_back(
+            {{"method", methods[m]}, {"missed", missed[m]}, {"outcomes", by_method[m]}});
+    for (std::size_t o = 0; o < outcomes.size(); ++o) {
+        found.result["outcomes"].push_back(name_of(outcomes[o]));
+        found.summary += (o == 0 ? std::to_string(table.rows().size()) + " cells: " : ", ") +
+                         std::to_string(all[o]) + " " + name_of(outcomes[o]);
+    }
+    found.result.update(
+        {{"summary", found.summary}, {"scenes", scenes}, {"messages", messages}, {"runs", table.rows()}});
+    found.code = all[static_cast<std::size_t>(Outcome::wrong)] > 0 ? 3 : 0;
+    return found;
 }
 
 /// The scenes of a name on all kernels, or all of them.

@@ -3,6 +3,7 @@
 #include "domain/contact/names.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 /// Trials of a contact solver on a scene, with times.
@@ -48,11 +49,8 @@ double least_seconds(Work work, int rounds = 9, double within = 0.1) {
     return least;
 }
 
-/// Solves a scene.
-ContactTrial try_contact(const ContactScene& scene, const rough::ContactOptions& options);
-
-/// Solves a scene, or stops after `limit` seconds of wall time.
-ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit);
+/// Solves a scene, or stops after `limit` seconds of wall time. Without a limit, options.stop applies.
+ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit = HUGE_VAL);
 
 /// The tolerance to which a method's results are verified: 1e-9 for direct methods, ten times the tolerance
 /// of the options for iterative ones.
