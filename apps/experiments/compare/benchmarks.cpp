@@ -1,5 +1,4 @@
 #include "apps/experiments/compare/contest.hpp"
-#include "apps/experiments/compare/problems/bbob.hpp"
 #include "apps/experiments/compare/problems/problems.hpp"
 #include "apps/report/builtin.hpp"
 #include "apps/report/csv.hpp"
@@ -7,8 +6,8 @@
 #include "domain/errors.hpp"
 #include "ga/text/nearest.hpp"
 
-#include <charconv>
 #include <cmath>
+#include <regex>
 
 namespace app {
 
@@ -109,19 +108,12 @@ std::vector<Benchmark> fixed_benchmarks() {
 
 /// The dimension and function (0: all) of "bbob5" or "bbob5-8", or nothing.
 std::optional<std::pair<int, int>> bbob_named(const std::string& name) {
-    const std::string prefix = "bbob";
-    if (!name.starts_with(prefix))
+    static const std::regex form("bbob(\\d{1,2})(-(\\d{1,2}))?");
+    std::smatch parts;
+    if (!std::regex_match(name, parts, form))
         return {};
-    const char *at = name.data() + prefix.size(), *end = name.data() + name.size();
-    int dimension = 0, function = 0;
-    auto read = std::from_chars(at, end, dimension);
-    if (read.ec == std::errc() && read.ptr < end && *read.ptr == '-') {
-        read = std::from_chars(read.ptr + 1, end, function);
-        if (function < 1)
-            return {};
-    }
-    if (read.ec != std::errc() || read.ptr != end || dimension < 2 || dimension > 40 ||
-        function > Bbob::functions)
+    const int dimension = std::stoi(parts[1]), function = parts[2].matched ? std::stoi(parts[3]) : 0;
+    if (dimension < 2 || dimension > 40 || function > Bbob::functions || (parts[2].matched && function < 1))
         return {};
     return std::pair(dimension, function);
 }

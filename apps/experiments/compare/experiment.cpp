@@ -119,9 +119,8 @@ std::optional<rough::DesignSetup> roughness_from(const Settings& settings) {
 Contest contest_from(const Settings& settings, const Origin& origin) {
     Contest contest;
     contest.origin = origin;
-    contest.seeds = settings.has("compare.seeds")     ? settings.whole("compare.seeds")
-                    : settings.is_on("compare.quick") ? 5
-                                                      : 15;
+    contest.seeds = static_cast<long>(
+        rough::number_from(text_of(settings, "compare.seeds", "15", "5"), settings.place("compare.seeds")));
     contest.budget = text_of(settings, "compare.budget", "1e4*D", "1e3*D");
     std::vector<Benchmark> problems;
     const auto roughness = roughness_from(settings);
@@ -137,18 +136,14 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
         bout.variants = contestants_of(settings, problem.kind);
         bout.budget = problem.kind == "surfaces" ? settings.whole("compare.curves")
                                                  : budget_from(settings, contest.budget, problem.genes);
-        for (const auto& variant : bout.variants) {
-            const std::string &name = variant.first, &text = variant.second;
-            const std::string key = problem.kind + "." + name;
-            read_at(settings, settings.given(key) ? key : "compare.variants", [&] {
-                try {
-                    problem.check(text);
-                } catch (const ga::UsageError& error) {
-                    throw ga::UsageError("'" + name + "' on " + problem.name + ": " + error.what());
-                }
-                return 0;
-            });
-        }
+        for (const auto& [name, text] : bout.variants)
+            try {
+                problem.check(text);
+            } catch (const ga::UsageError& error) {
+                const std::string key = problem.kind + "." + name;
+                throw rough::InputError(settings.place(settings.given(key) ? key : "compare.variants") +
+                                        ": '" + name + "' on " + problem.name + ": " + error.what());
+            }
         has_bbob |= problem.name.starts_with("bbob");
         bout.runs.assign(bout.variants.size(), std::vector<Reached>(static_cast<std::size_t>(contest.seeds)));
         bout.problem = std::move(problem);
@@ -222,19 +217,13 @@ Findings run_compare(const Settings& settings, const Conditions& conditions) {
     hold(contest, settings, conditions);
     if (contest.bouts.empty())
         return {};
-    const std::vector<GroupResult> groups = analysed(contest);
-    std::string best;
-    for (const GroupResult& group : groups) {
-        const auto& ranks = group.ranks.mean_ranks;
-        const auto first =
-            static_cast<std::size_t>(std::min_element(ranks.begin(), ranks.end()) - ranks.begin());
-        best +=
-            (best.empty() ? "best on " : ", on ") + group.name + " " + group.bouts[0]->variants[first].first;
-    }
     if (settings.is_on("compare.coco"))
         write_coco_runs(contest, conditions.folder / "coco");
+    const std::vector<GroupResult> groups = analysed(contest);
     Findings found = findings_of(contest, groups);
-    found.summary = best;
+    for (const GroupResult& group : groups)
+        found.summary += (found.summary.empty() ? "best on " : ", on ") + group.name + " " +
+                         found.result["groups"][group.name]["standing"][0]["variant"].get<std::string>();
     return found;
 }
 

@@ -72,14 +72,13 @@ struct Measured {
         return value.objectives;
     }
     std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const {
+        if (!run)
+            return {{0}, {1}};
         std::pair<pagmo::vector_double, pagmo::vector_double> bounds;
-        if (run)
-            for (const ga::Variable& gene : run->instance.box) {
-                bounds.first.push_back(gene.lower);
-                bounds.second.push_back(gene.upper);
-            }
-        else
-            bounds = {{0}, {1}};
+        for (const ga::Variable& gene : run->instance.box) {
+            bounds.first.push_back(gene.lower);
+            bounds.second.push_back(gene.upper);
+        }
         return bounds;
     }
     template <class Archive>

@@ -141,13 +141,10 @@ const std::map<std::string, FrontProblem>& problems() {
 
 } // namespace
 
-const std::vector<std::string>& front_problems() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> names;
-        for (const auto& [name, problem] : problems())
-            names.push_back(name);
-        return names;
-    }();
+std::vector<std::string> front_problems() {
+    std::vector<std::string> names;
+    for (const auto& [name, problem] : problems())
+        names.push_back(name);
     return names;
 }
 
