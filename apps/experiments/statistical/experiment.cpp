@@ -1,6 +1,5 @@
 #include "apps/experiments/experiment.hpp"
 
-#include "apps/report/csv.hpp"
 #include "apps/report/units.hpp"
 #include "domain/design/statistical.hpp"
 #include "domain/numerics/statistics.hpp"
@@ -40,14 +39,15 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
     });
     const std::string theory = name_of(task.theory);
     const rough::Target& target = task.target;
-    Csv curves("curve,pressure_MPa," + std::string(columns_of(target.quantity).y));
+    Findings found;
+    Csv& curves =
+        found.table("curves.csv", "curve,pressure_MPa," + std::string(columns_of(target.quantity).y));
     const auto add = [&](const std::string& name, const Eigen::VectorXd& y) {
         for (Eigen::Index k = 0; k < y.size(); ++k)
             curves.row(name, target.x[k], y[k]);
     };
     add("target", target.y);
     add(theory, answer.foretold);
-    std::map<std::string, std::string> files;
     std::vector<double> similarities; // one per drawn surface
     const long count = settings.whole("statistical.realisations");
     for (long k = 1; k <= count && !conditions.stop; ++k) {
@@ -57,11 +57,10 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
             realised_answer(task, answer.parameters, conditions.origin.seed + static_cast<std::uint64_t>(k));
         add(name, drawn.exact);
         similarities.push_back(drawn.similarity);
-        files[name + ".x3p"] = x3p(drawn.surface);
+        found.files[name + ".x3p"] = x3p(drawn.surface);
     }
-    files["curves.csv"] = curves.text();
     const rough::SelfAffine& of = answer.parameters;
-    nlohmann::json result{
+    found.result = {
         {"theory", theory},
         {"quantity", is_contact_fraction(target.quantity) ? "Contact fraction A" : "Stiffness K (MPa/mm)"},
         {"parameters",
@@ -75,10 +74,9 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
         {"surfaces", nlohmann::json::array()},
         {"curves", curves.rows()}};
     for (const double similarity : similarities)
-        result["surfaces"].push_back({{"similarity", similarity}});
-    return {.result = result,
-            .files = files,
-            .summary = "similarity " + readable(answer.similarity, 4) + " by " + theory + "'s theory"};
+        found.result["surfaces"].push_back({{"similarity", similarity}});
+    found.summary = "similarity " + readable(answer.similarity, 4) + " by " + theory + "'s theory";
+    return found;
 }
 
 } // namespace

@@ -3,7 +3,6 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
 #include "domain/numerics/statistics.hpp"
@@ -112,52 +111,30 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
     return targets;
 }
 
-/// An individual's similarity, if it was evaluated with success.
-std::optional<double> similarity_of(const ga::Individual<rough::Genome>& individual) {
-    static const ga::Name similarity("similarity");
-    const ga::Fitness& fitness = individual.fitness;
-    return fitness.known(similarity) && !fitness.has_failed() ? std::optional(fitness.value()) : std::nullopt;
-}
-
-/// Counts children of two scored parents, and the children that are better than both.
-class ParentsWatch {
-  public:
-    explicit ParentsWatch(RaceRun& run) : run_(run) {}
-
-    void operator()(const ga::Event<rough::Genome>& event) {
-        for (const auto& individual : event.population) {
-            const auto similarity = similarity_of(individual);
-            if (!similarity)
-                continue;
-            const bool fresh = similarity_.emplace(individual.identity, *similarity).second;
-            if (fresh && individual.parents.size() == 2) {
-                const auto first = similarity_.find(*individual.parents.begin()),
-                           second = similarity_.find(*(individual.parents.begin() + 1));
-                if (first != similarity_.end() && second != similarity_.end()) {
-                    ++run_.crossed;
-                    run_.better += *similarity > std::max(first->second, second->second);
-                }
-            }
-            similarity_[individual.identity] = *similarity;
-        }
-    }
-
-  private:
-    RaceRun& run_;
-    std::map<ga::Identity, double> similarity_;
-};
-
 RaceRun run_once(const RaceTarget& target, const std::string& name, const rough::SearchOptions& options) {
+    static const ga::Name similarity("similarity");
     RaceRun run{options.seed, {}, {}, 0};
     std::vector<StageRecord> stages;
     double best = -HUGE_VAL;
-    ParentsWatch parents(run);
+    std::map<ga::Identity, double> known; // similarities so far
     const auto watch = [&](const ga::Event<rough::Genome>& event) {
-        for (const auto& individual : event.population)
-            best = std::max(best, similarity_of(individual).value_or(-HUGE_VAL));
+        for (const auto& individual : event.population) {
+            if (!individual.fitness.known(similarity) || individual.fitness.has_failed())
+                continue;
+            const double value = individual.fitness.value();
+            best = std::max(best, value);
+            const bool is_new = known.insert_or_assign(individual.identity, value).second;
+            if (!is_new || individual.parents.size() != 2)
+                continue;
+            const auto first = known.find(*individual.parents.begin()),
+                       second = known.find(*std::next(individual.parents.begin()));
+            if (first != known.end() && second != known.end()) {
+                ++run.crossed;
+                run.better += value > std::max(first->second, second->second);
+            }
+        }
         if (std::isfinite(best))
             run.history.push_back({static_cast<double>(event.counters.asked), event.seconds, best});
-        parents(event);
     };
     const ga::Stopwatch clock;
     const rough::SearchResult found = rough::search(target.setup, options, {recorder(stages), watch});
@@ -255,9 +232,9 @@ std::vector<RaceTarget> raced(const Settings& settings, const Conditions& condit
 }
 
 /// 1 less the best similarity so far, median over the seeds, against evaluations and seconds.
-Csv shortfall_table(const std::vector<RaceTarget>& targets, long budget) {
+void add_shortfall(Findings& found, const std::vector<RaceTarget>& targets, long budget) {
     constexpr int points = 60;
-    Csv table("target,variant,axis,spent,shortfall", 6);
+    Csv& table = found.table("shortfall.csv", "target,variant,axis,spent,shortfall", 6);
     for (const RaceTarget& target : targets) {
         double longest = 0.1;
         for (const RaceVariant& variant : target.variants)
@@ -275,12 +252,12 @@ Csv shortfall_table(const std::vector<RaceTarget>& targets, long budget) {
                         table.row(target.name(), variant.name, name, spent, std::max(1e-5, 1 - similarity));
                 }
     }
-    return table;
 }
 
 /// Medians at the end of each variant's runs.
-Csv ended_table(const std::vector<RaceTarget>& targets) {
-    Csv table("target,surface,variant,similarity,seconds,curves,gradients,children_of_two,better_than_both");
+void add_ends(Findings& found, const std::vector<RaceTarget>& targets) {
+    Csv& table = found.table("ended.csv", "target,surface,variant,similarity,seconds,curves,gradients,"
+                                          "children_of_two,better_than_both");
     for (const RaceTarget& target : targets)
         for (const RaceVariant* variant : target.ranked()) {
             const VariantRun& run = variant->median_run().run;
@@ -292,13 +269,12 @@ Csv ended_table(const std::vector<RaceTarget>& targets) {
                       crossed > 0 ? std::optional(static_cast<double>(better) / static_cast<double>(crossed))
                                   : std::nullopt);
         }
-    return table;
 }
 
 /// Heights and last contact pressure of the best variant's median run on each map, on at most 128 x 128
 /// nodes.
-Csv surfaces_table(const std::vector<RaceTarget>& targets) {
-    Csv table("target,x_mm,y_mm,height_mm,pressure_MPa", 6);
+void add_surfaces(Findings& found, const std::vector<RaceTarget>& targets) {
+    Csv& table = found.table("surfaces.csv", "target,x_mm,y_mm,height_mm,pressure_MPa", 6);
     for (const RaceTarget& target : targets) {
         const rough::Model& model = target.setup.model;
         const rough::Grid& grid = model.grid;
@@ -310,8 +286,7 @@ Csv surfaces_table(const std::vector<RaceTarget>& targets) {
         options.states = true;
         const auto state = solve_contact(surface, model.body, {best.last_displacement}, options).states[0];
         Eigen::VectorXd pressure = Eigen::VectorXd::Zero(surface.nodes());
-        for (std::size_t i = 0; i < state.nodes.size(); ++i)
-            pressure[state.nodes[i]] = state.pressure[static_cast<rough::Index>(i)];
+        pressure(state.nodes) = state.pressure;
         const rough::Index every = 1 + (std::max(grid.nodes, grid.rows) - 1) / 128;
         for (rough::Index j = 0; j < grid.rows; j += every)
             for (rough::Index i = 0; i < grid.nodes; i += every)
@@ -319,14 +294,13 @@ Csv surfaces_table(const std::vector<RaceTarget>& targets) {
                           static_cast<double>(j) * grid.row_spacing(), surface.heights[j * grid.nodes + i],
                           pressure[j * grid.nodes + i]);
     }
-    return table;
 }
 
 Findings run_variants(const Settings& settings, const Conditions& conditions) {
     const long budget = settings.whole("experiment.budget");
     const std::vector<RaceTarget> targets = raced(settings, conditions, budget);
-    Csv table("target,variant,seed,curves_and_gradients,seconds,similarity");
     Findings found{.result = result_of(targets.front(), conditions.origin, budget)};
+    Csv& table = found.table("variants.csv", "target,variant,seed,curves_and_gradients,seconds,similarity");
     for (const RaceTarget& target : targets) {
         if (&target != &targets.front())
             found.files[target.name() + "/result.json"] =
@@ -340,10 +314,9 @@ Findings run_variants(const Settings& settings, const Conditions& conditions) {
                     table.row(target.name(), variant.name, run.seed, spent.evaluations, spent.seconds,
                               spent.similarity);
     }
-    found.files["variants.csv"] = table.text();
-    found.files["shortfall.csv"] = shortfall_table(targets, budget).text();
-    found.files["ended.csv"] = ended_table(targets).text();
-    found.files["surfaces.csv"] = surfaces_table(targets).text();
+    add_shortfall(found, targets, budget);
+    add_ends(found, targets);
+    add_surfaces(found, targets);
     return found;
 }
 
