@@ -18,12 +18,13 @@ constexpr std::size_t resamples = 300;
 using Areas = std::vector<std::vector<double>>; // [variant][seed]
 
 std::vector<double> evaluations_of(const std::vector<const Bout*>& bouts) {
-    double most = 1;
+    double max_per_gene = 1;
     for (const Bout* bout : bouts)
-        most = std::max(most, static_cast<double>(bout->budget) / static_cast<double>(bout->problem.genes));
+        max_per_gene = std::max(max_per_gene,
+                                static_cast<double>(bout->budget) / static_cast<double>(bout->problem.genes));
     std::vector<double> all;
     for (int i = 0; i < moments; ++i)
-        all.push_back(std::pow(most, i / (moments - 1.0)));
+        all.push_back(std::pow(max_per_gene, i / (moments - 1.0)));
     return all;
 }
 
@@ -150,7 +151,7 @@ namespace {
 using nlohmann::json;
 
 /// Whether ert.csv has a target: whole decades and the last target.
-bool is_told(const std::vector<double>& targets, std::size_t k) {
+bool is_listed(const std::vector<double>& targets, std::size_t k) {
     const double decade = std::log10(targets[k]);
     return k + 1 == targets.size() || std::abs(decade - std::round(decade)) < 1e-9;
 }
@@ -277,7 +278,7 @@ Findings findings_of(const Contest& contest, const std::vector<GroupResult>& gro
                              run.precision, reached(run), group.areas[k][v][s]);
                 }
                 for (std::size_t t = 0; t < bout.problem.targets.size(); ++t)
-                    if (is_told(bout.problem.targets, t))
+                    if (is_listed(bout.problem.targets, t))
                         ert.row(bout.problem.name, variants[v].first, bout.problem.targets[t],
                                 expected_runtime(bout.runs[v], t), successes(bout.runs[v], t), contest.seeds);
             }

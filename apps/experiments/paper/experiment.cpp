@@ -49,14 +49,14 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
     variants.push_back({"gco-minimax", gco(words, Form::minimax)});
     variants.push_back({"cco-minimax", cco(words, Form::minimax)});
     ga::Variants texts = paper_variants(words);
-    const auto own = settings.texts_under("variants.");
-    for (const auto& [name, text] : own) {
+    const auto given = settings.texts_under("variants.");
+    for (const auto& [name, text] : given) {
         if (texts.count(name))
             throw rough::InputError(settings.place("variants." + name) +
                                     ": the paper has a variant of this name; choose another");
         texts[name] = text;
     }
-    for (const auto& [name, text] : own)
+    for (const auto& [name, text] : given)
         variants.push_back({name, read_at(settings, "variants." + name,
                                           [&, &name = name] { return paper_pipeline(words, texts, name); })});
     return variants;

@@ -28,13 +28,13 @@ using rough::column;
 using Numbers = std::vector<double>;
 
 /// The least or greatest number; NaN if the list is empty or a number is unknown.
-double least(const Numbers& numbers) {
+double lowest(const Numbers& numbers) {
     const bool is_known = !numbers.empty() && std::none_of(numbers.begin(), numbers.end(),
                                                            [](double number) { return std::isnan(number); });
     return is_known ? *std::min_element(numbers.begin(), numbers.end()) : unknown;
 }
-double greatest(const Numbers& numbers) { return -least(column(numbers, std::negate<>())); }
-double spread(const Numbers& numbers) { return greatest(numbers) - least(numbers); }
+double highest(const Numbers& numbers) { return -lowest(column(numbers, std::negate<>())); }
+double spread(const Numbers& numbers) { return highest(numbers) - lowest(numbers); }
 double median(const Numbers& numbers) { return numbers.empty() ? unknown : rough::median(numbers); }
 
 template <class Value>
@@ -64,7 +64,7 @@ Finding governed(All all, double Removal::*change, bool coarse) {
 
 Finding over_alloys(All all, double (*compare)(const FractalStudy&)) {
     const Numbers numbers = column(all.fractals, compare);
-    return {median(numbers), {{"least", least(numbers)}, {"greatest", greatest(numbers)}}};
+    return {median(numbers), {{"least", lowest(numbers)}, {"greatest", highest(numbers)}}};
 }
 
 Finding in_part(Target target, bool low) {
@@ -113,7 +113,7 @@ Finding among_curves(Run run, Target target) {
         const Numbers there = column(run.database, [&](const Answered& member) {
             return secant_stiffness(member.response).at(target.target.x[k]);
         });
-        inside += target.target.y[k] >= least(there) && target.target.y[k] <= greatest(there);
+        inside += target.target.y[k] >= lowest(there) && target.target.y[k] <= highest(there);
     }
     return points ? inside / static_cast<double>(points) : unknown;
 }
@@ -123,7 +123,7 @@ double gain(const VariantRun& variant) {
     Numbers before, after;
     for (const Refinement& candidate : refinements(variant))
         before.push_back(candidate.similarity[0]), after.push_back(candidate.similarity[2]);
-    return greatest(after) - greatest(before);
+    return highest(after) - highest(before);
 }
 
 /// log10 of the power in each octave. Octave o has the bins 2^o to 2^(o+1) - 1. Octaves make series of
@@ -215,13 +215,13 @@ double peaks_without_waves(Run run, const VariantRun& variant) {
 Finding over_answers(const std::string& words, Run run, Target target) {
     using Answer = const VariantRun&;
     static const std::map<std::string, double (*)(const Numbers&)> reductions{
-        {"least", least},
-        {"greatest", greatest},
+        {"least", lowest},
+        {"greatest", highest},
         {"sum", [](const Numbers& n) { return std::accumulate(n.begin(), n.end(), 0.0); }},
         {"ratio", [](const Numbers& n) { return n[1] / n[0]; }},
         {"last", [](const Numbers& n) { return n.back(); }},
         {"nearer", [](const Numbers& n) {
-             return n[0] - least({n[1], n[2]}) / 2;
+             return n[0] - lowest({n[1], n[2]}) / 2;
          }}};
     static const std::map<std::string, double (*)(Run, Answer)> of_one{
         {"similarity", [](Run, Answer one) { return one.similarity; }},
@@ -281,7 +281,7 @@ const std::map<std::string, Measure>& measures() {
              return Finding(nodes > 0 ? lost : unknown, {{"nodes in contact", nodes}});
          }},
         {"one-wave",
-         [](Run, All all) { return greatest(column(all.chromosomes, &ChromosomeExample::misfit)); }},
+         [](Run, All all) { return highest(column(all.chromosomes, &ChromosomeExample::misfit)); }},
         {"wavelength",
          [](Run, All all) {
              return all.chromosomes.empty() ? unknown : 1e3 * all.chromosomes.back().wave_length;
@@ -294,8 +294,8 @@ const std::map<std::string, Measure>& measures() {
                  column(printed, [](double s) { return s >= 0.885 && s <= 0.98 ? 1. : 0.; });
              return Finding(rough::mean(within), {{"share as printed, mean", rough::mean(printed)},
                                                   {"last pair missing, mean", rough::mean(slipped)},
-                                                  {"least", least(slipped)},
-                                                  {"greatest", greatest(slipped)}});
+                                                  {"least", lowest(slipped)},
+                                                  {"greatest", highest(slipped)}});
          }},
         {"arccos", [](Run, All all) { return rough::mean(column(all.ridges, &RidgeCount::right_phase)); }},
         {"part-suffices",
@@ -326,11 +326,11 @@ const std::map<std::string, Measure>& measures() {
         {"trend", among_curves},
         {"max-pressure",
          [](Run run, All) {
-             const Numbers own = column(run.database, [&](const Answered& member) {
+             const Numbers unscaled = column(run.database, [&](const Answered& member) {
                  return run.max_pressure / std::abs(member.genome.scale);
              });
-             return Finding(run.max_pressure / greatest(own),
-                            {{"genomes' least, MPa", least(own)}, {"greatest, MPa", greatest(own)}});
+             return Finding(run.max_pressure / highest(unscaled), {{"genomes' least, MPa", lowest(unscaled)},
+                                                                   {"greatest, MPa", highest(unscaled)}});
          }},
         {"threshold-units", [](Run, All) { return unknown; }},
         {"gco-varies", [](Run, Target target) { return spread_of_best(target, "gco"); }},
@@ -349,8 +349,8 @@ const std::map<std::string, Measure>& measures() {
         {"size-varies",
          [](Run, Target target) {
              const Numbers sizes = over_thresholds(target, "gco", children);
-             return Finding(greatest(sizes) / least(sizes),
-                            {{"smallest", least(sizes)}, {"largest", greatest(sizes)}});
+             return Finding(highest(sizes) / lowest(sizes),
+                            {{"smallest", lowest(sizes)}, {"largest", highest(sizes)}});
          }},
         {"size-equal",
          [](Run, Target target) {

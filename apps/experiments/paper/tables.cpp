@@ -228,10 +228,10 @@ json dominance_json(const PaperRun& run, const Studies& studies, bool ours) {
 
 json datum_json(const PaperRun& run, const Studies& studies) {
     const auto similarities = rough::column(studies.genomes, &GenomeStudy::datum_similarity);
-    const auto [least, greatest] = std::minmax_element(similarities.begin(), similarities.end());
+    const auto [lowest, highest] = std::minmax_element(similarities.begin(), similarities.end());
     json result = {{"factor", datum_factor},
-                   {"similarity_least", *least},
-                   {"similarity_greatest", *greatest},
+                   {"similarity_least", *lowest},
+                   {"similarity_greatest", *highest},
                    {"targets", json::array()}};
     for (const TargetRun& target : run.targets) {
         double best = unknown, best_there = unknown;

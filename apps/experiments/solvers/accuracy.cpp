@@ -80,9 +80,9 @@ void try_accuracies(Csv& savings, const rough::Model& base, const Settings& sett
                     model.grid = rough::resolved_grid(genome, length, false);
                     rough::AccountedResponse exact, cheap;
                     const double resolved =
-                        least_seconds([&] { exact = respond_exactly(genome, model); }, 2, HUGE_VAL);
+                        lowest_seconds([&] { exact = respond_exactly(genome, model); }, 2, HUGE_VAL);
                     for (const double accuracy : accuracies) {
-                        const double seconds = least_seconds(
+                        const double seconds = lowest_seconds(
                             [&] { cheap = respond_within(genome, model, accuracy); }, 2, HUGE_VAL);
                         // Both curves have the error that their solvers' certificates allow.
                         savings.row(kind, name_of(kernel), load, sample, accuracy, seconds, resolved,

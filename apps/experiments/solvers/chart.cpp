@@ -142,15 +142,15 @@ std::vector<ChartScene> chart_scenes() {
                      rough::brownian_waves(longest_wave, 0.05, 0.8, 64))};
 }
 
-ChartTruth truth_of(const ChartScene& scene, Index most_nodes, const std::function<bool()>& stop) {
+ChartTruth truth_of(const ChartScene& scene, Index max_nodes, const std::function<bool()>& stop) {
     if (scene.exact)
         return scene.exact();
     constexpr int steps = 160;
     constexpr double still = 1e-6;
-    Index nodes = (most_nodes - 1) / 16 + 1;
+    Index nodes = (max_nodes - 1) / 16 + 1;
     ChartTruth truth = refined(scene, nodes, steps, stop);
     double moved = 1;
-    while (moved > still && 4 * (nodes - 1) + 1 <= most_nodes) {
+    while (moved > still && 4 * (nodes - 1) + 1 <= max_nodes) {
         nodes = 4 * (nodes - 1) + 1;
         ChartTruth finer = refined(scene, nodes, steps, stop);
         moved = root_mean_square(truth.pressure.tail(steps).array() / finer.pressure.tail(steps).array() - 1);
@@ -197,7 +197,7 @@ ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const Chart
         return run.late || (stop && stop());
     };
     ContactTrial trial;
-    run.seconds = least_seconds([&] {
+    run.seconds = lowest_seconds([&] {
         start = processor_seconds();
         trial = try_contact(contact, options);
     });
@@ -284,7 +284,7 @@ ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& exte
     for (const ChartScene& scene : scenes) {
         tell("reference of " + scene.name);
         try {
-            truths.push_back(truth_of(scene, extent.most_for_truth, bounds.stop));
+            truths.push_back(truth_of(scene, extent.max_for_truth, bounds.stop));
         } catch (const rough::NotConverged&) {
             if (!stopped())
                 throw;

@@ -29,7 +29,7 @@ struct ChartExtent {
     std::vector<rough::Index> nodes_with_steps; ///< the grids that have other numbers of load steps, too
     std::vector<int> steps;                     ///< other numbers of load steps
     std::vector<double> tolerances;             ///< for the iterative methods, including 1e-6
-    rough::Index most_for_truth;                ///< maximum number of nodes of a reference
+    rough::Index max_for_truth;                 ///< maximum number of nodes of a reference
     double limit;                               ///< maximum time of one curve, s
 };
 
@@ -70,7 +70,7 @@ std::vector<ChartScene> chart_scenes();
 /// The exact curve, or the curve of a refined grid. Each refinement has four times the nodes. It ends when
 /// pressures change by less than 1e-6 (relative, root mean square), or with `most_nodes` nodes. Throws
 /// rough::NotConverged if `stop` returns true.
-ChartTruth truth_of(const ChartScene& scene, rough::Index most_nodes, const std::function<bool()>& stop = {});
+ChartTruth truth_of(const ChartScene& scene, rough::Index max_nodes, const std::function<bool()>& stop = {});
 
 /// The result of a setting: a row of chart.csv.
 struct ChartRun {

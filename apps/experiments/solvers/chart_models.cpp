@@ -79,7 +79,7 @@ ModelScene modelled(const std::function<bool()>& stop, const std::string& name, 
             return;
         rough::TheoryCurve curve;
         ModelRun run{.family = family, .model = model, .nodes = nodes};
-        run.seconds = least_seconds([&] { curve = work(); });
+        run.seconds = lowest_seconds([&] { curve = work(); });
         run.contact_fraction = curve.contact_fraction;
         run.stiffness = curve.stiffness;
         run.area_errors = run.contact_fraction.array() / scene.contact_fraction.array() - 1;

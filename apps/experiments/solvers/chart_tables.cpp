@@ -174,16 +174,16 @@ json line_rows(const std::vector<ModelScene>& scenes) {
         double grid_error = HUGE_VAL;
         for (const ModelRun& run : of.runs) {
             const double error = std::max(run.area_error, run.stiffness_error);
-            const json told{{"area", run.area_error},
-                            {"stiffness", run.stiffness_error},
-                            {"seconds", run.seconds},
-                            {"nodes", run.nodes}};
+            const json errors{{"area", run.area_error},
+                              {"stiffness", run.stiffness_error},
+                              {"seconds", run.seconds},
+                              {"nodes", run.nodes}};
             if (run.model == "section")
-                row["section"] = told;
+                row["section"] = errors;
             else if (run.model == "mean-line")
-                row.update({{"line", told}, {"line_is_enough", error <= fair}});
+                row.update({{"line", errors}, {"line_is_enough", error <= fair}});
             else if (run.family == "solved" && grid_error >= 0.03)
-                row["map"] = told, grid_error = error;
+                row["map"] = errors, grid_error = error;
         }
         if (row.contains("line") && row.contains("section") && row.contains("map"))
             rows.push_back(row);
@@ -263,17 +263,17 @@ Csv points_table(const ChartData& data) {
             std::stable_sort(runs.begin(), runs.end(), [&](const ChartRun* a, const ChartRun* b) {
                 return std::pair(a->seconds, a->*kind.value) < std::pair(b->seconds, b->*kind.value);
             });
-            double least = HUGE_VAL; // lowest error of the faster runs: any method, and each method
-            std::map<Solver, double> least_of;
+            double lowest = HUGE_VAL; // lowest error of the faster runs: any method, and each method
+            std::map<Solver, double> lowest_of;
             for (const ChartRun* run : runs) {
                 const double error = run->*kind.value;
-                double& own = least_of.try_emplace(run->setting.method, HUGE_VAL).first->second;
-                const int best = error < 0.95 * least ? 2 : error < 0.95 * own ? 1 : 0;
+                double& lowest_here = lowest_of.try_emplace(run->setting.method, HUGE_VAL).first->second;
+                const int best = error < 0.95 * lowest ? 2 : error < 0.95 * lowest_here ? 1 : 0;
                 table.row(data.scenes[scene].name, kind.name, method_of(*run), run->seconds, error, best);
                 if (best == 2)
-                    least = error;
-                if (error < 0.95 * own)
-                    own = error;
+                    lowest = error;
+                if (error < 0.95 * lowest_here)
+                    lowest_here = error;
             }
         }
     return table;

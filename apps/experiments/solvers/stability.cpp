@@ -17,8 +17,8 @@ constexpr rough::Index largest_for_oracle = 256;
 constexpr double seconds_per_cell = 30; ///< and for a second opinion
 
 std::pair<double, double> span_of(const std::vector<double>& values, double factor = 1) {
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    return {factor * *least, factor * *most};
+    const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+    return {factor * *lowest, factor * *highest};
 }
 
 /// The difference of a load step from its reference, in words; "" if they agree.
@@ -30,15 +30,15 @@ std::string difference(const rough::LoadStep& step, std::size_t j, const Span& s
          {"number of contact nodes", static_cast<double>(step.contact_nodes)}}};
     for (std::size_t k = 0; k < results.size(); ++k) {
         const auto& [what, given] = results[k];
-        const auto& [least, most] = span[k];
-        const double slack = k == 2 ? 0 : tolerance * std::max(std::abs(least), std::abs(most));
-        if (given >= least - slack && given <= most + slack)
+        const auto& [lowest, highest] = span[k];
+        const double slack = k == 2 ? 0 : tolerance * std::max(std::abs(lowest), std::abs(highest));
+        if (given >= lowest - slack && given <= highest + slack)
             continue;
         rough::PlainStream line;
         line.precision(12);
-        line << what << " of step " << j + 1 << " is " << given << ", but the reference has " << least;
-        if (most > least)
-            line << " to " << most;
+        line << what << " of step " << j + 1 << " is " << given << ", but the reference has " << lowest;
+        if (highest > lowest)
+            line << " to " << highest;
         return line.str();
     }
     return "";

@@ -37,16 +37,16 @@ double processor_seconds();
 /// The lowest processor time of several rounds of some work, because other work on the machine only adds to
 /// it. There are fewer than `rounds` if these would take more than `within` seconds.
 template <class Work>
-double least_seconds(Work work, int rounds = 9, double within = 0.1) {
-    double least = 0, spent = 0;
+double lowest_seconds(Work work, int rounds = 9, double within = 0.1) {
+    double lowest = 0, spent = 0;
     for (int round = 0; round < rounds && (round == 0 || spent * (round + 1) < within * round); ++round) {
         const double start = processor_seconds();
         work();
         const double seconds = processor_seconds() - start;
-        least = round == 0 ? seconds : std::min(least, seconds);
+        lowest = round == 0 ? seconds : std::min(lowest, seconds);
         spent += seconds;
     }
-    return least;
+    return lowest;
 }
 
 /// Solves a scene, or stops after `limit` seconds of wall time. Without a limit, options.stop applies.

@@ -305,9 +305,10 @@ Findings run_variants(const Settings& settings, const Conditions& conditions) {
         if (&target != &targets.front())
             found.files[target.name() + "/result.json"] =
                 rough::json_text(result_of(target, conditions.origin, budget)) + "\n";
-        json told = model_json(target.setup.model); // for the page's sentence on the grid
-        told.update({{"name", target.name()}, {"is_2d", target.is_2d()}, {"ridges", target.setup.ridges}});
-        found.result["targets"].push_back(std::move(told));
+        json grid_json = model_json(target.setup.model); // for the page's sentence on the grid
+        grid_json.update(
+            {{"name", target.name()}, {"is_2d", target.is_2d()}, {"ridges", target.setup.ridges}});
+        found.result["targets"].push_back(std::move(grid_json));
         for (const RaceVariant& variant : target.variants)
             for (const RaceRun& run : variant.runs)
                 for (const Spent& spent : run.history)

@@ -128,13 +128,13 @@ Array valley(const Array& z) {
 }
 
 double weierstrass(const Array& z) {
-    double sum = 0, least = 0;
+    double sum = 0, lowest = 0;
     for (int k = 0; k < 12; ++k) {
         const double a = std::pow(0.5, k), b = std::pow(3.0, k);
         sum += a * (tau * b * (z + 0.5)).cos().sum() / static_cast<double>(z.size());
-        least += a * std::cos(tau * b * 0.5);
+        lowest += a * std::cos(tau * b * 0.5);
     }
-    return 10 * std::pow(sum - least, 3);
+    return 10 * std::pow(sum - lowest, 3);
 }
 
 double schaffers(const Array& z) {

@@ -41,32 +41,32 @@ double condition(const Bbob& f, double h) {
 
 /// Highest over lowest value above the optimum on a circle around it, for two dimensions.
 double contrast(const Bbob& f, double radius) {
-    double least = HUGE_VAL, most = 0;
+    double lowest = HUGE_VAL, highest = 0;
     for (int k = 0; k < 20000; ++k) {
         const double angle = k * std::numbers::pi / 1e4;
         const double above =
             f({f.optimum()[0] + radius * std::cos(angle), f.optimum()[1] + radius * std::sin(angle)}) -
             f.value();
-        least = std::min(least, above);
-        most = std::max(most, above);
+        lowest = std::min(lowest, above);
+        highest = std::max(highest, above);
     }
-    return most / least;
+    return highest / lowest;
 }
 
 /// How much moving one coordinate changes what moving another does, relative to both.
 double coupling(const Bbob& f, ga::Stream& stream) {
     const Point x = somewhere(5, stream, 4);
-    double most = 0;
+    double highest = 0;
     for (std::size_t i = 0; i < 5; ++i)
         for (std::size_t j = 0; j < i; ++j) {
             Point xi = x, xj = x, both = x;
             xi[i] = both[i] = -x[i];
             xj[j] = both[j] = -x[j];
             const double together = f(both) - f(x), apart = f(xi) + f(xj) - 2 * f(x);
-            most = std::max(most,
-                            std::abs(together - apart) / (std::abs(f(xi) - f(x)) + std::abs(f(xj) - f(x))));
+            highest = std::max(highest, std::abs(together - apart) /
+                                            (std::abs(f(xi) - f(x)) + std::abs(f(xj) - f(x))));
         }
-    return most;
+    return highest;
 }
 
 } // namespace
