@@ -146,7 +146,7 @@ def write_csv(name, rows):
 
 
 def main():
-    table, waves, held, told = [], [], [], []
+    table, waves, held, summaries = [], [], [], []
     for file in GIVEN["targets"]:
         target, name = rugosa.Target.read(file), pathlib.Path(file).stem
         answers, misses, starts = collected(name, target)
@@ -172,13 +172,13 @@ def main():
         best = max(answers, key=lambda one: one[1])[0]
         (FOLDER / "best").mkdir(exist_ok=True)
         (FOLDER / "best" / f"{name}.json").write_text(json.dumps(best.to_dict()) + "\n")
-        told.append({"name": name, "answers": len(answers), "misses": len(misses), "starts": starts,
+        summaries.append({"name": name, "answers": len(answers), "misses": len(misses), "starts": starts,
                      "needed_octave": octave, "loss_low": low, "loss_high": high,
                      "enough": high <= TOLERATED, "not_enough": low > TOLERATED})
     write_csv("features.csv", table)
     write_csv("waves.csv", waves)
     write_csv("heldout.csv", held)
-    result = {**GIVEN["origin"], "targets": told, "summary": f"{len(table)} rows of features.csv"}
+    result = {**GIVEN["origin"], "targets": summaries, "summary": f"{len(table)} rows of features.csv"}
     (FOLDER / "result.json").write_text(json.dumps(result, indent=1) + "\n")
 
 
