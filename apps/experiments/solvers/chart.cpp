@@ -43,41 +43,25 @@ ChartTruth truth_through(int points, const std::function<std::array<double, 4>(i
     return truth;
 }
 
-/// Presses a scene until its contact has the half-width `widest` (mm).
-void press_exactly(ChartScene& scene, const std::function<rough::exact::Contact(double)>& contact,
-                   double widest) {
-    scene.last = contact(widest).displacement;
-    scene.exact = [contact, widest, length = scene.length] {
+/// A scene over 1 mm with an exact solution, given for each half-width of the contact (mm) up to 0.4.
+ChartScene exact_scene(const std::string& name, const std::string& words, rough::Kernel kernel,
+                       const std::function<double(double)>& height,
+                       const std::function<rough::exact::Contact(double)>& contact) {
+    constexpr double widest = 0.4;
+    ChartScene scene{name, words, {}, 1, height, contact(widest).displacement, {}};
+    scene.body.kernel = kernel;
+    scene.body.datum = 1;
+    scene.exact = [contact] {
         constexpr int points = 20000;
         ChartTruth truth = truth_through(points, [&](int k) -> std::array<double, 4> {
             const double a = widest * k / points;
             const rough::exact::Contact c = contact(a);
-            return {c.displacement, c.load / length, c.stiffness / length, 2 * a / length};
+            return {c.displacement, c.load, c.stiffness, 2 * a};
         });
         truth.origin = "the exact solution";
         truth.finest_verified = std::numeric_limits<Index>::max();
         return truth;
     };
-}
-
-ChartScene hertz() {
-    constexpr double radius = 1;
-    const rough::exact::HalfPlane body{1, 1};
-    ChartScene scene{"hertz", "a Hertz parabola, contact growing to 80 % of the length", {}, 1, {}, 0, {}};
-    scene.body.datum = body.datum;
-    scene.height = [](double x) { return -(x - 0.5) * (x - 0.5) / (2 * radius); };
-    press_exactly(
-        scene, [=](double a) { return rough::exact::parabola(radius, a, body); }, 0.4);
-    return scene;
-}
-
-ChartScene westergaard() {
-    ChartScene scene{
-        "westergaard", "Westergaard's wave, periodic, contact growing to 80 %", {}, 1, {}, 0, {}};
-    scene.body.kernel = rough::Kernel::periodic;
-    scene.height = [](double x) { return std::cos(2 * pi * (x - 0.5)) - 1; };
-    press_exactly(
-        scene, [](double a) { return rough::exact::wave(1, 1, a, 1); }, 0.4);
     return scene;
 }
 
@@ -135,7 +119,16 @@ std::vector<ChartScene> chart_scenes() {
     const auto mwm = [](double hurst, double gamma, int count) {
         return rough::self_affine_waves(longest_wave, 0.05, hurst, gamma, count);
     };
-    return {hertz(), westergaard(),
+    return {exact_scene(
+                "hertz", "a Hertz parabola, contact growing to 80 % of the length", rough::Kernel::free,
+                [](double x) { return -(x - 0.5) * (x - 0.5) / 2; },
+                [](double a) {
+                    return rough::exact::parabola(1, a, {1, 1});
+                }),
+            exact_scene(
+                "westergaard", "Westergaard's wave, periodic, contact growing to 80 %",
+                rough::Kernel::periodic, [](double x) { return std::cos(2 * pi * (x - 0.5)) - 1; },
+                [](double a) { return rough::exact::wave(1, 1, a, 1); }),
             of_waves("mwm-smooth", "a smooth MWM profile, H = 1.2, gamma = 1.7, 8 waves", mwm(1.2, 1.7, 8)),
             of_waves("mwm-rough", "a rough MWM profile, H = 0.6, gamma = 1.5, 11 waves", mwm(0.6, 1.5, 11)),
             of_waves("fractional-brownian", "a fractional-Brownian profile, H = 0.8, 64 waves",
