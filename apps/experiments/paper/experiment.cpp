@@ -74,26 +74,6 @@ std::vector<rough::Genome> database_of(const PaperRun& run) {
     return genomes;
 }
 
-/// The record of a pipeline's run, its answer solved exactly. Empty if the run was stopped before a genome
-/// was scored.
-std::optional<VariantRun> finished_run(const std::string& name, const rough::DesignProblem& problem,
-                                       const ga::Result<rough::Genome>& result,
-                                       std::vector<StageRecord> stages) {
-    if (result.population.empty())
-        return std::nullopt;
-    VariantRun run;
-    run.name = name;
-    run.stages = std::move(stages);
-    run.seconds = result.seconds;
-    run.notes = result.notes;
-    run.answer.genome = in_final_form(problem.setup(), result.population.front().genome);
-    run.answer.response = respond(run.answer.genome, exactly(problem.setup().model));
-    run.similarity = similarity(as_reported(problem.setup()), run.answer.genome);
-    run.curves = result.counters.evaluations;
-    run.gradients = result.counters.gradients;
-    return run;
-}
-
 /// A run of gco or cco at one threshold (MPa).
 ThresholdRow threshold_row(const VariantRun& run, double p_bar) {
     const auto size = [&](const std::string& path) {
@@ -193,25 +173,38 @@ class Paper {
         return {std::make_shared<DominanceRule>(responses, reading, run_.dominant_above), run_.reach};
     }
 
-    using Run = ga::Result<rough::Genome>;
-
-    Run run_pipeline(const Variant& variant, const DesignProblem& problem,
-                     const std::vector<ga::Observer<rough::Genome>>& observers,
-                     ga::Checkpointer<DesignProblem>* keeper = nullptr) const {
+    /// Runs a variant and records its stages; its answer is solved exactly. Empty if the run was stopped
+    /// before a genome was scored.
+    std::optional<VariantRun> run_into(std::vector<StageRecord>& stages, const Variant& variant,
+                                       const DesignProblem& problem,
+                                       std::vector<ga::Observer<rough::Genome>> observers = {},
+                                       ga::Checkpointer<DesignProblem>* keeper = nullptr) const {
         ga::RunOptions options;
         options.variant = variant.name;
         options.seed = run_.origin.seed;
         options.threads = run_.origin.threads;
         options.budget.stop = &conditions_.stop;
-        return ga::run_by(*evaluator_, variant.pipeline, problem, ga::population(genomes_), options,
-                          observers, keeper);
+        observers.insert(observers.begin(), recorder(stages));
+        const auto result = ga::run_by(*evaluator_, variant.pipeline, problem, ga::population(genomes_),
+                                       options, observers, keeper);
+        if (result.population.empty())
+            return std::nullopt;
+        VariantRun run;
+        run.name = variant.name;
+        run.stages = std::move(stages);
+        run.seconds = result.seconds;
+        run.notes = result.notes;
+        run.answer.genome = in_final_form(problem.setup(), result.population.front().genome);
+        run.answer.response = respond(run.answer.genome, exactly(problem.setup().model));
+        run.similarity = similarity(as_reported(problem.setup()), run.answer.genome);
+        run.curves = result.counters.evaluations;
+        run.gradients = result.counters.gradients;
+        return run;
     }
 
-    /// Empty if the run was stopped before a genome was scored.
     std::optional<VariantRun> run_variant(const Variant& variant, const DesignProblem& problem) const {
         std::vector<StageRecord> stages;
-        const Run result = run_pipeline(variant, problem, {recorder(stages)});
-        return finished_run(variant.name, problem, result, std::move(stages));
+        return run_into(stages, variant, problem);
     }
 
     /// Runs a variant and writes a checkpoint and a log of every stage to the run's folder.
@@ -228,11 +221,11 @@ class Paper {
                                                    conditions_.resume, checkpoint_interval());
         checkpoints.keep("stages", stages);
         checkpoints.keep("log", log.position);
-        const Run result =
-            run_pipeline(variant, problem, {recorder(stages), log.observer(problem)}, &checkpoints);
+        std::optional<VariantRun> run =
+            run_into(stages, variant, problem, {log.observer(problem)}, &checkpoints);
         log.close();
-        std::optional<VariantRun> run = finished_run(variant.name, problem, result, std::move(stages));
-        tell_notes(result.notes);
+        if (run)
+            tell_notes(run->notes);
         if (!log.trouble.empty())
             tell_notes({log.trouble});
         return run;
