@@ -30,12 +30,6 @@ namespace app {
 
 namespace {
 
-/// What the page of a contact curve shows beside the curve.
-struct ContactTables {
-    nlohmann::json values;                     ///< keys of CURVE.json
-    std::map<std::string, std::string> tables; ///< CURVE-NAME.csv by NAME
-};
-
 using rough::Index;
 
 /// All load steps, if there are at most four. If there are more: an early one, the middle one and the last.
@@ -59,10 +53,10 @@ rough::ContactCurve solved_again(const rough::Profile& surface, const rough::Mod
     return solve_contact(surface, model.body, displacements, options);
 }
 
-/// Values at the last load, and pressure and gap along a profile or on a map at up to four load steps, which
-/// are solved again. The model is complete. Throws as solve_contact.
-ContactTables contact_tables(const rough::Profile& surface, const rough::Model& model,
-                             const rough::Response& response) {
+/// The tables of the page, CURVE-NAME.csv by NAME: `loads`, and pressure and gap along a profile or on a map,
+/// at up to four load steps, which are solved again. The model is complete. Throws as solve_contact.
+std::map<std::string, std::string> contact_tables(const rough::Profile& surface, const rough::Model& model,
+                                                  const rough::Response& response) {
     const rough::ContactCurve curve = solved_again(surface, model, response);
     const bool is_2d = surface.is_2d();
     Csv loads("load,mean_pressure_MPa,pressure_over_modulus,contact_fraction,spots," +
@@ -84,35 +78,12 @@ ContactTables contact_tables(const rough::Profile& surface, const rough::Model& 
             along += drawn_rows(std::to_string(i + 1), {positions(surface), at.pressure, at.gap.cwiseMax(0)});
         }
     }
-    const Index last = response.steps() - 1;
-    ContactTables all;
-    all.values = {{"kind", "contact"},
-                  {"is_2d", is_2d},
-                  {"pressed_nodes", surface.nodes()},
-                  {"kernel", name_of(model.body.kernel)},
-                  {"effective_modulus_MPa", model.body.effective_modulus},
-                  {"last",
-                   {{"pressure_MPa", response.pressure[last]},
-                    {"contact_fraction", response.contact_fraction[last]},
-                    {"stiffness_MPa_per_mm", response.tangent_stiffness[last]}}},
-                  {"largest_kkt_residual", response.kkt_residual.maxCoeff()}};
     if (is_2d)
-        all.values["pressed_nodes"] = {surface.shape().columns, surface.shape().rows};
-    all.tables["loads"] = loads.text();
-    if (is_2d) {
-        all.tables["map"] = map_csv(surface, names, maps);
-    } else {
-        all.tables["along"] = along;
-        all.tables["heights-drawn"] = heights_csv(surface);
-        all.tables["bearing"] = bearing_csv(surface.heights);
-    }
-    return all;
-}
-
-/// The names of the tables.
-std::vector<std::string> contact_table_names(bool is_2d) {
-    return is_2d ? std::vector<std::string>{"loads", "map"}
-                 : std::vector<std::string>{"loads", "along", "heights-drawn", "bearing"};
+        return {{"loads", loads.text()}, {"map", map_csv(surface, names, maps)}};
+    return {{"loads", loads.text()},
+            {"along", along},
+            {"heights-drawn", heights_csv(surface)},
+            {"bearing", bearing_csv(surface.heights)}};
 }
 
 std::vector<Setting> contact_settings() {
@@ -140,24 +111,12 @@ std::vector<Setting> contact_settings() {
                    model_settings()});
 }
 
-/// The path of CURVE.json, in the folder of CURVE.csv.
-std::filesystem::path account_beside(const std::filesystem::path& curve) {
-    auto account = curve;
-    return curve.extension() == ".json" ? account += ".json" : account.replace_extension(".json");
-}
-
 /// Within an accuracy, the solver's tolerance follows from it unless one is given.
 rough::Model within_accuracy(rough::Model model, const Settings& settings) {
     model.accuracy = accuracy_from(settings);
     if (model.accuracy > 0 && !settings.given("tolerance"))
         model.contact.tolerance = 0.01;
     return model;
-}
-
-/// The path of CURVE-NAME.csv, in the folder of CURVE.csv.
-std::filesystem::path beside(const std::filesystem::path& curve, const std::string& name) {
-    return std::filesystem::path(curve).replace_filename(curve.stem().string() + "-" + name +
-                                                         curve.extension().string());
 }
 
 std::string slip_csv(const rough::PartialSlip& slip) {
@@ -265,37 +224,33 @@ std::string curve_csv(const Pressed& pressed) {
                columns);
 }
 
-/// The contact spots of a map at the last load step, the largest first; those of a line are as wide as the
-/// map.
-std::string spots_csv(const Pressed& pressed) {
-    const rough::Profile& map = pressed.surface;
+/// The numbers of nodes of the contact spots of a map at the last load step, the largest first. Those of a
+/// line that answered for the map are as wide as the map.
+Eigen::VectorXd spots_of(const Pressed& pressed) {
     const rough::Extent shape = pressed_surface(pressed).shape();
     const auto sizes = rough::contact_spots(pressed.result.last_contact, shape, pressed.model.grid.periodic);
-    Eigen::VectorXd nodes(static_cast<rough::Index>(sizes.size()));
+    Eigen::VectorXd nodes(static_cast<Index>(sizes.size()));
     std::copy(sizes.begin(), sizes.end(), nodes.begin());
-    nodes *= static_cast<double>(map.nodes() / shape.nodes());
-    return csv({"nodes", "area_mm2"}, {nodes, nodes * map.spacing * map.row_spacing});
+    return nodes * static_cast<double>(pressed.surface.nodes() / shape.nodes());
 }
 
-/// Notes a measured surface whose ends differ, on a periodic body.
-void add_jump_note(const rough::Profile& surface, const rough::Model& model,
-                   std::vector<std::string>& notes) {
-    if (model.body.kernel == rough::Kernel::periodic)
-        if (const std::string note = jump_note(surface); !note.empty())
-            notes.push_back(note);
+/// Appends the notes that say something.
+void add(std::vector<std::string>& notes, std::initializer_list<std::string> more) {
+    std::copy_if(more.begin(), more.end(), std::back_inserter(notes),
+                 [](const auto& note) { return !note.empty(); });
 }
 
 Pressed pressed_area(const Settings& settings) {
     AreaScene scene = area_from(settings);
-    scene.model = within_accuracy(loaded(scene.model, settings), settings);
-    rough::AccountedResponse result =
-        scene.model.accuracy > 0 ? rough::respond_within(scene.map, scene.model, scene.model.accuracy)
-                                 : rough::respond_exactly(scene.map, scene.model);
-    scene.model.contact.tolerance = result.account.tolerance;
-    std::vector<std::string> notes = std::move(scene.notes);
-    if (!settings.has("genome"))
-        add_jump_note(scene.map, scene.model, notes);
-    return {std::move(scene.map), scene.model, std::move(result), std::move(notes), !settings.has("genome")};
+    rough::Model& model = scene.model;
+    model = within_accuracy(loaded(model, settings), settings);
+    rough::AccountedResponse result = model.accuracy > 0 ? respond_within(scene.map, model, model.accuracy)
+                                                         : respond_exactly(scene.map, model);
+    model.contact.tolerance = result.account.tolerance;
+    const bool is_measured = !settings.has("genome");
+    if (is_measured && model.grid.periodic)
+        add(scene.notes, {jump_note(scene.map)});
+    return {std::move(scene.map), std::move(model), std::move(result), std::move(scene.notes), is_measured};
 }
 
 Pressed pressed(const Settings& settings) {
@@ -307,17 +262,12 @@ Pressed pressed(const Settings& settings) {
     model.contact.tolerance = result.account.tolerance;
     std::vector<std::string> notes;
     rough::Profile profile = source.on(model.grid);
-    if (source.genome) {
-        const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
-        for (const std::string& note :
-             {model.grid.periodic ? jump_note(*source.genome, model.grid.length, range) : "",
-              wave_note(*source.genome, model.grid)})
-            if (!note.empty())
-                notes.push_back(note);
-    } else {
-        notes.push_back(source.account);
-        add_jump_note(profile, model, notes);
-    }
+    const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
+    if (source.genome)
+        add(notes, {model.grid.periodic ? jump_note(*source.genome, model.grid.length, range) : "",
+                    wave_note(*source.genome, model.grid)});
+    else
+        add(notes, {source.account, model.grid.periodic ? jump_note(profile) : ""});
     return {std::move(profile), std::move(model), std::move(result),
             std::move(notes),   !source.genome,   std::move(source.outliers)};
 }
@@ -328,60 +278,113 @@ std::string from_page(const std::filesystem::path& file, const std::filesystem::
     return std::filesystem::absolute(file).lexically_proximate(folder).string();
 }
 
+/// The files of a contact curve. All are checked before anything is computed.
+struct CurveFiles {
+    std::filesystem::path curve, account, page; ///< CURVE.csv; CURVE.json and the page, if they are written
+    std::map<std::string, std::filesystem::path> tables; ///< CURVE-NAME.csv by NAME
+};
+
+CurveFiles files_from(const Settings& settings, bool is_2d) {
+    if (!settings.has("out"))
+        throw rough::InputError("contact: --out is missing, expected the curve file to write");
+    const std::filesystem::path given = settings.text("out");
+    CurveFiles files;
+    files.curve = expect_writable(given, settings);
+    if (std::filesystem::exists(files.curve) && !std::filesystem::is_regular_file(files.curve)) {
+        for (const char* flag : {"friction", "report", is_2d ? "out" : ""}) // a device or a pipe
+            if (*flag && settings.has(flag))
+                throw rough::InputError("--" + std::string(flag) + ": " + given.string() +
+                                        " is not a regular file; choose one that further files can be "
+                                        "written next to");
+        return files;
+    }
+    std::filesystem::path account = given;
+    given.extension() == ".json" ? account += ".json" : account.replace_extension(".json");
+    files.account = expect_writable(account, settings);
+    std::vector<std::string> names;
+    if (settings.has("friction"))
+        names.emplace_back("slip");
+    if (is_2d)
+        names.emplace_back("spots");
+    if (settings.has("report")) {
+        files.page = expect_writable(settings.text("report"), settings);
+        const std::vector<std::string> drawn =
+            is_2d ? std::vector<std::string>{"loads", "map"}
+                  : std::vector<std::string>{"loads", "along", "heights-drawn", "bearing"};
+        names.insert(names.end(), drawn.begin(), drawn.end());
+    }
+    for (const std::string& name : names)
+        files.tables[name] = expect_writable(
+            std::filesystem::path(account).replace_filename(account.stem().string() + "-" + name + ".csv"),
+            settings);
+    return files;
+}
+
+/// Writes CURVE.csv and the other files, the page last.
+void write_files(const CurveFiles& files, const Pressed& found, const std::vector<std::string>& notes,
+                 const Settings& settings) {
+    const rough::Response& response = found.result.response;
+    rough::write_atomically(files.curve, curve_csv(found));
+    if (files.account.empty())
+        return;
+    std::map<std::string, std::string> tables;
+    if (!files.page.empty())
+        tables = contact_tables(found.surface, completed(found.model), response);
+    if (files.tables.contains("slip"))
+        tables["slip"] = slip_csv(partial_slip(response, settings.number("friction")));
+    if (files.tables.contains("spots"))
+        tables["spots"] =
+            csv({"nodes", "area_mm2"},
+                {spots_of(found), spots_of(found) * found.surface.spacing * found.surface.row_spacing});
+    for (const auto& [name, table] : tables)
+        rough::write_atomically(files.tables.at(name), table);
+
+    nlohmann::json values = account_json(found.result.account);
+    values["warnings"] = found.warnings;
+    if (found.is_measured)
+        values["resolution"] = resolution_json(found);
+    if (files.page.empty())
+        return write_json(files.account, values);
+    const rough::Profile& surface = found.surface;
+    const rough::Body body = completed(found.model).body;
+    const Index last = response.steps() - 1;
+    values.update({{"kind", "contact"},
+                   {"is_2d", surface.is_2d()},
+                   {"pressed_nodes", surface.nodes()},
+                   {"kernel", name_of(body.kernel)},
+                   {"effective_modulus_MPa", body.effective_modulus},
+                   {"last",
+                    {{"pressure_MPa", response.pressure[last]},
+                     {"contact_fraction", response.contact_fraction[last]},
+                     {"stiffness_MPa_per_mm", response.tangent_stiffness[last]}}},
+                   {"largest_kkt_residual", response.kkt_residual.maxCoeff()},
+                   {"name", settings.text(!found.is_measured ? "genome"
+                                          : surface.is_2d()  ? "surface"
+                                                             : "profile")},
+                   {"notes", notes},
+                   {"curve", files.curve.filename().string().substr(files.account.stem().string().size())}});
+    if (surface.is_2d())
+        values["pressed_nodes"] = {surface.shape().columns, surface.shape().rows};
+    values["notes"].push_back(in_words(found.result.account));
+    for (const auto& file : {files.curve, files.account})
+        values["files"].push_back(from_page(file, files.page));
+    for (const char* name : {"slip", "spots"})
+        if (files.tables.contains(name))
+            values["files"].push_back(from_page(files.tables.at(name), files.page));
+    write_json(files.account, values);
+    rough::write_atomically(files.page, render(page_source(files.account)));
+}
+
 int contact(const Settings& settings, const std::string&) {
     if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
         throw rough::InputError("contact: expected one of --genome, --profile and --surface");
-    if (!settings.has("out"))
-        throw rough::InputError("contact: --out is missing, expected the curve file to write");
-    const std::filesystem::path out = expect_writable(settings.text("out"), settings);
-
-    // A device or a pipe has nothing beside it.
-    const bool has_account = !std::filesystem::exists(out) || std::filesystem::is_regular_file(out);
-    std::filesystem::path account = account_beside(settings.text("out"));
-    if (has_account)
-        account = expect_writable(account, settings);
-
-    std::filesystem::path slip_file = beside(settings.text("out"), "slip");
-    if (settings.has("friction")) {
-        if (settings.has("hardness"))
-            throw rough::InputError(
-                "contact: --friction given with --hardness, expected one of them: partial "
-                "slip rests on elastic contact");
-        if (!has_account)
-            throw rough::InputError("--friction: " + settings.text("out") +
-                                    " is no file, expected one that another can stand beside");
-        slip_file = expect_writable(slip_file, settings);
-    }
-    const bool area = asks_for_area(settings);
-    if (area && !has_account)
-        throw rough::InputError("--out: " + settings.text("out") +
-                                " is no file, expected one that an area's spots can stand beside");
-    std::filesystem::path page;
-    std::map<std::string, std::filesystem::path> tables;
-    if (settings.has("report")) {
-        if (!has_account)
-            throw rough::InputError(
-                "--report: " + settings.text("out") +
-                " is not a regular file; choose one that the page's tables can stand beside");
-        page = expect_writable(settings.text("report"), settings);
-        for (const std::string& name : contact_table_names(area))
-            tables[name] = expect_writable(std::filesystem::path(account).replace_filename(
-                                               account.stem().string() + "-" + name + ".csv"),
-                                           settings);
-    }
-    std::filesystem::path spots = beside(settings.text("out"), "spots");
-    if (area)
-        spots = expect_writable(spots, settings);
-    Pressed found = area ? pressed_area(settings) : pressed(settings);
+    if (settings.has("friction") && settings.has("hardness"))
+        throw rough::InputError("contact: --friction given with --hardness, expected one of them: partial "
+                                "slip rests on elastic contact");
+    const bool is_2d = asks_for_area(settings);
+    const CurveFiles files = files_from(settings, is_2d);
+    Pressed found = is_2d ? pressed_area(settings) : pressed(settings);
     add_doubts(found, settings);
-    if (area) {
-        const std::string table = spots_csv(found);
-        rough::write_atomically(spots, table);
-        tell(spots.string() + ": " + std::to_string(std::count(table.begin(), table.end(), '\n') - 1) +
-             " contact spots under the last load");
-    }
-    const rough::Response& response = found.result.response;
-    rough::write_atomically(out, curve_csv(found));
     std::vector<std::string> notes = found.notes;
     if (found.is_measured)
         notes.insert(notes.begin(), resolution_note(found));
@@ -389,45 +392,26 @@ int contact(const Settings& settings, const std::string&) {
         notes.push_back(note);
     notes.push_back(states_modulus(settings) ? material_note(settings) : modulus_note);
     std::erase(notes, "");
-    nlohmann::json values = account_json(found.result.account);
-    values["warnings"] = found.warnings;
-    if (found.is_measured)
-        values["resolution"] = resolution_json(found);
-    if (has_account)
-        write_json(account, values);
-    if (settings.has("friction")) {
-        const double friction = settings.number("friction");
-        rough::write_atomically(slip_file, slip_csv(partial_slip(response, friction)));
-        tell(slip_file.string() + ": partial slip under the last load, f = " + readable(friction) +
+    write_files(files, found, notes, settings);
+
+    if (files.tables.contains("spots"))
+        tell(files.tables.at("spots").string() + ": " + std::to_string(spots_of(found).size()) +
+             " contact spots under the last load");
+    if (files.tables.contains("slip"))
+        tell(files.tables.at("slip").string() +
+             ": partial slip under the last load, f = " + readable(settings.number("friction")) +
              "; assumed: plane strain, a constant normal load, bodies that do not couple (equal ones, or "
              "Dundurs' beta = 0; a rigid profile at nu = 0.5 only)");
-    }
-    if (settings.has("report")) {
-        const ContactTables shown = contact_tables(found.surface, completed(found.model), response);
-        for (const auto& [name, file] : tables)
-            rough::write_atomically(file, shown.tables.at(name));
-        values.update(shown.values);
-        values["name"] = settings.text(!found.is_measured ? "genome" : area ? "surface" : "profile");
-        values["notes"] = notes;
-        values["notes"].push_back(in_words(found.result.account));
-        values["curve"] = out.filename().string().substr(account.stem().string().size());
-        values["files"] = {from_page(out, page), from_page(account, page)};
-        if (settings.has("friction"))
-            values["files"].push_back(from_page(slip_file, page));
-        if (area)
-            values["files"].push_back(from_page(spots, page));
-        write_json(account, values);
-        rough::write_atomically(page, render(page_source(account)));
-    }
     for (const std::string& warning : found.warnings)
         say("warning: " + warning);
     for (const std::string& note : notes)
         say(note);
+    const rough::Response& response = found.result.response;
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
          name_of(response.solver) + ", height range " + readable(response.range) +
          " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));
     // Held nodes change what may be made of the curve.
-    (found.result.account.held_nodes > 0 || (area && found.model.accuracy > 0) ? say : tell)(
+    (found.result.account.held_nodes > 0 || (is_2d && found.model.accuracy > 0) ? say : tell)(
         in_words(found.result.account));
     return 0;
 }
