@@ -62,47 +62,6 @@ std::vector<Setting> profile_settings() {
     return joined({area_settings(), settings, settings_of(fields_of(usual)), scan_settings()});
 }
 
-/// A profile and what it was made of: cosines, or a scan.
-struct Shape {
-    rough::Profile profile;
-    std::vector<rough::SpectralLine> lines; ///< of a genome
-    std::string account;
-    std::string jump; ///< in words; "" where its ends meet
-};
-
-Shape shape_from(const Settings& settings) {
-    if (settings.has("profile") && settings.given("length"))
-        throw rough::InputError("--length: given with a scan, which has its own");
-    const rough::Index nodes = nodes_from(settings, 0);
-    const rough::Source source = source_from(settings, nodes);
-    rough::Grid grid = source.grid();
-    if (nodes > 0)
-        grid.nodes = nodes;
-    settings.take("length", grid.length);
-    Shape shape{source.on(grid), {}, source.account, ""};
-    if (!source.genome)
-        return shape;
-    shape.lines = rough::discrete_spectrum(*source.genome);
-    const double shortest = 2 * std::numbers::pi / shape.lines.back().wave_number / grid.spacing();
-    shape.account = source.name + ": " + readable(grid.length, 6) + " mm, " +
-                    std::to_string(shape.lines.size()) + " waves, the shortest " + readable(shortest) +
-                    " nodes long";
-    if (shortest < 8)
-        shape.account += " (waves under 8 nodes: slopes, curvatures and light contact depend on the grid)";
-    shape.jump = jump_note(*source.genome, grid.length,
-                           shape.profile.heights.maxCoeff() - shape.profile.heights.minCoeff());
-    return shape;
-}
-
-std::pair<Eigen::VectorXd, Eigen::VectorXd> columns(const std::vector<rough::SpectralLine>& lines) {
-    Eigen::VectorXd k(static_cast<Eigen::Index>(lines.size())), power(k.size());
-    for (Eigen::Index i = 0; i < k.size(); ++i) {
-        k[i] = lines[static_cast<std::size_t>(i)].wave_number;
-        power[i] = lines[static_cast<std::size_t>(i)].power;
-    }
-    return {k, power};
-}
-
 /// A text matrix as --surface reads it.
 std::string matrix(const rough::Profile& map) {
     std::vector<Eigen::VectorXd> columns;
@@ -111,47 +70,6 @@ std::string matrix(const rough::Profile& map) {
         columns.emplace_back(map.heights(Eigen::seqN(i, rows, nodes)));
     const std::string table = csv(std::vector<std::string>(columns.size()), columns);
     return table.substr(table.find('\n') + 1);
-}
-
-/// The material ratio curve at one place.
-struct OnCurve {
-    double ratio, height; ///< mm from the mean plane
-};
-
-/// What --smr and --smc ask for, of the mean plane.
-struct MaterialRatios {
-    std::vector<OnCurve> of_heights, of_ratios;
-};
-
-MaterialRatios ratios_of(rough::Profile map, const Settings& settings) {
-    map.heights.array() -= map.heights.mean();
-    MaterialRatios found;
-    for (const double height : settings.numbers("smr"))
-        found.of_heights.push_back({material_ratio(map, height), height});
-    for (const double ratio : settings.numbers("smc"))
-        found.of_ratios.push_back({ratio, rough::material_height(map.heights, ratio)});
-    return found;
-}
-
-/// The ratios that were requested, as rows beside the set that surface.json holds.
-std::vector<rough::SurfaceParameter> told(const MaterialRatios& ratios) {
-    std::vector<rough::SurfaceParameter> all;
-    for (const OnCurve& one : ratios.of_heights) {
-        const Unit unit = length_unit(std::abs(one.height));
-        all.push_back({"Smr(" + brief(unit.factor * one.height, 4) + " " + unit.name + ")", "",
-                       "material ratio at this height over the mean plane", one.ratio});
-    }
-    for (const OnCurve& one : ratios.of_ratios)
-        all.push_back({"Smc(" + brief(100 * one.ratio, 4) + " %)", "mm",
-                       "height that this share of the area exceeds", one.height});
-    return all;
-}
-
-nlohmann::json curve_json(const std::vector<OnCurve>& points) {
-    nlohmann::json all = nlohmann::json::array();
-    for (const OnCurve& one : points)
-        all.push_back({{"material_ratio", one.ratio}, {"height_mm", one.height}});
-    return all;
 }
 
 /// A file by its name, made when it is written: a map's are large.
@@ -173,43 +91,84 @@ struct Description {
 };
 
 Description described_profile(const Settings& settings) {
-    const auto shape = std::make_shared<Shape>(shape_from(settings));
-    const rough::Profile& profile = shape->profile;
+    if (settings.has("profile") && settings.given("length"))
+        throw rough::InputError("--length: given with a scan, which has its own");
+    const rough::Source source = source_from(settings, nodes_from(settings, 0));
+    rough::Grid grid = source.grid();
+    settings.take("nodes", grid.nodes);
+    settings.take("length", grid.length);
+    const auto profile = std::make_shared<const rough::Profile>(source.on(grid));
+    std::string account = source.account, jump;
+    std::vector<rough::SpectralLine> lines;
+    if (source.genome) {
+        lines = rough::discrete_spectrum(*source.genome);
+        const double shortest = 2 * std::numbers::pi / lines.back().wave_number / grid.spacing();
+        account =
+            source.name + ": " + readable(grid.length, 6) + " mm, " + std::to_string(lines.size()) +
+            " waves, the shortest " + readable(shortest) + " nodes long" +
+            (shortest < 8 ? " (waves under 8 nodes: slopes, curvatures and light contact depend on the grid)"
+                          : "");
+        jump =
+            jump_note(*source.genome, grid.length, profile->heights.maxCoeff() - profile->heights.minCoeff());
+    }
     const bool is_roughness = settings.has("lambda-c");
-    const rough::Roughness r = rough::roughness(profile, is_roughness ? settings.number("lambda-c") : 0);
+    const rough::Roughness r = rough::roughness(*profile, is_roughness ? settings.number("lambda-c") : 0);
     Description all{.kind = "profile",
-                    .surface = {shape, &profile},
-                    .spectrum = continuous_spectrum(profile),
-                    .account = shape->account + (shape->jump.empty() ? "" : "\n" + shape->jump),
+                    .surface = profile,
+                    .spectrum = continuous_spectrum(*profile),
+                    .account = account + (jump.empty() ? "" : "\n" + jump),
                     .rows = r.rows,
                     .largest_height = r[is_roughness ? "Rt" : "Pt"],
-                    .numbers = {{"account", shape->account},
-                                {"nodes", profile.nodes()},
-                                {"length_mm", profile.spacing * static_cast<double>(profile.nodes() - 1)},
+                    .numbers = {{"account", account},
+                                {"nodes", profile->nodes()},
+                                {"length_mm", profile->spacing * static_cast<double>(profile->nodes() - 1)},
                                 {"section_length_mm", r.section_length},
                                 {"sections", r.sections}},
                     .tables = {},
                     .pictures = {{"profile.svg", "profile-heights"}, {"spectrum.svg", "spectrum:mm³"}}};
     all.tables = {{"heights.csv",
                    [=] {
-                       return csv({"x_mm", "height_mm"}, {positions(shape->profile), shape->profile.heights});
+                       return csv({"x_mm", "height_mm"}, {positions(*profile), profile->heights});
                    }},
-                  {"heights-drawn.csv", [=] { return heights_csv(shape->profile); }},
+                  {"heights-drawn.csv", [=] { return heights_csv(*profile); }},
                   {"spectrum.csv", [s = all.spectrum] {
                        return csv({"wave_number_rad_per_mm", "density_mm3"}, {s.wave_number, s.density});
                    }}};
     all.unlisted = {"heights-drawn.csv", "lines.csv"};
-    if (!shape->lines.empty()) { // exact, over lengths that all waves divide
-        double m0 = 0, m2 = 0, m4 = 0;
-        for (const auto& [k, power] : shape->lines)
+    if (!lines.empty()) {
+        double m0 = 0, m2 = 0, m4 = 0; // exact, over lengths that all waves divide
+        Csv table("wave_number_rad_per_mm,power_mm2");
+        for (const auto& [k, power] : lines) {
             m0 += power, m2 += power * k * k, m4 += power * k * k * k * k;
+            table.row(k, power);
+        }
         all.numbers["series"] = {{"m0_mm2", m0}, {"m2", m2}, {"m4_per_mm2", m4}};
-        all.tables.emplace_back("lines.csv", [=] {
-            const auto [k, power] = columns(shape->lines);
-            return csv({"wave_number_rad_per_mm", "power_mm2"}, {k, power});
-        });
+        all.tables.emplace_back("lines.csv", [text = table.text()] { return text; });
     }
     return all;
+}
+
+/// Adds the points of the material ratio curve, heights over the mean plane (mm), that --smr and --smc
+/// request.
+void add_requested(Description& all, rough::Profile map, const Settings& settings) {
+    map.heights.array() -= map.heights.mean();
+    const auto add = [&](const char* key, double ratio, double height, rough::SurfaceParameter row) {
+        all.numbers[key].push_back({{"material_ratio", ratio}, {"height_mm", height}});
+        all.requested.push_back(std::move(row));
+    };
+    for (const double height : settings.numbers("smr")) {
+        const Unit unit = length_unit(std::abs(height));
+        const double ratio = material_ratio(map, height);
+        add("Smr_of_heights", ratio, height,
+            {"Smr(" + brief(unit.factor * height, 4) + " " + unit.name + ")", "",
+             "material ratio at this height over the mean plane", ratio});
+    }
+    for (const double ratio : settings.numbers("smc")) {
+        const double height = rough::material_height(map.heights, ratio);
+        add("Smc_of_ratios", ratio, height,
+            {"Smc(" + brief(100 * ratio, 4) + " %)", "mm", "height that this share of the area exceeds",
+             height});
+    }
 }
 
 Description described_map(const Settings& settings) {
@@ -217,14 +176,12 @@ Description described_map(const Settings& settings) {
     rough::Map read = measured ? surface_from(settings) : sampled_from(settings, periodic);
     const auto map = std::make_shared<const rough::Profile>(std::move(read.heights));
     const rough::ArealParameters areal = areal_parameters(*map, periodic);
-    const MaterialRatios ratios = ratios_of(*map, settings);
     const auto [nodes, rows] = map->shape();
     Description all{.kind = "surface",
                     .surface = map,
                     .spectrum = continuous_spectrum(*map, periodic),
                     .account = (measured ? settings.text("surface") + ": " : "") + read.account,
                     .rows = areal.rows,
-                    .requested = told(ratios),
                     .largest_height = areal["Sz"],
                     .numbers = {{"account", read.account},
                                 {"length_mm",
@@ -243,10 +200,7 @@ Description described_map(const Settings& settings) {
                                   {s.wave_number, s.density, s.power});
                    }}};
     all.unlisted = {"map.csv"};
-    if (settings.has("smr"))
-        all.numbers["Smr_of_heights"] = curve_json(ratios.of_heights);
-    if (settings.has("smc"))
-        all.numbers["Smc_of_ratios"] = curve_json(ratios.of_ratios);
+    add_requested(all, *map, settings);
     return all;
 }
 
@@ -276,11 +230,11 @@ nlohmann::json numbers_of(const Description& of, const Settings& settings, const
 void print_parameters(const std::vector<rough::SurfaceParameter>& all, double largest) {
     const Unit height = length_unit(largest);
     for (const rough::SurfaceParameter& one : all) {
+        const Unit unit = one.unit == "mm" ? height : Unit{one.unit, 1};
         char line[160];
         if (std::isfinite(one.value))
             std::snprintf(line, sizeof line, "  %-14s %12.6g %-5s %s", one.name.c_str(),
-                          one.value * (one.unit == "mm" ? height.factor : 1),
-                          one.unit == "mm" ? height.name.c_str() : one.unit.c_str(), one.meaning.c_str());
+                          one.value * unit.factor, unit.name.c_str(), one.meaning.c_str());
         else
             std::snprintf(line, sizeof line, "  %-14s %12s %-5s %s", one.name.c_str(), "none", "",
                           one.meaning.c_str());
@@ -288,21 +242,8 @@ void print_parameters(const std::vector<rough::SurfaceParameter>& all, double la
     }
 }
 
-/// Writes report.html and, of each figure, an SVG file. A picture that cannot be drawn costs nothing else.
-void write_pages(const std::filesystem::path& folder,
-                 const std::vector<std::pair<std::string, std::string>>& pictures) {
-    const PageSource source = page_source(folder);
-    for (const auto& [file, figure] : pictures)
-        try {
-            rough::write_atomically(folder / file, figure_file(figure, source));
-        } catch (const rough::InputError& error) {
-            say("note: " + file + " is left out: " + error.what());
-        }
-    rough::write_atomically(page_of(source), render(source));
-}
-
+/// Writes all files of a description; a picture that cannot be drawn is left out.
 void write_description(const Description& of, const Settings& settings, const rough::Extrusion& extrusion) {
-    const bool pictures = settings.choice("pictures") == 0;
     const Solids solids = solids_of(*of.surface, extrusion);
     const std::filesystem::path source = settings.text(settings.has("genome")    ? "genome"
                                                        : settings.has("profile") ? "profile"
@@ -330,12 +271,19 @@ void write_description(const Description& of, const Settings& settings, const ro
     for (const std::string& solid : write_solids(solids, out.path(), of.kind))
         files.push_back(solid);
     write_json(out.path() / (of.kind + ".json"), numbers_of(of, settings, source.filename().string(), files));
-    if (pictures)
-        write_pages(out.path(), of.pictures);
+    if (settings.choice("pictures") == 0) {
+        const PageSource page = page_source(out.path());
+        for (const auto& [file, figure] : of.pictures)
+            try {
+                write(file, figure_file(figure, page));
+            } catch (const rough::InputError& error) {
+                say("note: " + file + " is left out: " + error.what());
+            }
+        rough::write_atomically(page_of(page), render(page));
+    }
     say(of.account);
-    std::vector<rough::SurfaceParameter> all = of.rows;
-    all.insert(all.end(), of.requested.begin(), of.requested.end());
-    print_parameters(all, of.largest_height);
+    print_parameters(of.rows, of.largest_height);
+    print_parameters(of.requested, of.largest_height);
     say("written to " + out.path().string());
 }
 
