@@ -7,13 +7,9 @@
 
 namespace app {
 
-/// How much the program says beside its results.
-enum class Voice { quiet, plain, verbose };
-
-/// Takes --quiet and --verbose out of the words and keeps to them from then on. Throws rough::InputError on
+/// Removes --quiet and --verbose from the words and applies them from then on. Throws rough::InputError on
 /// both.
 void parse_verbosity(std::vector<std::string>& words);
-Voice voice();
 
 void say(const std::string& remark);  ///< a line on standard output, unless --quiet
 void tell(const std::string& detail); ///< a line on standard output, with --verbose alone
