@@ -73,8 +73,7 @@ int run_by_name(const Experiment& experiment, const Settings& given, const std::
         return carry_out(experiment, Settings("", experiment.all_settings(), values), request);
     const Settings settings = read_ini(given.text("experiment"), experiment.all_settings(), overrides);
     if (settings.text("experiment.kind") != kind)
-        throw rough::InputError(settings.place("experiment.kind") + ": " + settings.text("experiment.kind") +
-                                " given, expected " + kind);
+        settings.refuse("experiment.kind", settings.text("experiment.kind") + " given, expected " + kind);
     for (const auto& input : settings.files())
         request.inputs.push_back(input);
     return carry_out(experiment, settings, request);

@@ -117,8 +117,7 @@ Experiment readings_experiment() {
         .files = {"cells.csv", "claims.csv", "shares.csv", "readings.json", "targets"},
         .run =
             [](const Settings& settings, const Conditions& conditions) {
-                expect_none(settings,
-                            {{"model.kernel", "", ""}, {"model.datum", "", ""}, {"model.reach", "", ""}},
+                expect_none(settings, {"model.kernel", "model.datum", "model.reach"},
                             "given, expected none: the readings try several");
                 model_from(settings, "model.");
                 return findings_of_script(readings_experiment(), settings, conditions);

@@ -100,7 +100,7 @@ std::vector<std::string> without_effect(const Settings& settings, const std::vec
 std::vector<std::filesystem::path> target_files(const Settings& settings, const std::string& name) {
     std::vector<std::filesystem::path> files = settings.paths(name);
     if (files.empty())
-        throw rough::InputError(settings.place(name) + ": none given, expected target files (CSV)");
+        settings.refuse(name, "none given, expected target files (CSV)");
     return files;
 }
 

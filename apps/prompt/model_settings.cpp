@@ -5,30 +5,18 @@
 #include "domain/contact/materials.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/plain_stream.hpp"
 #include "domain/profile/filter.hpp"
 #include "domain/scan/source.hpp"
 #include "domain/scan/unit.hpp"
 #include "domain/text/words.hpp"
+#include "ga/base/number.hpp"
 
 #include <algorithm>
-#include <iomanip>
-#include <map>
 #include <sstream>
 
 namespace app {
 
 namespace {
-
-/// A number as it would be given: 1e-6.
-std::string plain(double value) {
-    rough::PlainStream text;
-    text << std::setprecision(15) << value;
-    std::string digits = text.str();
-    if (const auto at = digits.find("e-0"); at != std::string::npos)
-        digits.erase(at + 2, 1);
-    return digits;
-}
 
 /// The material that is named; null if none is.
 const rough::Material* material_from(const Settings& settings, const std::string& prefix = "") {
@@ -46,9 +34,9 @@ std::string material_note(const Settings& settings) {
     const rough::Material* material = material_from(settings);
     if (!material)
         return "";
-    return material->name + " (" + material->of + "): E " + plain(material->modulus) + " MPa, nu " +
-           plain(material->poissons) + " (" + material->elastic + "), hardness " + plain(material->hardness) +
-           " MPa (" + material->indented + ")";
+    return material->name + " (" + material->of + "): E " + ga::number(material->modulus) + " MPa, nu " +
+           ga::number(material->poissons) + " (" + material->elastic + "), hardness " +
+           ga::number(material->hardness) + " MPa (" + material->indented + ")";
 }
 
 double elastic_limit(const Settings& settings, const rough::Body& body) {
@@ -77,13 +65,14 @@ std::vector<rough::Layer> layers_from(const std::string& text, const std::string
         std::istringstream parts(word);
         for (std::string part; std::getline(parts, part, ':');)
             numbers.push_back(rough::number_from(part, place));
-        if (numbers.size() != 1 && numbers.size() != 3)
+        const bool has_elasticity = numbers.size() == 3;
+        if (numbers.size() != 1 && !has_elasticity)
             throw rough::InputError(place + ": \"" + word +
                                     "\" given, expected a thickness T (mm), or T:E:NU");
-        layers.push_back(
-            {numbers[0], numbers.size() == 3 ? numbers[1] : 0, numbers.size() == 3 ? numbers[2] : 0});
-        if (numbers.size() == 3 && !(numbers[1] > 0))
+        if (has_elasticity && !(numbers[1] > 0))
             throw rough::InputError(place + ": \"" + word + "\" given, expected a modulus above 0");
+        numbers.resize(3); // 0: that of the body
+        layers.push_back({numbers[0], numbers[1], numbers[2]});
     }
     return layers;
 }
@@ -99,7 +88,7 @@ Fields fields_of(ModelParameters& of) {
              .several('x'),
          grid.nodes},
         {positive("length", "",
-                  "length L of the profile, mm [" + plain(usual.grid.length) +
+                  "length L of the profile, mm [" + ga::number(usual.grid.length) +
                       "; a scan, or a genome made for one: its own]")
              .several('x'),
          grid.length},
@@ -113,7 +102,7 @@ Fields fields_of(ModelParameters& of) {
                  "values")
              .of(rough::material_names()),
          of.material},
-        {positive("modulus", plain(usual.body.effective_modulus), "Young's modulus E, MPa"), of.modulus},
+        {positive("modulus", ga::number(usual.body.effective_modulus), "Young's modulus E, MPa"), of.modulus},
         {ga::number("poisson", "0", -0.999999, 0.5, "Poisson's ratio nu; E* = E/(1 - nu^2)"), of.poisson},
         {Setting("layer", "",
                  "a layer of the periodic body, T (mm) or T:E:NU, bonded to what follows; repeated, the top "
@@ -131,7 +120,7 @@ Fields fields_of(ModelParameters& of) {
          loading.reach},
         {Setting("solver", name_of(usual.contact.solver), "contact solver").of(rough::solver_names()),
          contact.solver},
-        {ga::number("tolerance", plain(usual.contact.tolerance), 1e-15, 0.1,
+        {ga::number("tolerance", ga::number(usual.contact.tolerance), 1e-15, 0.1,
                     "relative tolerance of the iterative solvers"),
          contact.tolerance},
     };
@@ -195,21 +184,18 @@ rough::Model model_on(const rough::Grid& grid, const Settings& settings, const s
     ModelParameters given;
     given.model.grid = grid;
     take(settings, fields_of(given), prefix);
-    if (const rough::Material* material = material_from(settings, prefix)) {
-        if (!settings.given(prefix + "modulus"))
-            given.modulus = material->modulus;
-        if (!settings.given(prefix + "poisson"))
-            given.poisson = material->poissons;
-    }
+    const rough::Material* material = material_from(settings, prefix);
+    if (material && !settings.given(prefix + "modulus"))
+        given.modulus = material->modulus;
+    if (material && !settings.given(prefix + "poisson"))
+        given.poisson = material->poissons;
     given.model.body.effective_modulus = rough::effective_modulus(given.modulus, given.poisson);
     rough::Layering& layering = given.model.body.layering;
     layering.layers = layers_from(given.layers, settings.place(prefix + "layer"));
     layering.poissons_ratio = given.poisson;
-    return placing(settings, prefix, [&] {
-        const rough::Model whole = completed(given.model);
-        validate(whole);
-        return whole;
-    });
+    rough::Model model = completed(std::move(given.model));
+    placing(settings, prefix, [&] { validate(model); });
+    return model;
 }
 
 rough::Model model_from(const Settings& settings, const std::string& prefix) {
@@ -245,16 +231,17 @@ std::vector<Setting> loading_settings() {
 
 rough::Model loaded(rough::Model model, const Settings& settings) {
     if (settings.given("to-pressure") + settings.given("pressures") + settings.given("reach") > 1)
-        throw rough::InputError(settings.place(settings.given("pressures") ? "pressures" : "to-pressure") +
-                                ": given with another end of the load; give one of reach, to-pressure and "
-                                "pressures");
+        settings.refuse(settings.given("pressures") ? "pressures" : "to-pressure",
+                        "given with another end of the load; give one of reach, to-pressure and "
+                        "pressures");
     if (settings.given("pressures") && settings.given("steps"))
-        throw rough::InputError(settings.place("steps") + ": given with pressures, expected one of them");
+        settings.refuse("steps", "given with pressures, expected one of them");
     take(settings, loading_fields(model));
     const auto& all = model.loading.pressures;
     if (std::adjacent_find(all.begin(), all.end(), std::greater_equal<>()) != all.end())
-        throw rough::InputError(settings.place("pressures") + ": " + settings.text("pressures") +
-                                " given, expected positive increasing numbers with commas between, MPa");
+        settings.refuse("pressures",
+                        settings.text("pressures") +
+                            " given, expected positive increasing numbers with commas between, MPa");
     if (!all.empty())
         model.loading.steps = static_cast<int>(all.size());
     return model;
@@ -292,50 +279,45 @@ rough::Source scan_from(const std::filesystem::path& file, const Settings& setti
 rough::Source source_from(const Settings& settings, rough::Index nodes, const std::string& scan) {
     if (!settings.has("genome"))
         return scan_from(settings.text(scan), settings, nodes);
-    expect_none(settings, scan_settings(), "given with a genome, expected with --" + scan + " only");
+    expect_none(settings, names_of(scan_settings()),
+                "given with a genome, expected with --" + scan + " only");
     return rough::open_genome(settings.text("genome"));
 }
 
 namespace {
 
-/// Throws if one of these keys, which only a profile has, or its kernel is given.
+/// Throws if one of these keys, which only a profile has, or the kernel of a profile is given.
 void expect_of_areas(const Settings& settings, const std::string& prefix,
-                     const std::vector<const char*>& keys) {
-    for (const char* key : keys)
-        if (const std::string name = prefix + key; settings.knows(name) && settings.has(name))
-            throw rough::InputError(settings.place(name) +
-                                    ": given with an area, expected none: it is for profiles alone");
+                     const std::vector<std::string>& keys) {
+    for (const std::string& key : keys)
+        if (settings.knows(prefix + key) && settings.has(prefix + key))
+            settings.refuse(prefix + key, "given with an area, expected none: it is for profiles alone");
     if (settings.text(prefix + "kernel") == "strip")
-        throw rough::InputError(settings.place(prefix + "kernel") +
-                                ": strip given with an area, expected free or periodic");
+        settings.refuse(prefix + "kernel", "strip given with an area, expected free or periodic");
 }
 
-/// The settings with the first number of each pair, those along x.
-Settings along_x(const Settings& settings, const std::string& prefix) {
-    std::map<std::string, std::string> values;
-    for (const char* key : {"nodes", "length"})
-        if (const std::string name = prefix + key; settings.has(name))
-            values[name] = settings.words(name).front();
-    return settings.with(values);
-}
-
-/// A grid along x with the rows and the width of --nodes and --length, or of `usual`.
-rough::Grid crossed(rough::Grid grid, const rough::Grid& usual, const Settings& settings,
-                    const std::string& prefix) {
-    const std::string nodes = prefix + "nodes", length = prefix + "length";
-    grid.rows = settings.has(nodes) ? static_cast<rough::Index>(settings.numbers(nodes).back()) : usual.nodes;
-    grid.width = settings.has(length) ? settings.numbers(length).back() : usual.length;
-    if (static_cast<double>(grid.nodes) * static_cast<double>(grid.rows) > 1e7)
-        throw rough::InputError(settings.place(nodes) + ": '" + settings.text(nodes) +
-                                "' given, expected at most 1e7 in all");
+/// A grid of two dimensions: that of a square with the nodes and length of `usual`, as far as --nodes and
+/// --length do not change it.
+rough::Grid area_grid(const rough::Grid& usual, const Settings& settings, const std::string& prefix = "") {
+    rough::Grid grid = usual;
+    std::vector<double> nodes(2, static_cast<double>(usual.nodes)), length(2, usual.length);
+    settings.take(prefix + "nodes", nodes);
+    settings.take(prefix + "length", length);
+    grid.nodes = static_cast<rough::Index>(nodes.front());
+    grid.rows = static_cast<rough::Index>(nodes.back());
+    grid.length = length.front();
+    grid.width = length.back();
+    if (nodes.front() * nodes.back() > 1e7)
+        settings.refuse(prefix + "nodes",
+                        "'" + settings.text(prefix + "nodes") + "' given, expected at most 1e7 in all");
     return grid;
 }
 
 /// The model of an area on a grid that --nodes and --length may change.
-rough::Model area_model_on(const rough::Grid& grid, const Settings& settings, const std::string& prefix) {
-    rough::Model model = model_on(grid, along_x(settings, prefix), prefix);
-    model.grid = crossed(model.grid, grid, settings, prefix);
-    return model;
+rough::Model area_model_on(const rough::Grid& usual, const Settings& settings,
+                           const std::string& prefix = "") {
+    return model_on(area_grid(usual, settings, prefix),
+                    settings.with({{prefix + "nodes", ""}, {prefix + "length", ""}}), prefix);
 }
 
 } // namespace
@@ -348,10 +330,8 @@ std::vector<Setting> area_settings() {
 }
 
 rough::Map surface_from(const Settings& settings, const std::string& flag) {
-    for (const char* name : {"nodes", "length", "row", "fill", "outliers"})
-        if (settings.given(name))
-            throw rough::InputError(settings.place(name) + ": given with --" + flag +
-                                    " of a map, expected none: it is for profiles");
+    expect_none(settings, {"nodes", "length", "row", "fill", "outliers"},
+                "given with --" + flag + " of a map, expected none: it is for profiles");
     rough::MapLayout layout{settings.text("unit")};
     if (settings.has("spacing")) {
         layout.spacing = settings.numbers("spacing").front();
@@ -421,14 +401,9 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
 }
 
 rough::Map sampled_from(const Settings& settings, bool periodic) {
-    expect_none(settings, scan_settings(), "given with a genome, expected with --surface only");
+    expect_none(settings, names_of(scan_settings()), "given with a genome, expected with --surface only");
     const rough::Source source = rough::open_genome(settings.text("genome"));
-    const rough::Grid usual = source.grid(periodic);
-    rough::Grid grid = usual;
-    const Settings x = along_x(settings, "");
-    x.take("nodes", grid.nodes);
-    x.take("length", grid.length);
-    grid = crossed(grid, usual, settings, "");
+    const rough::Grid grid = area_grid(source.grid(periodic), settings);
     const std::string note = fit_note(*source.genome, grid);
     return {sample(*source.genome, grid), source.name + ": " + std::to_string(grid.nodes) + " x " +
                                               std::to_string(grid.rows) + " nodes on " +
@@ -447,10 +422,9 @@ AreaScene area_from(const Settings& settings, const std::string& map) {
         scene.notes.push_back(read.account + "; " + readable(grid.length) + " x " + readable(grid.width) +
                               " mm");
     } else {
-        expect_none(settings, scan_settings(), "given with a genome, expected with --surface only");
+        expect_none(settings, names_of(scan_settings()), "given with a genome, expected with --surface only");
         const rough::Source source = rough::open_genome(settings.text("genome"));
-        scene.model =
-            area_model_on(source.grid(kernel_from(settings) == rough::Kernel::periodic), settings, "");
+        scene.model = area_model_on(source.grid(kernel_from(settings) == rough::Kernel::periodic), settings);
         scene.map = sample(*source.genome, scene.model.grid);
         if (const std::string note = fit_note(*source.genome, scene.model.grid); !note.empty())
             scene.notes.push_back(note);

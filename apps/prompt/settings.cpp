@@ -25,13 +25,6 @@ namespace {
 constexpr const char* too_many = "words too many";
 constexpr std::size_t most_ini_bytes = 1'000'000;
 
-std::vector<std::string> names_of(const std::vector<Setting>& known, const std::string& mark = "") {
-    std::vector<std::string> names;
-    for (const auto& setting : known)
-        names.push_back(mark + setting.name);
-    return names;
-}
-
 po::options_description options_of(const std::vector<Setting>& known, const std::string& heading = "") {
     po::options_description options(heading);
     for (const auto& setting : known) {
@@ -212,6 +205,10 @@ std::string Settings::place(const std::string& name) const {
     return source_ + (line == lines_.end() ? "" : ":" + std::to_string(line->second)) + ": " + name;
 }
 
+void Settings::refuse(const std::string& name, const std::string& problem) const {
+    throw InputError(place(name) + ": " + problem);
+}
+
 const std::string& Settings::text(const std::string& name) const {
     const auto found = given_.find(name);
     return found != given_.end() ? found->second : known_.at(name).fallback;
@@ -223,14 +220,14 @@ bool Settings::is_on(const std::string& name) const {
         return true;
     if (value.empty() || value == "off" || value == "no" || value == "false" || value == "0")
         return false;
-    throw InputError(place(name) + ": \"" + value + "\" given, expected on or off");
+    refuse(name, "\"" + value + "\" given, expected on or off");
 }
 
 double Settings::number_in(const std::string& name, const std::string& word,
                            const ga::Parameter& range) const {
     const double value = rough::number_from(word, place(name));
     if (!range.is_text() && !range.allows(value))
-        throw InputError(place(name) + ": " + word + " given, expected " + range.expected(true));
+        refuse(name, word + " given, expected " + range.expected(true));
     return value;
 }
 
@@ -242,8 +239,7 @@ std::vector<double> Settings::numbers(const std::string& name) const {
     std::vector<double> all;
     const auto given = words(name);
     if (known_.at(name).between == 'x' && given.size() > 2)
-        throw InputError(place(name) + ": '" + text(name) +
-                         "' given, expected two numbers with an x between, as in 64x48");
+        refuse(name, "'" + text(name) + "' given, expected two numbers with an x between, as in 64x48");
     for (const std::string& word : given)
         all.push_back(number_in(name, word, known_.at(name).takes));
     return all;
@@ -289,7 +285,7 @@ std::size_t Settings::one_of(const std::string& name, const std::vector<std::str
     const auto found = std::find(words.begin(), words.end(), text(name));
     if (found != words.end())
         return static_cast<std::size_t>(found - words.begin());
-    throw InputError(place(name) + ": \"" + text(name) + "\" given" + ga::suggestion(text(name), words));
+    refuse(name, "\"" + text(name) + "\" given" + ga::suggestion(text(name), words));
 }
 
 std::vector<std::string> Settings::names_under(const std::string& prefix) const {
@@ -340,9 +336,10 @@ Settings read_command_line(const std::vector<std::string>& given, const std::vec
     } catch (const po::unknown_option& error) {
         std::string name = error.get_option_name();
         name.erase(0, name.find_first_not_of('-'));
-        std::vector<std::string> names = names_of(known, "--");
-        names.insert(names.end(), {"--help", "--quiet", "--verbose"});
-        throw InputError("--" + name + ": unknown flag" + ga::suggestion("--" + name, names));
+        std::vector<std::string> flags{"--help", "--quiet", "--verbose"};
+        for (const Setting& setting : known)
+            flags.push_back("--" + setting.name);
+        throw InputError("--" + name + ": unknown flag" + ga::suggestion("--" + name, flags));
     } catch (const po::invalid_command_line_syntax& error) {
         throw InputError(error.get_option_name() + (error.kind() == error.extra_parameter
                                                         ? ": a value given, expected none"
@@ -397,10 +394,18 @@ std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists) {
     return all;
 }
 
-void expect_none(const Settings& settings, const std::vector<Setting>& of, const std::string& where) {
-    for (const Setting& setting : of)
-        if (settings.given(setting.name))
-            throw InputError(settings.place(setting.name) + ": " + where);
+std::vector<std::string> names_of(const std::vector<Setting>& settings) {
+    std::vector<std::string> names;
+    for (const Setting& setting : settings)
+        names.push_back(setting.name);
+    return names;
+}
+
+void expect_none(const Settings& settings, const std::vector<std::string>& names,
+                 const std::string& problem) {
+    for (const std::string& name : names)
+        if (settings.given(name))
+            settings.refuse(name, problem);
 }
 
 std::string placed(const Settings& settings, const std::string& prefix, const rough::InputError& error) {

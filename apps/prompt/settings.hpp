@@ -104,6 +104,8 @@ class Settings {
     /// "--nodes", of a call in Python "nodes", "paper.ini:12: model.nodes" or, where no line of the file
     /// gives it, "paper.ini: model.nodes"; for messages.
     std::string place(const std::string& name) const;
+    /// Throws rough::InputError that begins with the place of a setting.
+    [[noreturn]] void refuse(const std::string& name, const std::string& problem) const;
     /// The same with some values changed; "" takes one away. Some settings may be described anew.
     Settings with(const std::map<std::string, std::string>& values,
                   const std::vector<Setting>& described = {}) const;
@@ -157,8 +159,9 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
 /// Settings one list after another.
 std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists);
 
-/// Throws rough::InputError on the first of these that was given; `where` says where it may be.
-void expect_none(const Settings& settings, const std::vector<Setting>& of, const std::string& where);
+std::vector<std::string> names_of(const std::vector<Setting>& settings);
+/// Throws rough::InputError on the first of these that was given: its place and `problem`.
+void expect_none(const Settings& settings, const std::vector<std::string>& names, const std::string& problem);
 /// The message of a rough::InputError with the place in front of the setting that sets the value it is about:
 /// "datum" is --datum, or model.datum of an experiment where `prefix` is "model.".
 std::string placed(const Settings& settings, const std::string& prefix, const rough::InputError& error);

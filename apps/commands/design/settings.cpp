@@ -98,27 +98,18 @@ Fields fields_of(rough::SearchOptions& options) {
     };
 }
 
-Fields fields_of(rough::TrustOptions& options) {
-    return {
-        {positive("hardness", "",
-                  "hardness that no node bears more than, MPa, to verify the answer under [none]"),
-         options.hardness},
-    };
-}
-
-/// Throws where a gene's least value is above its largest.
+/// Throws if a gene's lower bound is above its upper bound.
 void expect_in_order(const Settings& settings, const rough::GeneBounds& bounds) {
     const auto shown = [&](const std::string& flag, double value) {
-        return settings.place(flag) + ": " +
-               (settings.has(flag) ? settings.text(flag) + " given" : readable(value, 6) + " by itself");
+        return settings.has(flag) ? settings.text(flag) + " given" : readable(value, 6) + " by itself";
     };
-    for (const auto& [gene, from, to] : {std::tuple("hurst", bounds.H_from, bounds.H_to),
+    for (const auto& [gene, from, to] : {std::tuple(std::string("hurst"), bounds.H_from, bounds.H_to),
                                          {"gamma", bounds.gamma_from, bounds.gamma_to},
                                          {"lambda", bounds.lambda_from, bounds.lambda_to}})
         if (from > to)
-            throw rough::InputError(shown(gene + std::string("-from"), from) + ", " +
-                                    shown(gene + std::string("-to"), to) +
-                                    ", expected from no greater than to");
+            settings.refuse(gene + "-from",
+                            shown(gene + "-from", from) + ", " + settings.place(gene + "-to") + ": " +
+                                shown(gene + "-to", to) + ", expected from no greater than to");
 }
 
 } // namespace
@@ -126,7 +117,6 @@ void expect_in_order(const Settings& settings, const rough::GeneBounds& bounds) 
 std::vector<Setting> search_settings() {
     rough::DesignSetup setup;
     rough::SearchOptions options;
-    rough::TrustOptions trust;
     const std::vector<Setting> settings{
         Setting("quantity", "both", "of the scan's response, both: stiffness and contact area")
             .of(rough::names_of_likeness()),
@@ -136,11 +126,12 @@ std::vector<Setting> search_settings() {
          "how to search: a named pipeline (rugosa operators) [default; on an area maps; with --database "
          "in-line; for a scan's contact area like; with --noise or --tilt made]"},
         {"pipeline", "", "how to search: a pipeline as text, in place of a variant"},
+        positive("hardness", "",
+                 "hardness that no node bears more than, MPa, to verify the answer under [none]"),
     };
     return joined({settings,
                    settings_of(fields_of(options)),
                    settings_of(fields_of(setup)),
-                   settings_of(fields_of(trust)),
                    model_settings(),
                    {accuracy_setting()}});
 }
@@ -173,28 +164,20 @@ namespace {
 
 /// What --from, --control and --largest-change ask for; nothing without --from.
 std::optional<Production> production_from(const Settings& settings) {
-    const std::vector<Setting> own{{"control", "", ""}, {"largest-change", "", ""}};
     if (!settings.has("from")) {
-        expect_none(settings, own, "given without --from, expected the genome of a surface in production");
+        expect_none(settings, {"control", "largest-change"},
+                    "given without --from, expected the genome of a surface in production");
         return std::nullopt;
     }
-    std::vector<Setting> of_a_search;
-    for (const char* flag : {"variant", "pipeline", "database", "resume", "alternatives", "evaluations",
-                             "hurst-from", "hurst-to", "gamma-from", "gamma-to", "lambda-from", "lambda-to"})
-        of_a_search.push_back({flag, "", ""});
-    expect_none(settings, of_a_search, "given with --from, expected without: nothing is searched");
+    expect_none(settings,
+                {"variant", "pipeline", "database", "resume", "alternatives", "evaluations", "hurst-from",
+                 "hurst-to", "gamma-from", "gamma-to", "lambda-from", "lambda-to"},
+                "given with --from, expected without: nothing is searched");
     Production from{settings.text("from"), rough::read_genome(settings.text("from")), {}, 0};
     from.control =
         placing(settings, "", [&] { return rough::chromosomes_from(settings.text("control"), from.genome); });
     from.largest_change = settings.number("largest-change");
     return from;
-}
-
-std::vector<std::string> names_of(const ga::Variants& variants) {
-    std::vector<std::string> names;
-    for (const auto& [name, text] : variants)
-        names.push_back(name);
-    return names;
 }
 
 /// What --target or --like asks for, and the model.
@@ -221,10 +204,9 @@ void take_targets(const Settings& settings, DesignRun& run) {
         own.grid.nodes = scan.measured.nodes();
         like_surface(scan.on(own.grid), own, scan.name, settings, setup, resolution_from(settings));
     } else {
-        expect_none(
-            settings,
-            joined({scan_settings(), {resolution_setting(), {"points", "", ""}, {"quantity", "", ""}}}),
-            "given with --target, expected with --like only");
+        std::vector<std::string> of_a_scan = names_of(scan_settings());
+        of_a_scan.insert(of_a_scan.end(), {"resolution", "points", "quantity"});
+        expect_none(settings, of_a_scan, "given with --target, expected with --like only");
         setup.model = run.from ? model_from(settings, rough::open_genome(run.from->file))
                                : surface_model_from(settings);
         setup.targets = goals_from(settings, setup.model);
@@ -256,24 +238,22 @@ DesignRun design_from(const Settings& settings,
     take_targets(settings, run);
     const rough::Grid& grid = setup.model.grid;
     if (grid.is_2d() && settings.has("database"))
-        throw rough::InputError(settings.place("database") +
-                                ": given with an area, expected none: it is for profiles alone");
+        settings.refuse("database", "given with an area, expected none: it is for profiles alone");
     for (const rough::Target& goal : setup.targets)
         if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
-            throw rough::InputError(settings.place("max-pressure") + ": " + settings.text("max-pressure") +
-                                    " MPa given, expected at least the last pressure of " + goal.name + ", " +
-                                    readable(goal.last(), 6) + " MPa");
+            settings.refuse("max-pressure", settings.text("max-pressure") +
+                                                " MPa given, expected at least the last pressure of " +
+                                                goal.name + ", " + readable(goal.last(), 6) + " MPa");
     const double least = std::min(grid.widest_spacing(), grid.length / 60);
     if (const double length = setup.errors.noise_length;
         settings.has("noise-length") && (length < least || length > grid.length))
-        throw rough::InputError(settings.place("noise-length") + ": " + settings.text("noise-length") +
-                                " given, expected a number from " + readable(least, 6) + " to " +
-                                readable(grid.length, 6));
+        settings.refuse("noise-length", settings.text("noise-length") + " given, expected a number from " +
+                                            readable(least, 6) + " to " + readable(grid.length, 6));
     setup.bounds = completed(setup.bounds, grid.length);
     expect_in_order(settings, setup.bounds);
     setup = placing(settings, "", [&] { return completed(setup); });
-    for (const char* limit : {"shortest-wave", "max-slope", "max-height", "min-radius"})
-        run.limits_given = run.limits_given || settings.has(limit);
+    run.limits_given = settings.has("shortest-wave") || settings.has("max-slope") ||
+                       settings.has("max-height") || settings.has("min-radius");
     run.searched = setup;
     run.searched.model.accuracy = accuracy_from(settings);
 
@@ -284,15 +264,19 @@ DesignRun design_from(const Settings& settings,
     options.pipeline = settings.has("variant")    ? settings.text("variant")
                        : settings.has("pipeline") ? settings.text("pipeline")
                                                   : usual_variant(setup, settings.has("database"));
-    if (settings.has("variant") && !rough::design_variants().count(options.pipeline))
-        throw rough::InputError(settings.place("variant") + ": unknown variant '" + options.pipeline + "'" +
-                                ga::suggestion(options.pipeline, names_of(rough::design_variants())));
+    if (settings.has("variant") && !rough::design_variants().count(options.pipeline)) {
+        std::vector<std::string> names;
+        for (const auto& [name, text] : rough::design_variants())
+            names.push_back(name);
+        settings.refuse("variant", "unknown variant '" + options.pipeline + "'" +
+                                       ga::suggestion(options.pipeline, names));
+    }
     if (grid.is_2d())
         options.alternatives = 1;
     take(settings, fields_of(options));
     run.searched.required_similarity = setup.required_similarity;
 
-    take(settings, fields_of(run.trust_options));
+    settings.take("hardness", run.trust_options.hardness);
     run.tolerance_options = {
         .seed = options.seed, .threads = options.threads, .fixed_draws = settings.has("evaluations")};
     run.trust_options.seed = options.seed;
