@@ -25,6 +25,9 @@ struct Fact {
     std::string text;
 };
 
+/// Names of quantities, and the share by which each is off at most.
+using Shares = std::vector<std::pair<std::string, double>>;
+
 /// A surface in production that is to be brought back to its target.
 struct Production {
     std::string file; ///< of its genome
@@ -61,7 +64,7 @@ struct DesignRun {
     rough::DesignResponse own; ///< the answer's own
     /// Quantities that were not asked for, how far the answer is off from the scan's at most; none where
     /// there was no time for it.
-    std::optional<std::vector<std::pair<std::string, double>>> not_asked;
+    std::optional<Shares> not_asked;
     std::vector<StageRecord> stages;
     std::vector<rough::Margin> margins;
     std::optional<rough::Tolerance> tolerance; ///< none if the run was interrupted
@@ -96,7 +99,7 @@ bool is_found(const DesignRun& run);
 /// Of a run whose answer was found, and verified where there was time.
 Summary summary_of(const DesignRun& run);
 /// Quantities that were not asked for, how far the answer is off from the scan's at most.
-std::vector<std::pair<std::string, double>> off_unasked(const DesignRun& run);
+Shares off_unasked(const DesignRun& run);
 /// `summary` of result.json.
 nlohmann::json summary_json(const DesignRun& run);
 
