@@ -52,24 +52,16 @@ Fields fields_of(rough::BuildOptions& options) {
 
 const Setting file_setting{"file", "", "the database (may be given without the flag)"};
 
+std::filesystem::path given_file(const Settings& settings) {
+    if (!settings.has("file"))
+        throw rough::InputError("database: no file given; name a genome database");
+    return settings.text("file");
+}
+
 /// What the genomes and responses of a database depend on.
 std::vector<Setting> set_up_settings() {
     rough::GenomeDistribution usual;
     return joined({settings_of(fields_of(usual)), model_settings()});
-}
-
-std::vector<Setting> build_settings() {
-    rough::BuildOptions usual;
-    return joined({{file_setting}, settings_of(fields_of(usual)), set_up_settings()});
-}
-
-rough::DatabaseSetup setup_from_flags(const Settings& settings) {
-    rough::DatabaseSetup setup;
-    setup.model = model_from(settings);
-    setup.law.lambda = setup.model.grid.length;
-    setup.law.shortest = 8 * setup.model.grid.spacing();
-    take(settings, fields_of(setup.law));
-    return setup;
 }
 
 bool any_given(const Settings& settings, const std::vector<Setting>& of) {
@@ -80,18 +72,19 @@ bool any_given(const Settings& settings, const std::vector<Setting>& of) {
 /// The file of the flags' set-up; where the flags say nothing of a set-up and the file exists, that file as
 /// it is.
 rough::GenomeStore opened(const Settings& settings) {
-    const std::filesystem::path file = settings.text("file");
+    const std::filesystem::path file = given_file(settings);
     if (!any_given(settings, set_up_settings()) && rough::GenomeStore::begun(file))
         return rough::GenomeStore::open(file);
-    const rough::DatabaseSetup setup = setup_from_flags(settings);
+    rough::DatabaseSetup setup{model_from(settings), {}};
+    setup.law.lambda = setup.model.grid.length;
+    setup.law.shortest = 8 * setup.model.grid.spacing();
+    take(settings, fields_of(setup.law));
     rough::validate(setup.law);
     respond(rough::drawn(setup.law, 0), setup.model); // a set-up without a solution makes no file
     return rough::GenomeStore::create(file, setup);
 }
 
 int database_build(const Settings& settings, const std::string&) {
-    if (!settings.has("file"))
-        throw rough::InputError("database build: no file given, expected the database to build");
     rough::BuildOptions options;
     take(settings, fields_of(options));
     if (!cluster::is_alone())
@@ -118,13 +111,14 @@ int database_build(const Settings& settings, const std::string&) {
 }
 
 Command database_build_command() {
+    rough::BuildOptions usual;
     return {"build",
             "compute genomes and their responses into a file; goes on where it ended",
             "FILE [--genomes N] [flags]",
             "Draws genomes, computes their responses and stores both, batch by batch. A build that "
             "was stopped or killed goes on where it ended; several may work on one file at once. "
             "Without model flags, an existing file is continued with its own model.",
-            build_settings(),
+            joined({{file_setting}, settings_of(fields_of(usual)), set_up_settings()}),
             {"database build genomes.db --genomes 100000",
              "database build genomes.db --genomes 200000     (doubles it)",
              "database build b.db --first 100000 --genomes 100000     (other genomes of the same law)",
@@ -134,9 +128,7 @@ Command database_build_command() {
 }
 
 int database_info(const Settings& settings, const std::string&) {
-    if (!settings.has("file"))
-        throw rough::InputError("database info: no file given, expected a genome database");
-    const rough::GenomeStore store = rough::GenomeStore::open(settings.text("file"));
+    const rough::GenomeStore store = rough::GenomeStore::open(given_file(settings));
     const auto curves = store.curves();
     const auto failed = std::count_if(curves.range.begin(), curves.range.end(),
                                       [](double range) { return std::isnan(range); });
@@ -155,9 +147,8 @@ Command database_info_command() {
 }
 
 int database_merge(const Settings& settings, const std::string&) {
-    std::vector<std::filesystem::path> files;
-    for (const std::string& file : settings.words("files"))
-        files.emplace_back(file);
+    const Words names = settings.words("files");
+    const std::vector<std::filesystem::path> files(names.begin(), names.end());
     if (files.size() < 2 || !settings.has("out"))
         throw rough::InputError("database merge: expected two genome databases at least, then --out and the "
                                 "file to write");
@@ -186,35 +177,22 @@ Command database_merge_command() {
             {"files"}};
 }
 
-std::vector<Setting> query_settings() {
-    const std::vector<Setting> settings{
-        file_setting,
-        {"target", "", "target file (CSV), as in rugosa design"},
-        max_pressure_setting(),
-        ga::whole("best", "10", 1, "how many genomes to name").up_to(10000),
-        {"out", "", "genome file (JSON) to write the best one to"},
-        force_setting(),
-        threads_setting(),
-    };
-    return joined({settings, model_settings()});
-}
-
 int database_query(const Settings& settings, const std::string&) {
-    if (!settings.has("file") || !settings.has("target"))
-        throw rough::InputError("database query: expected a genome database and --target");
+    if (!settings.has("target"))
+        throw rough::InputError("--target: missing; name a target file");
     std::filesystem::path out;
     if (settings.has("out"))
         out = expect_writable(settings.text("out"), settings);
     rough::DesignSetup setup;
     settings.take("max-pressure", setup.max_pressure);
-    const auto best = static_cast<std::size_t>(settings.number("best"));
     setup.targets = {rough::read_target(settings.text("target"))};
 
     const ga::Stopwatch clock;
-    const rough::GenomeStore store = rough::GenomeStore::open(settings.text("file"));
+    const rough::GenomeStore store = rough::GenomeStore::open(given_file(settings));
     // The file is scaled to the model of the flags.
     setup.model = any_given(settings, model_settings()) ? model_from(settings) : store.setup().model;
-    const auto answers = stored_answers(store, setup, best, settings.whole<int>("threads"));
+    const auto answers =
+        stored_answers(store, setup, settings.whole<std::size_t>("best"), settings.whole<int>("threads"));
     if (answers.empty())
         throw rough::InputError(store.file().string() + ": no stored curve reaches the end of the target, "
                                                         "expected a database with more genomes");
@@ -240,7 +218,14 @@ Command database_query_command() {
             "verified, and names the best of them. worst is the lowest similarity on the file's grid, on "
             "a grid four times finer, in four times the load steps, and in both. Flags of a set-up are "
             "compared with the file's; another length or modulus is scaled to exactly.",
-            query_settings(),
+            joined({{file_setting,
+                     {"target", "", "target file (CSV), as in rugosa design"},
+                     max_pressure_setting(),
+                     ga::whole("best", "10", 1, "how many genomes to name").up_to(10000),
+                     {"out", "", "genome file (JSON) to write the best one to"},
+                     force_setting(),
+                     threads_setting()},
+                    model_settings()}),
             {"database query genomes.db --target target.csv --best 5",
              "database query genomes.db --target target.csv --max-pressure 1.6e-4 --out best.json"},
             database_query,

@@ -92,38 +92,25 @@ void search_by_children(SearchByChildren& asked, Children& children) {
     }
 }
 
-/// Searches. Throws ga::UsageError on a pipeline that cannot work; trouble with a child is the children's to
-/// tell.
-void search(SearchByChildren& search, Children& children) {
-    switch (search.genes.kind) {
-    case Genes::Kind::numbers:
-        return search_by_children<std::vector<double>>(search, children);
-    case Genes::Kind::bits:
-        return search_by_children<std::vector<bool>>(search, children);
-    case Genes::Kind::permutation:
-        return search_by_children<ga::Permutation>(search, children);
-    }
-}
-
 using nlohmann::json;
 
 std::vector<Setting> optimise_settings() {
     Setting minimise("minimise", "", "less is better: in all objectives, or X = 1,3 in those");
     minimise.alone = "all";
-    const std::vector<Setting> settings{
-        {"genes", "",
-         "genome: real:COUNT:LOWER:UPPER, int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., with commas "
-         "between; bits:COUNT; or permutation:COUNT (of 0, 1, ...)"},
-        {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
-        minimise,
-        positive("timeout", "60", "seconds that one evaluation may take"),
-        ga::whole("threads", "0", 0, "evaluations at a time, one child process each; 0 takes all processors")
-            .up_to(1024),
-        {"out", "", "folder for result.json [out/optimise]"},
-        Setting("resume", "", "continue the interrupted run in the folder given by --out", true),
-        force_setting(),
-    };
-    return joined({settings, outside_settings()});
+    return joined(
+        {{{"genes", "",
+           "genome: real:COUNT:LOWER:UPPER, int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., with commas "
+           "between; bits:COUNT; or permutation:COUNT (of 0, 1, ...)"},
+          {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
+          minimise,
+          positive("timeout", "60", "seconds that one evaluation may take"),
+          ga::whole("threads", "0", 0,
+                    "evaluations at a time, one child process each; 0 takes all processors")
+              .up_to(1024),
+          {"out", "", "folder for result.json [out/optimise]"},
+          Setting("resume", "", "continue the interrupted run in the folder given by --out", true),
+          force_setting()},
+         outside_settings()});
 }
 
 json solution_json(const Solution& solution) {
@@ -137,24 +124,19 @@ json solution_json(const Solution& solution) {
 }
 
 json outside_json(const OutsideSearch& searched, const BestKnown& record, const Settings& settings) {
-    json result;
-    for (const char* name : {"genes", "evaluate"})
-        result[name] = settings.text(name);
-    result["variant"] = searched.variant;
-    result["pipeline"] = searched.searched;
-    result["minimise"] = json::array();
+    json result{
+        {"genes", settings.text("genes")}, {"evaluate", settings.text("evaluate")},
+        {"variant", searched.variant},     {"pipeline", searched.searched},
+        {"minimise", json::array()},       {"best", record.best() ? solution_json(*record.best()) : json()},
+        {"evaluations", searched.spent},   {"stopped", searched.stopped},
+        {"notes", searched.notes}};
     for (std::size_t k = 0; k < record.minimise.size(); ++k)
         if (record.minimise[k])
             result["minimise"].push_back(k + 1);
-    result["best"] = record.best() ? solution_json(*record.best()) : json();
-    if (record.minimise.size() > 1) {
+    if (record.minimise.size() > 1)
         result["front"] = json::array();
-        for (const Solution& solution : record.front())
-            result["front"].push_back(solution_json(solution));
-    }
-    result["evaluations"] = searched.spent;
-    result["stopped"] = searched.stopped;
-    result["notes"] = searched.notes;
+    for (const Solution& solution : record.front()) // empty for one objective
+        result["front"].push_back(solution_json(solution));
     return result;
 }
 
@@ -200,7 +182,16 @@ int optimise(const Settings& settings, const std::string& line) {
     asked.stop = &interrupt.flag();
     asked.show = [&](const std::string& line) { progress.show(line); };
     asked.seconds -= clock.seconds();
-    search(asked, children);
+    switch (asked.genes.kind) {
+    case Genes::Kind::numbers:
+        search_by_children<std::vector<double>>(asked, children);
+        break;
+    case Genes::Kind::bits:
+        search_by_children<std::vector<bool>>(asked, children);
+        break;
+    case Genes::Kind::permutation:
+        search_by_children<ga::Permutation>(asked, children);
+    }
     if (!children.trouble().empty())
         asked.stopped = children.trouble();
     const BestKnown& record = children.record;
