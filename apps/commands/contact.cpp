@@ -89,19 +89,18 @@ std::map<std::string, std::string> contact_tables(const rough::Profile& surface,
 std::vector<Setting> contact_settings() {
     const std::vector<Setting> settings{
         {"genome", "", "genome file (JSON) of the profile"},
-        {"profile", "", "measured profile in place of a genome: text, SDF, SUR, GSF or X3P"},
+        {"profile", "", "measured profile instead of a genome: text, SDF, SUR, GSF or X3P"},
         {"out", "", "curve file to write (CSV)"},
         {"report", "",
-         "page to write (HTML): the curve, and pressure and gap along the profile or on the area [none]"},
+         "page to write (HTML): the curve, with pressure and gap along the profile or on the area [none]"},
         force_setting(),
-        ga::whole("threads", "0", 0, "accepted as in design and run, but a curve needs one thread only")
-            .up_to(1024),
-        ga::whole("seed", "1", 0, "").up_to(0x1p53), // accepted likewise, but nothing here is random
-        accuracy_setting("",
-                         "the resolved model: --nodes if given, else 64 nodes to the shortest wave; a scan "
-                         "is always solved on its own nodes, a map too unless one line answers for it"),
+        ga::whole("threads", "0", 0, "accepted as in design and run; a curve uses one thread").up_to(1024),
+        ga::whole("seed", "1", 0, "").up_to(0x1p53), // accepted as in design and run; nothing is random
+        accuracy_setting(
+            "", "the resolved model: --nodes if given, else 64 nodes for the shortest wave; a scan is "
+                "solved on its nodes, and a map too unless one line is enough"),
         positive("friction", "",
-                 "friction coefficient: writes CURVE-slip.csv, partial slip under the last load [none]"),
+                 "friction coefficient; writes partial slip under the last load to CURVE-slip.csv [none]"),
     };
     return joined({area_settings(),
                    settings,
@@ -111,7 +110,7 @@ std::vector<Setting> contact_settings() {
                    model_settings()});
 }
 
-/// Within an accuracy, the solver's tolerance follows from it unless one is given.
+/// Sets the accuracy. The solver's tolerance follows from it unless one is given.
 rough::Model within_accuracy(rough::Model model, const Settings& settings) {
     model.accuracy = accuracy_from(settings);
     if (model.accuracy > 0 && !settings.given("tolerance"))
@@ -138,7 +137,7 @@ struct Pressed {
     std::vector<std::string> warnings = {};  ///< reasons not to believe the curve
 };
 
-/// The surface whose nodes last_contact names: of a map that one line answered for, that line.
+/// The surface whose nodes last_contact names: the line, if one line answered for the map.
 rough::Profile pressed_surface(const Pressed& pressed) {
     return pressed.result.account.by_line ? rough::line_of_map(pressed.surface).line : pressed.surface;
 }
@@ -161,7 +160,7 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
             pressed.warnings.push_back("outliers carry the contact: without them " +
                                        readable(cost.contact_fraction) + " times the contact and " +
                                        readable(cost.stiffness) + " times the stiffness at " +
-                                       readable(cost.pressure) + " MPa; --outliers remove takes them off");
+                                       readable(cost.pressure) + " MPa; --outliers remove removes them");
     }
     const double limit = elastic_limit(settings, pressed.model.body);
     if (std::isinf(limit))
@@ -170,7 +169,7 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
     if (end.is_reached(response))
         pressed.warnings.push_back(
             "the elastic answer ends at " + readable(response.pressure[end.step]) +
-            " MPa: from there on a node carries over " + readable(limit) + " MPa, " +
+            " MPa: from this load on a node carries over " + readable(limit) + " MPa, " +
             (settings.has("material") ? "the hardness of " + settings.text("material")
                                       : std::string("a tenth of E*, more than any solid")) +
             " (at the last load " + readable(end.largest_pressure) + " MPa); --hardness caps pressures");
@@ -178,7 +177,7 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
 
 bool is_resolved(const Pressed& pressed) { return pressed.spot_width >= rough::resolved_spot_nodes; }
 
-/// The contact at the last load as a scan or map tells it, in words.
+/// In words: the contact of a scan or map at the last load, and whether its spots are resolved.
 std::string resolution_note(const Pressed& pressed) {
     const auto& [low_area, high_area, low, high, omitted] = pressed.band;
     const Index last = pressed.result.response.steps() - 1;
@@ -208,7 +207,7 @@ nlohmann::json resolution_json(const Pressed& pressed) {
     return values;
 }
 
-/// The curve, for a scan or map with its band. Its cells are empty if it was not computed.
+/// The curve, with the band of a scan or map. Its cells are empty if it was not computed.
 std::string curve_csv(const Pressed& pressed) {
     const rough::Response& response = pressed.result.response;
     if (!pressed.is_measured)
@@ -234,7 +233,7 @@ Eigen::VectorXd spots_of(const Pressed& pressed) {
     return nodes * static_cast<double>(pressed.surface.nodes() / shape.nodes());
 }
 
-/// Appends the notes that say something.
+/// Appends the notes that are not empty.
 void add(std::vector<std::string>& notes, std::initializer_list<std::string> more) {
     std::copy_if(more.begin(), more.end(), std::back_inserter(notes),
                  [](const auto& note) { return !note.empty(); });
@@ -254,7 +253,7 @@ Pressed pressed_area(const Settings& settings) {
 }
 
 Pressed pressed(const Settings& settings) {
-    rough::Source source = source_from(settings, nodes_from(settings, 0));
+    rough::Source source = source_from(settings, nodes_from(settings));
     rough::Model model = within_accuracy(loaded(model_from(settings, source), settings), settings);
     if (model.accuracy > 0 && source.genome && !settings.has("nodes"))
         model.grid = rough::resolved_grid(*source.genome, model.grid.length, model.grid.periodic);
@@ -286,7 +285,7 @@ struct CurveFiles {
 
 CurveFiles files_from(const Settings& settings, bool is_2d) {
     if (!settings.has("out"))
-        throw rough::InputError("contact: --out is missing, expected the curve file to write");
+        throw rough::InputError("--out: missing; name the curve file to write");
     const std::filesystem::path given = settings.text("out");
     CurveFiles files;
     files.curve = expect_writable(given, settings);
@@ -377,10 +376,11 @@ void write_files(const CurveFiles& files, const Pressed& found, const std::vecto
 
 int contact(const Settings& settings, const std::string&) {
     if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
-        throw rough::InputError("contact: expected one of --genome, --profile and --surface");
+        throw rough::InputError("contact: give one of --genome, --profile and --surface");
     if (settings.has("friction") && settings.has("hardness"))
-        throw rough::InputError("contact: --friction given with --hardness, expected one of them: partial "
-                                "slip rests on elastic contact");
+        throw rough::InputError(
+            "--friction: given with --hardness; give one of them, as partial slip rests on "
+            "elastic contact");
     const bool is_2d = asks_for_area(settings);
     const CurveFiles files = files_from(settings, is_2d);
     Pressed found = is_2d ? pressed_area(settings) : pressed(settings);
@@ -410,7 +410,7 @@ int contact(const Settings& settings, const std::string&) {
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
          name_of(response.solver) + ", height range " + readable(response.range) +
          " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));
-    // Held nodes change what may be made of the curve.
+    // Held nodes change the meaning of the curve.
     (found.result.account.held_nodes > 0 || (is_2d && found.model.accuracy > 0) ? say : tell)(
         in_words(found.result.account));
     return 0;
@@ -419,26 +419,25 @@ int contact(const Settings& settings, const std::string&) {
 } // namespace
 
 Command contact_command() {
-    return {"contact",
-            "press a rough profile on an elastic body: pressure, area and stiffness",
-            "(--genome G.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) --out "
-            "CURVE.csv "
-            "[flags]",
-            "Presses a rough profile on an elastic body, load step by load step, and writes displacement, "
-            "mean pressure, contact fraction, tangent and interface stiffness, each step with its KKT "
-            "residual; "
-            "and beside the curve, CURVE.json: what was modelled, and how wrong it may be.",
-            contact_settings(),
-            {"contact --genome surface.json --out curve.csv",
-             "contact --genome surface.json --kernel periodic --steps 50 --out curve.csv",
-             "contact --genome surface.json --accuracy 1e-3 --out curve.csv",
-             "contact --genome surface.json --pressures 0.01,0.02,0.05 --out curve.csv",
-             "contact --genome surface.json --to-pressure 0.05 --friction 0.3 --out curve.csv",
-             "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv "
-             "--report curve.html",
-             "contact --surface map.txt --unit um --spacing 0.5x0.5 --kernel periodic --out curve.csv",
-             "contact --genome surface.json --nodes 128x128 --length 1x1 --out curve.csv"},
-            contact};
+    return {
+        "contact",
+        "press a rough surface on an elastic body: pressure, contact area, stiffness",
+        "(--genome G.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) --out CURVE.csv "
+        "[flags]",
+        "Presses a rough surface on an elastic body, load step by load step. Writes displacement, mean "
+        "pressure, contact fraction, tangent and interface stiffness to CURVE.csv, with the KKT residual of "
+        "each step, and to CURVE.json what was modelled and how large its error may be.",
+        contact_settings(),
+        {"contact --genome surface.json --out curve.csv",
+         "contact --genome surface.json --kernel periodic --steps 50 --out curve.csv",
+         "contact --genome surface.json --accuracy 1e-3 --out curve.csv",
+         "contact --genome surface.json --pressures 0.01,0.02,0.05 --out curve.csv",
+         "contact --genome surface.json --to-pressure 0.05 --friction 0.3 --out curve.csv",
+         "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv "
+         "--report curve.html",
+         "contact --surface map.txt --unit um --spacing 0.5x0.5 --kernel periodic --out curve.csv",
+         "contact --genome surface.json --nodes 128x128 --length 1x1 --out curve.csv"},
+        contact};
 }
 
 } // namespace app

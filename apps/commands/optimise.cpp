@@ -21,17 +21,17 @@ namespace app {
 
 namespace {
 
-/// A search by children.
+/// A search whose genomes are evaluated by child processes.
 struct SearchByChildren : OutsideSearch {
     std::string minimise;                         ///< as for `minimised`
     const std::atomic<bool>* stop = nullptr;      ///< see ga::Budget
     std::filesystem::path checkpoint;             ///< file
-    bool resume = false;                          ///< go on from it
-    std::string description;                      ///< of what decides the result beside the pipeline and seed
+    bool resume = false;                          ///< continue from the checkpoint
+    std::string description;                      ///< all that decides the result besides pipeline and seed
     std::function<void(const std::string&)> show; ///< progress
 };
 
-/// The paid calls, made by children.
+/// Evaluates genomes by children.
 template <class P>
 class ByChildren : public ga::Evaluator<P> {
   public:
@@ -57,7 +57,7 @@ template <class G>
 void search_by_children(SearchByChildren& asked, Children& children) {
     using P = OutsideProblem<G>;
     const ga::Stopwatch clock;
-    stage_of<P>(asked, 2); // words that are wrong are refused before anything is started
+    stage_of<P>(asked, 2); // refuses a wrong text before anything is started
 
     // The first genome that a leading `sample` draws tells how many objectives there are.
     ByChildren<P> evaluator(children);
@@ -75,16 +75,16 @@ void search_by_children(SearchByChildren& asked, Children& children) {
     asked.searched = stage.text();
 
     const bool draws_it_again = asked.searched.starts_with("sample ");
-    const long apart = draws_it_again ? 0 : 1; // evaluations that the run does not count
+    const long extra = draws_it_again ? 0 : 1; // evaluations that the run does not count
     run.variant = asked.variant = variant_of(asked, objectives);
-    run.budget = {asked.evaluations - apart, asked.seconds - clock.seconds(), asked.stop};
+    run.budget = {asked.evaluations - extra, asked.seconds - clock.seconds(), asked.stop};
     ga::Checkpoints<P> keeper(asked.checkpoint, asked.description + " " + std::to_string(objectives),
                               asked.resume, checkpoint_interval());
     keeper.keep("record", children.record);
     try {
         const auto found =
             ga::run_by(evaluator, stage, problem, {}, run, {ga::progress<G>(asked.show)}, &keeper);
-        asked.spent = found.counters.evaluations + apart;
+        asked.spent = found.counters.evaluations + extra;
         asked.stopped = found.stopped;
         asked.notes = found.notes;
     } catch (const ga::NothingLeft& nothing) {
@@ -95,7 +95,8 @@ void search_by_children(SearchByChildren& asked, Children& children) {
 using nlohmann::json;
 
 std::vector<Setting> optimise_settings() {
-    Setting minimise("minimise", "", "less is better: in all objectives, or X = 1,3 in those");
+    Setting minimise("minimise", "",
+                     "lower is better: for all objectives, or only for those that X = 1,3 names");
     minimise.alone = "all";
     return joined(
         {{{"genes", "",
@@ -103,9 +104,9 @@ std::vector<Setting> optimise_settings() {
            "between; bits:COUNT; or permutation:COUNT (of 0, 1, ...)"},
           {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
           minimise,
-          positive("timeout", "60", "seconds that one evaluation may take"),
+          positive("timeout", "60", "maximum seconds for one evaluation"),
           ga::whole("threads", "0", 0,
-                    "evaluations at a time, one child process each; 0 takes all processors")
+                    "number of child processes, which evaluate at the same time; 0: one per processor")
               .up_to(1024),
           {"out", "", "folder for result.json [out/optimise]"},
           Setting("resume", "", "continue the interrupted run in the folder given by --out", true),
@@ -140,24 +141,24 @@ json outside_json(const OutsideSearch& searched, const BestKnown& record, const 
     return result;
 }
 
-/// What the settings ask for; their mistakes are found before anything is made.
+/// The search that the settings describe. Their mistakes are found before any file is written.
 SearchByChildren search_from(const Settings& settings) {
     for (const char* needed : {"genes", "evaluate"})
         if (!settings.has(needed))
             throw rough::InputError(
-                std::string("--") + needed + ": missing, expected it" +
+                std::string("--") + needed + ": missing; give it" +
                 (needed[0] == 'g' ? ", e.g. real:5:-5:5" : ", e.g. 'python3 fitness.py'"));
     SearchByChildren search;
     take_search(settings, search);
     search.genes = genes_from(settings.text("genes"));
     split_command(settings.text("evaluate"));
     search.minimise = settings.text("minimise");
-    if (search.minimise != "all") // their largest is not known yet
+    if (search.minimise != "all") // the number of objectives is not known yet
         minimised(search.minimise, 1000);
     search.description = json({settings.text("genes"), settings.text("evaluate"), search.minimise}).dump();
     search.resume = settings.is_on("resume");
     if (search.resume && !settings.has("out"))
-        throw rough::InputError("--resume: given without --out, expected the folder of the interrupted run");
+        throw rough::InputError("--resume: given without --out; name the folder of the interrupted run");
     return search;
 }
 
@@ -217,7 +218,7 @@ int optimise(const Settings& settings, const std::string& line) {
     say(folder.string() + ": " + best + " after " + std::to_string(asked.spent) + " evaluations (" +
         readable(clock.seconds()) + " s)" + (asked.stopped.empty() ? "" : "; " + asked.stopped) +
         (std::filesystem::exists(asked.checkpoint)
-             ? ", and --resume with more --evaluations or --seconds goes on"
+             ? "; --resume with more --evaluations or --seconds continues"
              : ""));
     return interrupt.asked() ? exit_interrupted : 0;
 }
@@ -225,25 +226,26 @@ int optimise(const Settings& settings, const std::string& line) {
 } // namespace
 
 Command optimise_command() {
-    return {"optimise",
-            "optimise what a program in any language evaluates",
-            "--genes KIND --evaluate 'COMMAND' [flags]",
-            "Optimises what a program in any language evaluates. COMMAND is started once a thread, "
-            "without a shell; it reads a line {\"id\":1,\"genes\":[0.5,1]} a genome from its standard "
-            "input and writes a line {\"id\":1,\"objectives\":[3.2]} to its standard output, flushed. "
-            "Greater is better unless --minimise says otherwise. \"violation\":V or [V1,V2,...], above 0 "
-            "for a constraint that is broken, puts a genome behind those that hold all. The same genome "
-            "must have the same answer; then the same seed gives the same bits on any number of threads. "
-            "Writes result.json. Exit codes: 0 done; 2 wrong use, or a child that ended, was silent too "
-            "long or answered nonsense; 130 interrupted. The best so far is written, and --resume goes on.",
-            optimise_settings(),
-            {"optimise --genes real:5:-5:5 --evaluate 'python3 fitness.py' --minimise --out out/sphere",
-             "optimise --genes bits:40 --evaluate ./count --evaluations 2000 --seed 7",
-             "optimise --genes permutation:20 --evaluate 'python3 tour.py' --pipeline \"sample 50 | score | "
-             "repeat 200 { tournament 3 | cross order | mutate 0.05 reverse | score | elite 2 } | best 1\"",
-             "optimise --genes int:64:0:120,real:1:-5:5,choice:3:a:b:c --evaluate ./mixed --evaluations 5000",
-             "optimise --genes real:10:0:1 --evaluate 'python3 two.py' --minimise 1,2 --variant nsga2"},
-            optimise};
+    return {
+        "optimise",
+        "optimise genomes that a program in any language evaluates",
+        "--genes KIND --evaluate 'COMMAND' [flags]",
+        "Optimises genomes that a program in any language evaluates. One COMMAND per thread is started, "
+        "without a shell. For each genome it reads a line {\"id\":1,\"genes\":[0.5,1]} from its standard "
+        "input and writes a line {\"id\":1,\"objectives\":[3.2]} to its standard output, flushed. Higher is "
+        "better, except with --minimise. A constraint is broken if its \"violation\":V or [V1,V2,...] is "
+        "above 0; such genomes rank after those that hold all constraints. The same genome must have the "
+        "same answer; then the same seed gives the same bits on any number of threads. Writes result.json. "
+        "Exit codes: 0 done; 2 wrong use, or a child that ended, was silent too long or gave a wrong "
+        "answer; 130 interrupted. The best so far is written, and --resume continues the search.",
+        optimise_settings(),
+        {"optimise --genes real:5:-5:5 --evaluate 'python3 fitness.py' --minimise --out out/sphere",
+         "optimise --genes bits:40 --evaluate ./count --evaluations 2000 --seed 7",
+         "optimise --genes permutation:20 --evaluate 'python3 tour.py' --pipeline \"sample 50 | score | "
+         "repeat 200 { tournament 3 | cross order | mutate 0.05 reverse | score | elite 2 } | best 1\"",
+         "optimise --genes int:64:0:120,real:1:-5:5,choice:3:a:b:c --evaluate ./mixed --evaluations 5000",
+         "optimise --genes real:10:0:1 --evaluate 'python3 two.py' --minimise 1,2 --variant nsga2"},
+        optimise};
 }
 
 } // namespace app

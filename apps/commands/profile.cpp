@@ -23,7 +23,7 @@ namespace app {
 
 namespace {
 
-/// What --width, --base and --magnify set.
+/// The parameters --width, --base and --magnify.
 Fields fields_of(rough::Extrusion& extrusion) {
     return {
         {positive("width", "", "width of a profile's solid along its ridges, mm [L/4]"), extrusion.width},
@@ -38,24 +38,24 @@ std::vector<Setting> profile_settings() {
     rough::Extrusion usual;
     const std::vector<Setting> settings{
         {"genome", "", "genome file (JSON) of the profile (may be given without the flag)"},
-        {"profile", "", "measured profile in place of a genome: text, SDF, SUR, GSF or X3P"},
+        {"profile", "", "measured profile instead of a genome: text, SDF, SUR, GSF or X3P"},
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
         force_setting(),
         Setting(ga::whole("nodes", "", 10,
-                          "nodes of the grid, 10 to 1e7 [512; a scan: its points]; a genome's area: NXxNY")
+                          "nodes of the grid, 10 to 1e7 [512; for a scan: its points]; NXxNY for an area")
                     .up_to(1e7))
             .several('x'),
         positive("length", "",
-                 "length L of the profile, mm [0.84942; a scan, or a genome made for one: its own]; an "
-                 "area: LX or LXxLY")
+                 "length L of the profile, mm [0.84942; for a scan, or a genome made for one: its length]; "
+                 "LXxLY for an area")
             .several('x'),
-        Setting("periodic", "", "the area repeats: nothing is windowed, lags go around its edges", true),
-        Setting(
-            ga::number("smr", "", -1e300, 1e300,
-                       "heights over an area's mean plane, mm, with commas between: what share is higher"))
+        Setting("periodic", "", "the area is periodic: no window is applied, and lags cross its edges", true),
+        Setting(ga::number("smr", "", -1e300, 1e300,
+                           "heights over an area's mean plane, mm, with commas between, whose material "
+                           "ratios are computed"))
             .several(),
         Setting(ga::number("smc", "", 0, 1,
-                           "shares of an area, 0 to 1, with commas between: the height that each exceeds"))
+                           "shares of an area, 0 to 1, with commas between, whose heights are computed"))
             .several(),
         pictures_setting(),
     };
@@ -72,10 +72,10 @@ std::string matrix(const rough::Profile& map) {
     return table.substr(table.find('\n') + 1);
 }
 
-/// A file by its name, made when it is written: a map's are large.
+/// A file's name and content, which is made when it is written, as those of maps are large.
 using Table = std::pair<std::string, std::function<std::string()>>;
 
-/// What is written of a profile or a map.
+/// The description of a profile or a map.
 struct Description {
     std::string kind; ///< profile or surface, as its files are called
     std::shared_ptr<const rough::Profile> surface;
@@ -86,14 +86,14 @@ struct Description {
     double largest_height;  ///< mm
     nlohmann::json numbers; ///< keys of KIND.json besides those that both have
     std::vector<Table> tables;
-    std::vector<std::string> unlisted = {}; ///< of these, files that the page does not name
+    std::vector<std::string> unlisted = {}; ///< names of tables that the page does not list
     std::vector<std::pair<std::string, std::string>> pictures; ///< SVG files and figures
 };
 
 Description described_profile(const Settings& settings) {
     if (settings.has("profile") && settings.given("length"))
-        throw rough::InputError("--length: given with a scan, which has its own");
-    const rough::Source source = source_from(settings, nodes_from(settings, 0));
+        throw rough::InputError("--length: given with a scan; omit it, as a scan has a length");
+    const rough::Source source = source_from(settings, nodes_from(settings));
     rough::Grid grid = source.grid();
     settings.take("nodes", grid.nodes);
     settings.take("length", grid.length);
@@ -289,14 +289,14 @@ void write_description(const Description& of, const Settings& settings, const ro
 
 int profile(const Settings& settings, const std::string&) {
     if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
-        throw rough::InputError("profile: expected one of a genome file, --profile and --surface");
+        throw rough::InputError("profile: give one of a genome file, --profile and --surface");
     rough::Extrusion extrusion;
     take(settings, fields_of(extrusion));
     const bool is_map = settings.has("surface") || (settings.has("genome") && asks_for_area(settings));
     for (const std::string name : {"periodic", "smr", "smc"})
         if (!is_map && settings.given(name))
             throw rough::InputError("--" + name +
-                                    ": given without an area, expected with --surface or --nodes NXxNY");
+                                    ": given without an area; give --surface or --nodes NXxNY too");
     write_description(is_map ? described_map(settings) : described_profile(settings), settings, extrusion);
     return 0;
 }
@@ -304,26 +304,25 @@ int profile(const Settings& settings, const std::string&) {
 } // namespace
 
 Command profile_command() {
-    return {"profile",
-            "what a profile is: heights, solid (STL), picture, roughness, spectrum",
-            "(GENOME.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) [--out DIR] "
-            "[flags]",
-            "Writes what a rough profile is: a page to look at (report.html), its heights (heights.csv, "
-            "profile.x3p), a solid to print or mesh (profile.3mf in mm, profile.stl), a picture "
-            "(profile.svg), its parameters (profile.json: Pa, Pq and so on, or Ra, Rq and so on with "
-            "--lambda-c), its material ratio curve (bearing.csv) and its power spectrum "
-            "(spectrum.csv, spectrum.svg; lines.csv holds a genome's waves). Of a map, and of a genome on "
-            "--nodes NXxNY: ISO 25178 parameters "
-            "(surface.json), heights.txt, surface.x3p, surface.vtk, a tile to print (surface.3mf, "
-            "surface.stl), a picture (heights.svg), bearing.csv and the areal spectrum.",
-            profile_settings(),
-            {"profile surface.json", "profile surface.json --nodes 2048 --magnify 100 --out surface",
-             "profile --profile scan.txt --unit um --lambda-s 0.0025 --lambda-c 0.8",
-             "profile --profile map.sur --row 12 --detrend arc --outliers remove",
-             "profile surface.json --nodes 128x128",
-             "profile --surface map.x3p --detrend parabola --lambda-c 0.8 --smc 0.1,0.8 --out out/map"},
-            profile,
-            {"genome"}};
+    return {
+        "profile",
+        "describe a surface: heights, solid to print (STL), picture, roughness, spectrum",
+        "(GENOME.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) [--out DIR] [flags]",
+        "Writes for a profile: report.html, heights (heights.csv, profile.x3p), a solid to print or mesh "
+        "(profile.3mf in mm, profile.stl), a picture (profile.svg), parameters (profile.json: Pa, Pq and so "
+        "on, or Ra, Rq and so on with --lambda-c), the material ratio curve (bearing.csv) and the power "
+        "spectrum (spectrum.csv, spectrum.svg; lines.csv for the waves of a genome). For a map, or a genome "
+        "on --nodes NXxNY: ISO 25178 parameters (surface.json), heights.txt, surface.x3p, surface.vtk, a "
+        "tile to print (surface.3mf, surface.stl), a picture (heights.svg), bearing.csv and the areal "
+        "spectrum.",
+        profile_settings(),
+        {"profile surface.json", "profile surface.json --nodes 2048 --magnify 100 --out surface",
+         "profile --profile scan.txt --unit um --lambda-s 0.0025 --lambda-c 0.8",
+         "profile --profile map.sur --row 12 --detrend arc --outliers remove",
+         "profile surface.json --nodes 128x128",
+         "profile --surface map.x3p --detrend parabola --lambda-c 0.8 --smc 0.1,0.8 --out out/map"},
+        profile,
+        {"genome"}};
 }
 
 } // namespace app

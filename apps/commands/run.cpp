@@ -30,13 +30,13 @@ std::vector<Setting> run_settings() {
             .several('\n'),
     };
     for (Setting flag : model_flags()) {
-        flag.meaning = "in place of the experiment's model." + flag.name + ": " + flag.meaning;
+        flag.meaning = "replaces model." + flag.name + " of the experiment: " + flag.meaning;
         settings.push_back(flag);
     }
     return settings;
 }
 
-/// By the file's experiment.kind, which is read before it is known what other keys there may be.
+/// The experiment of the file's experiment.kind. Its other keys are not known before.
 const Experiment& experiment_of(const std::filesystem::path& file,
                                 const std::vector<std::string>& overrides) {
     std::vector<std::string> kinds;
@@ -51,7 +51,7 @@ const Experiment& experiment_of(const std::filesystem::path& file,
     return experiments()[read_ini(file, any, overrides).one_of("experiment.kind", kinds)];
 }
 
-/// Runs an experiment under its short name: the keys of its own section are flags.
+/// Runs an experiment under its short name: the keys of the section with that name are flags.
 int run_by_name(const Experiment& experiment, const Settings& given, const std::string& line) {
     const std::string& kind = experiment.kind;
     std::map<std::string, std::string> values;
@@ -109,7 +109,7 @@ Command short_command(const std::string& kind, const std::string& summary) {
 
 int run(const Settings& flags, const std::string& line) {
     if (!flags.has("experiment"))
-        throw rough::InputError("run: no experiment given, expected an .ini file");
+        throw rough::InputError("run: no experiment given; name an .ini file");
     std::vector<std::string> overrides = flags.has("set") ? flags.words("set") : Words{};
     for (const char* key : {"seed", "threads"})
         if (flags.has(key))
@@ -144,7 +144,7 @@ Command compare_command() {
     return short_command("compare", "compare pipelines on problems with known answers");
 }
 Command stability_command() {
-    return short_command("stability", "try every contact solver where methods fail, and tabulate who fails");
+    return short_command("stability", "try every contact solver on difficult cases, and tabulate which fail");
 }
 
 Command run_command() {

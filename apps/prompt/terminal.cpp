@@ -23,7 +23,7 @@ Verbosity verbosity = Verbosity::plain;
 void parse_verbosity(std::vector<std::string>& words) {
     const bool quiet = std::erase(words, "--quiet") > 0, verbose = std::erase(words, "--verbose") > 0;
     if (quiet && verbose)
-        throw rough::InputError("--quiet and --verbose given, expected one of them");
+        throw rough::InputError("--quiet and --verbose given; give one of them");
     verbosity = quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::plain;
 }
 
@@ -47,7 +47,7 @@ namespace {
 constexpr const char* clear_line = "\r\033[K";
 std::atomic<bool> stands = false;
 
-/// What fits into a terminal's line: a longer one would wrap, and its first part stay.
+/// A text cut to the width of the terminal. A longer one would wrap, and its first part would stay.
 std::string cut(std::string text) {
     winsize size{};
     constexpr std::size_t usual = 80;
@@ -117,7 +117,6 @@ Interrupt::~Interrupt() { handle(SIG_DFL); }
 
 const std::atomic<bool>& Interrupt::flag() { return asked_to_stop; }
 
-bool stop_asked() { return asked_to_stop; }
 void ask_to_stop() { asked_to_stop = true; }
 
 } // namespace app

@@ -21,8 +21,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A target as the page shows it: its file's name, its quantity, what this is given against, and which curves
-/// its figure has.
+/// A target for the page: its file's name, its quantity, its x axis, and the curves of its figure.
 json shown_json(const DesignRun& run, std::size_t index) {
     const rough::Target& target = run.setup.targets[index];
     json result = target_json(target);
@@ -221,7 +220,7 @@ void write_curves(const DesignRun& run, const std::filesystem::path& folder) {
     rough::write_atomically(folder / "points.csv", points.text());
 }
 
-/// Heights below the highest point of each answer, and of the scan that was given, if there is one.
+/// Heights below the highest point of each answer, and of the scan if one was given.
 void write_heights(const DesignRun& run, const std::filesystem::path& folder) {
     const rough::Grid& grid = run.setup.model.grid;
     std::vector<std::pair<std::string, rough::Profile>> surfaces;

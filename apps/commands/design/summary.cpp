@@ -143,11 +143,11 @@ std::string matched(const DesignRun& run) {
 
 std::string not_asked_for(const DesignRun& run) {
     if (!run.setup.like)
-        return "everything but the target's quantities; at the last load " +
+        return "everything except the target's quantities; at the last load " +
                percent(run.own.responses.front().contact_fraction.tail(1)[0]) + " of the nodes touch";
     std::string all = run.not_asked ? "" : "not verified: there was no time";
     for (const auto& [name, share] : run.not_asked.value_or(Shares()))
-        join(all, name + " was not asked for and is off by up to " + percent(share));
+        join(all, name + " was not requested and is off by up to " + percent(share));
     return all;
 }
 
@@ -160,7 +160,7 @@ std::string worst_case(const DesignRun& run) {
         known(best.similarity) + " as designed, " + known(best.similarity_refined) +
         " on a grid 4 times finer, " + known(best.similarity_stepped) + " in 4 times the load steps, " +
         (best.is_verified()
-             ? known(best.similarity_worst) + " at worst (the least of these and of both together)"
+             ? known(best.similarity_worst) + " at worst (the lowest of these and of both together)"
              : "so the worst is not known");
     if (!run.trust)
         return all + "; there was no time to verify more";
@@ -252,7 +252,7 @@ std::string carries_over(const DesignRun& run) {
     std::string all;
     for (const rough::Target& target : run.setup.targets) {
         const Quantity quantity = target.quantity;
-        std::string scope = "for this length alone";
+        std::string scope = "for this length only";
         if (quantity == Quantity::interface_stiffness)
             scope = line_of(is_2d ? "" : "over any datum, and ", "over lengths weakly, at light loads");
         else if (is_2d)
@@ -260,7 +260,7 @@ std::string carries_over(const DesignRun& run) {
         else if (quantity == Quantity::area_at_pressure)
             scope = "over any datum, " + scope;
         else if (has_datum)
-            scope = "for this length and datum alone, " + brief(model.body.datum, 5) + " mm" +
+            scope = "for this length and datum only, " + brief(model.body.datum, 5) + " mm" +
                     (quantity == Quantity::stiffness ? " (interface_stiffness carries over)" : "");
         if (const std::string words = in_words(quantity) + ": " + scope; all.find(words) == std::string::npos)
             join(all, words);
@@ -324,18 +324,18 @@ std::string in_the_way(const DesignRun& run) {
     const double nodes = static_cast<double>(run.setup.model.grid.shape().nodes()),
                  wanted = target.y[largest.point] * nodes;
     if (is_contact_fraction(target.quantity) && 0.5 / wanted > allowed)
-        join(all, "the area asked for there is " + readable(wanted) + " of " + brief(nodes, 9) +
-                      " nodes, of which half a one is " + percent(0.5 / wanted) +
+        join(all, "the requested area there is " + readable(wanted) + " of " + brief(nodes, 9) +
+                      " nodes, of which half a node is " + percent(0.5 / wanted) +
                       ": more --nodes resolve it");
     for (const rough::Margin& margin : run.margins)
         if (margin.limit > 0 && margin.margin() < 0.05)
             join(all, in_words(margin) + " is at its limit");
     if (!run.found.best.is_verified() && !run.interrupted)
-        join(all, "there was no time to verify the answer: expected more --seconds, or fewer --nodes");
+        join(all, "the time did not suffice to verify the answer: give more --seconds, or fewer --nodes");
     if (!run.found.stopped.empty())
         join(all, "the search was ended early: " + run.found.stopped);
     else if (run.out_of_reach.empty())
-        join(all, "the search ended by itself: another --seed, or --seconds for more");
+        join(all, "the search ended by itself: try another --seed, or more --seconds");
     return all;
 }
 

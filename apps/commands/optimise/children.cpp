@@ -32,8 +32,8 @@ constexpr std::size_t longest_line = 16'000'000;
 std::array<int, 2> new_pipe() {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0)
-        throw rough::InputError("--evaluate: no pipe to be had (" + std::string(std::strerror(errno)) +
-                                "), expected fewer --threads");
+        throw rough::InputError("--evaluate: a pipe cannot be opened (" + std::string(std::strerror(errno)) +
+                                "); use fewer --threads");
     return ends;
 }
 
@@ -68,10 +68,9 @@ Words split_command(const std::string& command) {
     }
     if (quote != 0)
         throw rough::InputError("--evaluate: a " + std::string(1, quote) + " is left open in \"" + command +
-                                "\", expected another to close it");
+                                "\"; close it");
     if (words.empty() || words.front().empty())
-        throw rough::InputError("--evaluate: \"" + command +
-                                "\" given, expected a program with its arguments");
+        throw rough::InputError("--evaluate: \"" + command + "\" given; give a program with its arguments");
     return words;
 }
 
@@ -87,7 +86,7 @@ Child::Child(const Words& command, int log) {
         close_once(in_);
         close_once(out_);
         throw rough::InputError("--evaluate: '" + command.front() + "' cannot be started (" +
-                                std::strerror(error) + "), expected a program");
+                                std::strerror(error) + "); name a program");
     }
     fcntl(in_, F_SETFL, O_NONBLOCK);
     fcntl(out_, F_SETFL, O_NONBLOCK);
@@ -158,7 +157,7 @@ Children::Children(const std::string& command, int count, double seconds, std::f
       log_(open(log_file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666)),
       children_(static_cast<std::size_t>(count)) {
     if (log_ < 0)
-        throw rough::InputError(log_file_.string() + ": cannot be written, expected a place that can be");
+        throw rough::InputError(log_file_.string() + ": cannot be written; choose another --out");
 }
 
 Children::~Children() {

@@ -17,8 +17,8 @@
 
 namespace app {
 
-/// The words of a command, as a shell would split them and do no more: 'as it stands', "with \" and \\", and
-/// \ before a letter that is to stand for itself. Throws rough::InputError on an open quote or no word.
+/// The words of a command. As in a shell, quotes and \ keep blanks together; nothing is expanded. Throws
+/// rough::InputError on an open quote or no word.
 Words split_command(const std::string& command);
 
 /// A program that reads lines and writes lines while this one runs. It has a process group of its own, so
