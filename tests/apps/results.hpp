@@ -9,12 +9,16 @@
 
 namespace app::testing {
 
-/// What a run has left in its folder.
-inline nlohmann::json result_in(const std::filesystem::path& folder) {
-    return nlohmann::json::parse(rough::read_whole(folder / "result.json"));
+inline nlohmann::json json_in(const std::filesystem::path& file) {
+    return nlohmann::json::parse(rough::read_whole(file));
 }
 
-/// What a run that ended well has left there.
+/// The result.json of a run's folder.
+inline nlohmann::json result_in(const std::filesystem::path& folder) {
+    return json_in(folder / "result.json");
+}
+
+/// The result.json in the folder of a run that ended well.
 inline nlohmann::json result_of(const Ended& ended, const std::filesystem::path& folder) {
     answered(ended);
     return result_in(folder);
@@ -40,7 +44,7 @@ inline nlohmann::json timeless(nlohmann::json result) {
     return without_times(std::move(result));
 }
 
-/// The rows of numbers in a CSV file behind its header, which is some words where they are given.
+/// The rows of numbers in a CSV file. If `header` is not empty, the file must have it.
 inline std::vector<std::vector<double>> rows_of(const std::filesystem::path& file,
                                                 const std::string& header = "") {
     std::istringstream text(rough::read_whole(file));

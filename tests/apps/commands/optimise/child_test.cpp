@@ -34,15 +34,15 @@ TEST_CASE("a command is split at its blanks, but not inside quotes") {
     CHECK_THROWS_AS(split_command(" "), rough::InputError);
 }
 
-TEST_CASE("a child gets lines of any length and gives them back") {
+TEST_CASE("a child reads and writes lines of any length") {
     const Nowhere nowhere;
     Child child({"cat"}, nowhere.file);
-    const std::string longer(1'000'000, 'x'); // more than a pipe holds either way
+    const std::string longer(1'000'000, 'x'); // more than a pipe holds
     CHECK(child.answer("one", 10, never) == "one");
     CHECK(child.answer(longer, 10, never) == longer);
 }
 
-TEST_CASE("how a child ended is told, with the line it left unfinished") {
+TEST_CASE("the end of a child is reported with its unfinished line") {
     const Nowhere nowhere;
     Child child({"sh", "-c", "printf half; exit 3"}, nowhere.file);
     CHECK(child.answer("", 10, never) == std::nullopt);
@@ -54,7 +54,7 @@ TEST_CASE("how a child ended is told, with the line it left unfinished") {
     CHECK_THROWS_AS(Child({"no-program-of-this-name"}, nowhere.file), rough::InputError);
 }
 
-TEST_CASE("a child may finish its work when its input ends; one that does not end is ended and waited for") {
+TEST_CASE("a child may finish its work when its input ends, or is killed") {
     const Nowhere nowhere;
     const tests::Folder folder;
     const std::string mark = (folder / "mark").string();
