@@ -1,9 +1,7 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/experiments/compare/contest.hpp"
-#include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"
-#include "domain/errors.hpp"
 #include "ga/base/errors.hpp"
 #include "ga/text/nearest.hpp"
 
@@ -13,7 +11,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <malloc.h>
 #include <new>
@@ -64,7 +61,7 @@ int dispatch(app::Words words) {
     throw rough::InputError("'" + words[0] + "' is not a subcommand" + ga::suggestion(words[0], names));
 }
 
-/// Prints a message as one line. It may quote a file, and so hold any character.
+/// Prints a message as one line. Text that it quotes from files may hold any character.
 void complain(const std::string& message) {
     std::string line = message;
     for (char& c : line)

@@ -14,7 +14,7 @@ using Words = std::vector<std::string>; ///< the words after the subcommand on t
 struct Command {
     std::string name;
     std::string summary; ///< one line
-    std::string usage;   ///< the rest of the first line of its help page
+    std::string usage;   ///< the words after the name in the usage line
     std::string text;    ///< first paragraph of its help page
     std::vector<Setting> settings;
     std::vector<std::string> examples; ///< without the program's name

@@ -13,7 +13,6 @@
 #include "domain/accuracy/resolution.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/contact/pressure_and_gap.hpp"
-#include "domain/errors.hpp"
 #include "domain/response/model.hpp"
 #include "domain/response/partial_slip.hpp"
 #include "domain/response/response.hpp"
@@ -22,9 +21,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <filesystem>
-#include <map>
-#include <string>
 
 namespace app {
 
@@ -32,32 +28,19 @@ namespace {
 
 using rough::Index;
 
-/// All load steps, if there are at most four. If there are more: an early one, the middle one and the last.
-std::vector<Index> shown_steps(Index steps) {
-    if (steps > 4)
-        return {steps / 10, (steps - 1) / 2, steps - 1};
-    std::vector<Index> all;
-    for (Index j = 0; j < steps; ++j)
-        all.push_back(j);
-    return all;
-}
-
-rough::ContactCurve solved_again(const rough::Profile& surface, const rough::Model& model,
-                                 const rough::Response& response) {
-    std::vector<double> displacements;
-    for (const Index j : shown_steps(response.steps()))
-        displacements.push_back(response.displacement[j]);
+/// The tables of the page, CURVE-NAME.csv by NAME: `loads`, and pressure and gap along a profile or on a map.
+/// If there are more than four load steps, an early one, the middle one and the last are shown. They are
+/// solved again. The model is complete. Throws as solve_contact.
+std::map<std::string, std::string> contact_tables(const rough::Profile& surface, const rough::Model& model,
+                                                  const rough::Response& response) {
+    const Eigen::VectorXd& all = response.displacement;
+    std::vector<double> shown(all.begin(), all.end());
+    if (const Index steps = all.size(); steps > 4)
+        shown = {all[steps / 10], all[(steps - 1) / 2], all[steps - 1]};
     rough::ContactOptions options = model.contact;
     options.states = true;
     options.tolerance = std::min(options.tolerance, rough::ContactOptions{}.tolerance);
-    return solve_contact(surface, model.body, displacements, options);
-}
-
-/// The tables of the page, CURVE-NAME.csv by NAME: `loads`, and pressure and gap along a profile or on a map,
-/// at up to four load steps, which are solved again. The model is complete. Throws as solve_contact.
-std::map<std::string, std::string> contact_tables(const rough::Profile& surface, const rough::Model& model,
-                                                  const rough::Response& response) {
-    const rough::ContactCurve curve = solved_again(surface, model, response);
+    const rough::ContactCurve curve = solve_contact(surface, model.body, shown, options);
     const bool is_2d = surface.is_2d();
     Csv loads("load,mean_pressure_MPa,pressure_over_modulus,contact_fraction,spots," +
               std::string(is_2d ? "largest_spot_mm2" : "widest_spot_mm") +
@@ -118,18 +101,12 @@ rough::Model within_accuracy(rough::Model model, const Settings& settings) {
     return model;
 }
 
-std::string slip_csv(const rough::PartialSlip& slip) {
-    return csv({"tangential_displacement_mm", "tangential_traction_MPa", "tangential_stiffness_MPa_per_mm",
-                "stick_fraction"},
-               {slip.displacement, slip.traction, slip.stiffness, slip.stick_fraction});
-}
-
 /// A surface and its response.
 struct Pressed {
     rough::Profile surface;
     rough::Model model;
     rough::AccountedResponse result;
-    std::vector<std::string> notes;          ///< on the input, and on limits of the model
+    std::vector<std::string> notes;          ///< on the input, and on limits of the model; "": none
     bool is_measured;                        ///< a scan or map, not a genome
     std::vector<rough::Index> outliers = {}; ///< nodes of a scan that stand out and were kept
     rough::ResolutionBand band = {};         ///< for a scan or map
@@ -233,12 +210,6 @@ Eigen::VectorXd spots_of(const Pressed& pressed) {
     return nodes * static_cast<double>(pressed.surface.nodes() / shape.nodes());
 }
 
-/// Appends the notes that are not empty.
-void add(std::vector<std::string>& notes, std::initializer_list<std::string> more) {
-    std::copy_if(more.begin(), more.end(), std::back_inserter(notes),
-                 [](const auto& note) { return !note.empty(); });
-}
-
 Pressed pressed_area(const Settings& settings) {
     AreaScene scene = area_from(settings);
     rough::Model& model = scene.model;
@@ -248,7 +219,7 @@ Pressed pressed_area(const Settings& settings) {
     model.contact.tolerance = result.account.tolerance;
     const bool is_measured = !settings.has("genome");
     if (is_measured && model.grid.periodic)
-        add(scene.notes, {jump_note(scene.map)});
+        scene.notes.push_back(jump_note(scene.map));
     return {std::move(scene.map), std::move(model), std::move(result), std::move(scene.notes), is_measured};
 }
 
@@ -259,16 +230,14 @@ Pressed pressed(const Settings& settings) {
         model.grid = rough::resolved_grid(*source.genome, model.grid.length, model.grid.periodic);
     rough::AccountedResponse result = respond_accounted(source, model);
     model.contact.tolerance = result.account.tolerance;
-    std::vector<std::string> notes;
     rough::Profile profile = source.on(model.grid);
     const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
-    if (source.genome)
-        add(notes, {model.grid.periodic ? jump_note(*source.genome, model.grid.length, range) : "",
-                    wave_note(*source.genome, model.grid)});
-    else
-        add(notes, {source.account, model.grid.periodic ? jump_note(profile) : ""});
+    const std::string jump = !model.grid.periodic ? ""
+                             : source.genome      ? jump_note(*source.genome, model.grid.length, range)
+                                                  : jump_note(profile);
+    const std::string read = source.genome ? wave_note(*source.genome, model.grid) : source.account;
     return {std::move(profile), std::move(model), std::move(result),
-            std::move(notes),   !source.genome,   std::move(source.outliers)};
+            {read, jump},       !source.genome,   std::move(source.outliers)};
 }
 
 /// A written file as the page links to it.
@@ -329,8 +298,12 @@ void write_files(const CurveFiles& files, const Pressed& found, const std::vecto
     std::map<std::string, std::string> tables;
     if (!files.page.empty())
         tables = contact_tables(found.surface, completed(found.model), response);
-    if (files.tables.contains("slip"))
-        tables["slip"] = slip_csv(partial_slip(response, settings.number("friction")));
+    if (files.tables.contains("slip")) {
+        const rough::PartialSlip slip = partial_slip(response, settings.number("friction"));
+        tables["slip"] = csv({"tangential_displacement_mm", "tangential_traction_MPa",
+                              "tangential_stiffness_MPa_per_mm", "stick_fraction"},
+                             {slip.displacement, slip.traction, slip.stiffness, slip.stick_fraction});
+    }
     if (files.tables.contains("spots"))
         tables["spots"] =
             csv({"nodes", "area_mm2"},

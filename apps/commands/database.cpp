@@ -3,13 +3,11 @@
 #include "apps/commands/commands.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
 #include "domain/accuracy/respond.hpp"
 #include "domain/database/build.hpp"
 #include "domain/database/starts.hpp"
-#include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/base/stopwatch.hpp"
@@ -106,7 +104,7 @@ int database_build(const Settings& settings, const std::string&) {
     rough::build(store, options);
     const std::uint64_t stored = store.stored();
     say(store.file().string() + ": " + std::to_string(stored) + " genomes stored, " +
-        std::to_string(stored - before) + " of them in the last " + duration_words(clock.seconds()));
+        std::to_string(stored - before) + " in the last " + duration_words(clock.seconds()));
     return interrupt.asked() ? exit_interrupted : 0;
 }
 
@@ -239,17 +237,18 @@ Command database_query_command() {
 } // namespace
 
 Command database_command() {
-    return {"database",
-            "keep genomes and their responses in a file, and search it for a target",
-            "(build | info | merge | query) FILE [flags]",
-            "A genome database keeps computed responses. A search of it for a new target takes a second.",
-            {},
-            {"database build genomes.db --genomes 100000", "database info genomes.db",
-             "database merge a.db b.db --out genomes.db", "database query genomes.db --target target.csv"},
-            {},
-            {},
-            {database_build_command(), database_info_command(), database_merge_command(),
-             database_query_command()}};
+    return {
+        "database",
+        "keep genomes and their responses in a file, and search it for a target",
+        "(build | info | merge | query) FILE [flags]",
+        "A genome database keeps computed responses. It can be searched for a new target within a second.",
+        {},
+        {"database build genomes.db --genomes 100000", "database info genomes.db",
+         "database merge a.db b.db --out genomes.db", "database query genomes.db --target target.csv"},
+        {},
+        {},
+        {database_build_command(), database_info_command(), database_merge_command(),
+         database_query_command()}};
 }
 
 } // namespace app

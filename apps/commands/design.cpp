@@ -7,7 +7,6 @@
 #include "apps/report/render.hpp"
 #include "apps/report/units.hpp"
 #include "domain/design/unreachable.hpp"
-#include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
 #include "ga/base/parallel.hpp"
@@ -98,7 +97,7 @@ int design(const Settings& settings, const std::string& line) {
     run.setup = exactly(run.found.setup);
     run.searched = run.found.setup;
     run.interrupted = interrupt.asked();
-    run.own = response_of(run.setup, run.found.best);
+    run.response = response_of(run.setup, run.found.best);
     if (!run.setup.model.grid.is_2d() || (run.found.best.is_verified() && !run.interrupted))
         run.not_asked = off_unasked(run);
     run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
@@ -114,7 +113,8 @@ int design(const Settings& settings, const std::string& line) {
         progress.show("verifying");
         run.trust_options.seconds = checked_by * limit - clock.seconds();
         run.trust_options.stop = run.options.stop;
-        run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best, &run.own);
+        run.trust =
+            trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best, &run.response);
         run.interrupted = interrupt.asked();
         run.summary = summary_of(run);
         run.seconds = clock.seconds();

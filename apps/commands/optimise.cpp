@@ -2,20 +2,16 @@
 #include "apps/commands/optimise/children.hpp"
 #include "apps/external/genes.hpp"
 #include "apps/external/problem.hpp"
-#include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
 #include "apps/report/units.hpp"
-#include "domain/errors.hpp"
 #include "domain/text/words.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/progress.hpp"
 
 #include <atomic>
-#include <filesystem>
-#include <functional>
 
 namespace app {
 
@@ -54,41 +50,41 @@ class ByChildren : public ga::Evaluator<P> {
 
 /// Searches for genomes of one type.
 template <class G>
-void search_by_children(SearchByChildren& asked, Children& children) {
+void search_by_children(SearchByChildren& search, Children& children) {
     using P = OutsideProblem<G>;
     const ga::Stopwatch clock;
-    stage_of<P>(asked, 2); // refuses a wrong text before anything is started
+    stage_of<P>(search, 2); // refuses a wrong text before anything is started
 
     // The first genome that a leading `sample` draws tells how many objectives there are.
     ByChildren<P> evaluator(children);
     ga::RunOptions run;
-    run.seed = asked.seed;
-    run.budget = {2, asked.seconds, asked.stop};
-    asked.stopped =
-        ga::run_by(evaluator, ga::sample(1) | ga::score(), P(asked.genes, {false}), {}, run).stopped;
+    run.seed = search.seed;
+    run.budget = {2, search.seconds, search.stop};
+    search.stopped =
+        ga::run_by(evaluator, ga::sample(1) | ga::score(), P(search.genes, {false}), {}, run).stopped;
     const std::size_t objectives = children.objectives();
     if (objectives == 0)
         return;
-    asked.spent = 1;
-    const P problem(asked.genes, children.record.minimise = minimised(asked.minimise, objectives));
-    const auto stage = stage_of<P>(asked, objectives);
-    asked.searched = stage.text();
+    search.spent = 1;
+    const P problem(search.genes, children.record.minimise = minimised(search.minimise, objectives));
+    const auto stage = stage_of<P>(search, objectives);
+    search.searched = stage.text();
 
-    const bool draws_it_again = asked.searched.starts_with("sample ");
+    const bool draws_it_again = search.searched.starts_with("sample ");
     const long extra = draws_it_again ? 0 : 1; // evaluations that the run does not count
-    run.variant = asked.variant = variant_of(asked, objectives);
-    run.budget = {asked.evaluations - extra, asked.seconds - clock.seconds(), asked.stop};
-    ga::Checkpoints<P> keeper(asked.checkpoint, asked.description + " " + std::to_string(objectives),
-                              asked.resume, checkpoint_interval());
+    run.variant = search.variant = variant_of(search, objectives);
+    run.budget = {search.evaluations - extra, search.seconds - clock.seconds(), search.stop};
+    ga::Checkpoints<P> keeper(search.checkpoint, search.description + " " + std::to_string(objectives),
+                              search.resume, checkpoint_interval());
     keeper.keep("record", children.record);
     try {
         const auto found =
-            ga::run_by(evaluator, stage, problem, {}, run, {ga::progress<G>(asked.show)}, &keeper);
-        asked.spent = found.counters.evaluations + extra;
-        asked.stopped = found.stopped;
-        asked.notes = found.notes;
+            ga::run_by(evaluator, stage, problem, {}, run, {ga::progress<G>(search.show)}, &keeper);
+        search.spent = found.counters.evaluations + extra;
+        search.stopped = found.stopped;
+        search.notes = found.notes;
     } catch (const ga::NothingLeft& nothing) {
-        asked.stopped = nothing.what();
+        search.stopped = nothing.what();
     }
 }
 
@@ -164,60 +160,60 @@ SearchByChildren search_from(const Settings& settings) {
 
 int optimise(const Settings& settings, const std::string& line) {
     const ga::Stopwatch clock;
-    SearchByChildren asked = search_from(settings);
+    SearchByChildren search = search_from(settings);
     const int threads = ga::thread_count(settings.whole<int>("threads"));
     const double timeout = settings.number("timeout");
     const OutputFolder output(settings.text("out"), "optimise",
                               {{"result.json", "checkpoint.cbor", "checkpoint.cbor.before", "evaluate.log"},
                                settings.files(),
                                settings.is_on("force"),
-                               asked.resume});
+                               search.resume});
     const auto& folder = output.path();
-    asked.checkpoint = folder / "checkpoint.cbor";
-    if (asked.resume && says_finished(folder, "checkpoint.cbor"))
+    search.checkpoint = folder / "checkpoint.cbor";
+    if (search.resume && says_finished(folder, "checkpoint.cbor"))
         return 0;
 
     const Interrupt interrupt;
     Progress progress;
     Children children(settings.text("evaluate"), threads, timeout, folder / "evaluate.log");
-    asked.stop = &interrupt.flag();
-    asked.show = [&](const std::string& line) { progress.show(line); };
-    asked.seconds -= clock.seconds();
-    switch (asked.genes.kind) {
+    search.stop = &interrupt.flag();
+    search.show = [&](const std::string& line) { progress.show(line); };
+    search.seconds -= clock.seconds();
+    switch (search.genes.kind) {
     case Genes::Kind::numbers:
-        search_by_children<std::vector<double>>(asked, children);
+        search_by_children<std::vector<double>>(search, children);
         break;
     case Genes::Kind::bits:
-        search_by_children<std::vector<bool>>(asked, children);
+        search_by_children<std::vector<bool>>(search, children);
         break;
     case Genes::Kind::permutation:
-        search_by_children<ga::Permutation>(asked, children);
+        search_by_children<ga::Permutation>(search, children);
     }
     if (!children.trouble().empty())
-        asked.stopped = children.trouble();
+        search.stopped = children.trouble();
     const BestKnown& record = children.record;
     if (record.best() || interrupt.asked()) {
-        json result = origin_json({"optimise", RUGOSA_VERSION, line, asked.seed, threads});
-        result.update(outside_json(asked, record, settings));
+        json result = origin_json({"optimise", RUGOSA_VERSION, line, search.seed, threads});
+        result.update(outside_json(search, record, settings));
         result["seconds"] = clock.seconds();
         write_json(output.restored() / "result.json", result);
     }
-    if (asked.stopped.empty())
+    if (search.stopped.empty())
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
             std::filesystem::remove(folder / kept);
     if (!children.trouble().empty())
         throw rough::InputError(children.trouble() +
                                 (record.best() ? "; the best so far is in " + folder.string() : ""));
-    tell_notes(asked.notes);
+    tell_notes(search.notes);
     std::string best = "nothing was evaluated";
     if (record.best()) {
         best = "best";
         for (const double value : record.best()->answer.objectives)
             best += " " + readable(value, 6);
     }
-    say(folder.string() + ": " + best + " after " + std::to_string(asked.spent) + " evaluations (" +
-        readable(clock.seconds()) + " s)" + (asked.stopped.empty() ? "" : "; " + asked.stopped) +
-        (std::filesystem::exists(asked.checkpoint)
+    say(folder.string() + ": " + best + " after " + std::to_string(search.spent) + " evaluations (" +
+        readable(clock.seconds()) + " s)" + (search.stopped.empty() ? "" : "; " + search.stopped) +
+        (std::filesystem::exists(search.checkpoint)
              ? "; --resume with more --evaluations or --seconds continues"
              : ""));
     return interrupt.asked() ? exit_interrupted : 0;

@@ -6,7 +6,6 @@
 #include "apps/report/render.hpp"
 #include "apps/report/surface.hpp"
 #include "apps/report/units.hpp"
-#include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"

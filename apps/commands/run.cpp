@@ -1,7 +1,6 @@
 #include "apps/commands/commands.hpp"
 #include "apps/experiments/experiment.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "domain/errors.hpp"
 
 #include <algorithm>
 

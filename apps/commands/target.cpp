@@ -6,7 +6,6 @@
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/units.hpp"
-#include "domain/errors.hpp"
 #include "domain/target/like.hpp"
 #include "domain/target/out_of_reach.hpp"
 #include "domain/target/recorded.hpp"

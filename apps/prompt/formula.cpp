@@ -1,9 +1,7 @@
 #include "apps/prompt/goals.hpp"
-#include "domain/errors.hpp"
 
 #include <charconv>
 #include <cmath>
-#include <map>
 
 namespace app {
 

@@ -1,7 +1,6 @@
 #include "apps/prompt/goals.hpp"
 
 #include "domain/contact/names.hpp"
-#include "domain/errors.hpp"
 #include "domain/target/recorded.hpp"
 #include "domain/target/target_table.hpp"
 
@@ -22,14 +21,14 @@ const std::map<std::string, std::string> flag_of{{"kernel", "kernel"},
 /// Throws rough::InputError that names all differences, and the flags that remove them.
 void expect_same_model(const rough::Target& goal, const rough::Model& model) {
     const auto differences = recorded_differences(goal, model);
-    for (const auto& [key, recorded, own] : differences)
+    for (const auto& [key, recorded, actual] : differences)
         if ((key == "datum_mm" && model.grid.is_2d()) || (key == "width_mm" && !model.grid.is_2d()))
             throw rough::InputError(goal.name + ": recorded with " + key + " " + recorded +
                                     (model.grid.is_2d()
                                          ? "; give a target of an area, which has none"
                                          : "; give a target of a profile, or --nodes and --length as pairs"));
     std::string flags;
-    for (const auto& [key, recorded, own] : differences) {
+    for (const auto& [key, recorded, actual] : differences) {
         const auto length = goal.recorded.find("length_mm");
         const bool is_length = length != goal.recorded.end() && length->second == recorded;
         if (!(key == "datum_mm" && is_length)) // the datum is the length unless it is given

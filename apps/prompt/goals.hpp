@@ -27,7 +27,7 @@ std::vector<std::string> without_effect(const Settings& settings,
                                         const std::vector<std::string>& targets = {});
 
 /// The target files of a setting, with commas between; those in an .ini file are relative to it. Throws
-/// rough::InputError if there are none.
+/// rough::InputError if none is given.
 std::vector<std::filesystem::path> target_files(const Settings& settings, const std::string& name);
 
 /// Their targets, each with the name of its file.

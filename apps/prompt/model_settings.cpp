@@ -295,8 +295,7 @@ void expect_of_areas(const Settings& settings, const std::string& prefix,
         settings.refuse(prefix + "kernel", "strip given with an area; give free or periodic");
 }
 
-/// A grid of two dimensions: that of a square with the nodes and length of `usual`, as far as --nodes and
-/// --length do not change it.
+/// A 2-D grid from --nodes and --length. By default it is a square with the nodes and the length of `usual`.
 rough::Grid area_grid(const rough::Grid& usual, const Settings& settings, const std::string& prefix = "") {
     rough::Grid grid = usual;
     std::vector<double> nodes(2, static_cast<double>(usual.nodes)), length(2, usual.length);

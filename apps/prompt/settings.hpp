@@ -164,10 +164,10 @@ std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists);
 std::vector<std::string> names_of(const std::vector<Setting>& settings);
 /// Throws rough::InputError on the first of these that was given: its place and `problem`.
 void expect_none(const Settings& settings, const std::vector<std::string>& names, const std::string& problem);
-/// The message of a rough::InputError. If it is about the value of a setting, the setting's place comes
-/// first: for "datum" --datum, or model.datum of an experiment if `prefix` is "model.".
+/// The message of a rough::InputError, after the place of the setting whose value it is about, if there is
+/// one. "datum" is --datum, or model.datum of an experiment if `prefix` is "model.".
 std::string placed(const Settings& settings, const std::string& prefix, const rough::InputError& error);
-/// Returns work(). The domain knows values and no flags; a rough::InputError that it throws gets a place.
+/// Returns work(). The domain knows values and no flags; its rough::InputError is placed.
 template <class Work>
 auto placing(const Settings& settings, const std::string& prefix, Work work) {
     try {

@@ -109,7 +109,7 @@ json morph_json(const DesignRun& run) {
 
 json design_json(const DesignRun& run) {
     VariantRun variant = variant_run(run.found.name, run.found, run.stages, run.seconds);
-    variant.answer.response = run.own.responses.front();
+    variant.answer.response = run.response.responses.front();
     json result = result_json({run.origin,
                                run.searched.model,
                                loaded_models(run.searched),
@@ -176,7 +176,7 @@ void write_design_result(const DesignRun& run, const std::filesystem::path& fold
 }
 
 void write_design_tables(const DesignRun& run, const std::filesystem::path& folder) {
-    rough::write_atomically(folder / "answer.csv", csv(run.own.responses.front()));
+    rough::write_atomically(folder / "answer.csv", csv(run.response.responses.front()));
     rough::write_atomically(folder / "genome.json",
                             rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
     if (run.setup.model.grid.is_2d())
@@ -196,7 +196,7 @@ constexpr std::size_t max_surfaces = 6; ///< answers whose heights are drawn
 /// Drawn are the answer's response, that on a grid four times finer if it was verified there, and that of the
 /// surface in production.
 void write_curves(const DesignRun& run, const std::filesystem::path& folder) {
-    std::vector<std::pair<std::string, rough::DesignResponse>> responses{{"answer", run.own}};
+    std::vector<std::pair<std::string, rough::DesignResponse>> responses{{"answer", run.response}};
     if (const auto& finer = run.found.best.verification.on_finer; !finer.empty())
         responses.emplace_back("finer", scored(run.setup, finer));
     if (run.from)

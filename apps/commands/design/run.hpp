@@ -62,12 +62,12 @@ struct DesignRun {
 
     rough::SearchResult found;
     std::optional<rough::Morphed> morphed;
-    rough::DesignResponse own;       ///< response of the answer
-    std::optional<Shares> not_asked; ///< by off_unasked(); nothing if there was no time
+    rough::DesignResponse response;  ///< of the answer
+    std::optional<Shares> not_asked; ///< see off_unasked(); nothing if the time did not suffice
     std::vector<StageRecord> stages;
     std::vector<rough::Margin> margins;
     std::optional<rough::Tolerance> tolerance; ///< nothing if the run was interrupted
-    std::optional<rough::Trust> trust;         ///< nothing if there was no time
+    std::optional<rough::Trust> trust;         ///< nothing if the time did not suffice
 
     Summary summary;
     bool interrupted = false;
@@ -80,16 +80,16 @@ std::vector<Setting> search_settings();
 /// All settings of the program's design: with target or scan, production and files.
 std::vector<Setting> design_settings();
 
-/// The run that the settings describe, with the exact tests of what is out of reach done. Throws
+/// The run that the settings describe, after the exact tests of its targets. Throws
 /// rough::InputError.
 DesignRun design_from(const Settings& settings);
-/// As above, with targets and model from `take_targets`.
+/// The run for targets and a model that `take_targets` sets.
 DesignRun design_from(const Settings& settings,
                       const std::function<void(const Settings&, DesignRun&)>& take_targets);
 
-/// Sets the targets and the model of a set-up from the response of a measured surface under the model `own`.
+/// Sets the targets and the model of a set-up from the response of a measured surface under the model.
 /// With a resolution, the targets have a band.
-void like_surface(const rough::Profile& surface, const rough::Model& own, const std::string& name,
+void like_surface(const rough::Profile& surface, const rough::Model& model, const std::string& name,
                   const Settings& settings, rough::DesignSetup& setup,
                   rough::Resolution resolution = rough::Resolution::off);
 

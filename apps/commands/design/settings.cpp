@@ -6,7 +6,6 @@
 #include "domain/design/like.hpp"
 #include "domain/design/pipelines.hpp"
 #include "domain/design/unreachable.hpp"
-#include "domain/errors.hpp"
 #include "domain/problem/setup.hpp"
 #include "domain/text/words.hpp"
 
@@ -206,9 +205,9 @@ void take_targets(const Settings& settings, DesignRun& run) {
     } else if (settings.has("like")) {
         const rough::Source scan = scan_from(settings.text("like"), settings, 0);
         run.accounts.push_back(scan.account);
-        rough::Model own = model_from(settings, scan);
-        own.grid.nodes = scan.measured.nodes();
-        like_surface(scan.on(own.grid), own, scan.name, settings, setup, resolution_from(settings));
+        rough::Model model = model_from(settings, scan);
+        model.grid.nodes = scan.measured.nodes();
+        like_surface(scan.on(model.grid), model, scan.name, settings, setup, resolution_from(settings));
     } else {
         std::vector<std::string> of_a_scan = names_of(scan_settings());
         of_a_scan.insert(of_a_scan.end(), {"resolution", "points", "quantity"});
@@ -227,9 +226,9 @@ void take_targets(const Settings& settings, DesignRun& run) {
 
 } // namespace
 
-void like_surface(const rough::Profile& surface, const rough::Model& own, const std::string& name,
+void like_surface(const rough::Profile& surface, const rough::Model& model, const std::string& name,
                   const Settings& settings, rough::DesignSetup& setup, rough::Resolution resolution) {
-    setup = like(setup, surface, own, name, rough::likeness_named(settings.text("quantity")),
+    setup = like(setup, surface, model, name, rough::likeness_named(settings.text("quantity")),
                  static_cast<rough::Index>(settings.number("points")),
                  surface.is_2d() ? 0 : nodes_from(settings), resolution);
 }

@@ -1,7 +1,6 @@
 #include "apps/commands/design/run.hpp"
 #include "apps/report/units.hpp"
 #include "domain/contact/names.hpp"
-#include "domain/errors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,16 +88,17 @@ std::string verdict_of(const DesignRun& run, double verified) {
         line = "not verified: similarity " + readable(designed, 4) + " as designed, " + wanted +
                " at worst; " +
                (run.interrupted ? "it was stopped before finer grids and load steps"
-                                : "there was no time for finer grids and load steps");
+                                : "the time did not suffice for finer grids and load steps");
     else if (run.morphed)
         line = (is_enough ? "brought back: similarity " + readable(verified, 5)
                           : "not brought back: similarity " + below(verified, required)) +
                " after " + readable(run.morphed->before, 4) + " before, " + wanted + "; " +
                readable(run.found.best.lowest(), 4) + " at worst, " + conditions;
     else if (is_enough)
-        line = (is_verified(run) ? "found" : "not verified") + (": similarity " + readable(verified, 5)) +
-               " at worst, " + conditions +
-               (is_verified(run) ? "" : ", but there was no time for the given noise, tilt or hardness");
+        line =
+            (is_verified(run) ? "found" : "not verified") + (": similarity " + readable(verified, 5)) +
+            " at worst, " + conditions +
+            (is_verified(run) ? "" : ", but the time did not suffice for the given noise, tilt or hardness");
     else
         line = "not found within the budget: the nearest curve found has similarity " +
                (std::isinf(verified) ? "none" : below(verified, required)) + " at worst, " + conditions +
@@ -113,7 +113,7 @@ struct LargestMisfit {
 };
 
 LargestMisfit largest_misfit(const DesignRun& run, std::size_t t) {
-    std::vector<std::vector<Eigen::VectorXd>> all{misfits_of(run.setup, run.own)};
+    std::vector<std::vector<Eigen::VectorXd>> all{misfits_of(run.setup, run.response)};
     const auto& verified = run.found.best.verification.misfits;
     if (!run.morphed && run.found.best.is_verified())
         all.insert(all.end(), verified.begin(), verified.end());
@@ -144,8 +144,8 @@ std::string matched(const DesignRun& run) {
 std::string not_asked_for(const DesignRun& run) {
     if (!run.setup.like)
         return "everything except the target's quantities; at the last load " +
-               percent(run.own.responses.front().contact_fraction.tail(1)[0]) + " of the nodes touch";
-    std::string all = run.not_asked ? "" : "not verified: there was no time";
+               percent(run.response.responses.front().contact_fraction.tail(1)[0]) + " of the nodes touch";
+    std::string all = run.not_asked ? "" : "not verified: the time did not suffice";
     for (const auto& [name, share] : run.not_asked.value_or(Shares()))
         join(all, name + " was not requested and is off by up to " + percent(share));
     return all;
@@ -163,7 +163,7 @@ std::string worst_case(const DesignRun& run) {
              ? known(best.similarity_worst) + " at worst (the lowest of these and of both together)"
              : "so the worst is not known");
     if (!run.trust)
-        return all + "; there was no time to verify more";
+        return all + "; the time did not suffice to verify more";
     for (const rough::Check& check : run.trust->checks)
         if (check.name.find("datum") != std::string::npos)
             join(all, readable(check.similarity, 4) + " with the datum 4 times farther");
@@ -202,7 +202,7 @@ std::string machine(const DesignRun& run) {
 
 std::string yielding(const DesignRun& run) {
     if (!run.trust)
-        return "not verified: there was no time";
+        return "not verified: the time did not suffice";
     const double hardness = run.trust_options.hardness, peak = run.trust->peak_pressure;
     const Unit unit = pressure_unit(peak);
     const std::string highest = "highest node pressure " + readable(unit.factor * peak) + " " + unit.name +

@@ -1,7 +1,6 @@
 #include "apps/commands/optimise/children.hpp"
 
 #include "apps/external/process.hpp"
-#include "domain/errors.hpp"
 #include "domain/text/json.hpp"
 #include "ga/base/number.hpp"
 #include "ga/base/stopwatch.hpp"
@@ -46,7 +45,7 @@ void close_once(int& descriptor) {
 
 Words split_command(const std::string& command) {
     Words words;
-    bool inside = false; // of a word
+    bool inside = false; // whether in a word
     char quote = 0;
     for (std::size_t i = 0; i < command.size(); ++i) {
         const char c = command[i];
@@ -119,7 +118,7 @@ std::optional<std::string> Child::answer(const std::string& line, double seconds
         if (const ssize_t size = write(in_, rest.data(), rest.size()); size >= 0)
             rest.erase(0, static_cast<std::size_t>(size));
         else if (!waits(size))
-            rest.clear(); // it reads no more
+            rest.clear(); // the child has closed its input
         const ssize_t size = read(out_, part.data(), part.size());
         if (size > 0)
             read_.append(part.data(), static_cast<std::size_t>(size));
@@ -177,7 +176,7 @@ std::vector<std::optional<Answer>> Children::ask(std::span<const std::string> ge
     const auto stops = [&] { return has_trouble_ || watch.expired(); };
     const auto work = [&](std::unique_ptr<Child>& child) {
         for (std::size_t i; !stops() && (i = next++) < genes.size();)
-            answers[i] = genes[i] == first_.genes ? first_.answer : asked(child, genes[i], stops);
+            answers[i] = genes[i] == first_.genes ? first_.answer : answer_of(child, genes[i], stops);
     };
     // One child works until the first answer tells the number of objectives.
     const std::size_t at_once = objectives() == 0 ? 1 : std::min(children_.size(), genes.size());
@@ -193,8 +192,8 @@ std::vector<std::optional<Answer>> Children::ask(std::span<const std::string> ge
 
 /// The answer of a child, which is started if it does not run. Nothing if `stops` returns true or on trouble;
 /// the child is ended then.
-std::optional<Answer> Children::asked(std::unique_ptr<Child>& child, const std::string& genes,
-                                      const std::function<bool()>& stops) {
+std::optional<Answer> Children::answer_of(std::unique_ptr<Child>& child, const std::string& genes,
+                                          const std::function<bool()>& stops) {
     try {
         if (!child)
             child = std::make_unique<Child>(command_, log_);

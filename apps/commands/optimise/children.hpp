@@ -21,7 +21,7 @@ namespace app {
 /// rough::InputError on an open quote or no word.
 Words split_command(const std::string& command);
 
-/// A program that reads lines and writes lines while this one runs. It has a process group of its own, so
+/// A program that reads lines and writes lines while this one runs. It has its own process group, so
 /// that a Ctrl-C does not reach it and what it started ends with it. SIGPIPE must be ignored.
 class Child {
   public:
@@ -37,7 +37,7 @@ class Child {
     std::optional<std::string> answer(const std::string& line, double seconds,
                                       const std::function<bool()>& stops);
     bool is_silent() const { return silent_; }              ///< whether it has closed its output
-    const std::string& unfinished() const { return read_; } ///< what it wrote after its last whole line
+    const std::string& unfinished() const { return read_; } ///< the text after its last whole line
     /// Closes its input; a program that reads lines ends then.
     void close_input();
     /// Ends the child and what it started, after up to `patience` seconds to end by itself. Returns how it
@@ -65,17 +65,17 @@ class Children {
 
     /// The answers for genomes, given as JSON arrays; none if the watch expired first or there was trouble.
     std::vector<std::optional<Answer>> ask(std::span<const std::string> genes, const ga::Watch& watch);
-    /// What went wrong, in one line; empty if nothing did. Afterwards no genome is sent.
+    /// The first error, in one line; empty if there was none. Genomes are not sent after it.
     const std::string& trouble() const { return trouble_; }
     /// Number of objectives of each answer; 0 before the first one.
     std::size_t objectives() const { return first_.answer.objectives.size(); }
     int count() const { return static_cast<int>(children_.size()); }
 
-    BestKnown record; ///< of all answers
+    BestKnown record; ///< the best of all answers
 
   private:
-    std::optional<Answer> asked(std::unique_ptr<Child>& child, const std::string& genes,
-                                const std::function<bool()>& stops);
+    std::optional<Answer> answer_of(std::unique_ptr<Child>& child, const std::string& genes,
+                                    const std::function<bool()>& stops);
     std::optional<Answer> read(const std::string& line, long id, std::string& fault) const;
     void give_up(const std::string& message);
     std::string log_end() const;

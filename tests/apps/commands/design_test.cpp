@@ -240,7 +240,7 @@ TEST_CASE("an area without time to verify is reported as not verified", "[areas]
     CHECK(result["verdict"].get<std::string>().rfind("not verified: similarity ", 0) == 0);
     CHECK_THAT(result["summary"]["worst_case"].get<std::string>(),
                Catch::Contains("not verified on a grid 4 times finer"));
-    CHECK_THAT(ended.out + ended.err, Catch::Contains("there was no time"));
+    CHECK_THAT(ended.out + ended.err, Catch::Contains("the time did not suffice"));
     CHECK((ended.out + ended.err).find("nan") == std::string::npos);
     const auto rows = rows_of(folder / "r" / "answer.csv");
     REQUIRE(rows.size() == 20);

@@ -85,7 +85,7 @@ TEST_CASE("a filtered scan has Ra, an unfiltered one Pa, and outliers are report
     CHECK(filtered["section_length_mm"] == 0.8);
     CHECK(filtered["lambda_s_mm"] == 0.0025);
     CHECK_FALSE(filtered.contains("Pa_mm"));
-    for (const char* file : {"lines.csv", "profile.svg"}) // of genomes; with pictures
+    for (const char* file : {"lines.csv", "profile.svg"})
         CHECK_FALSE(std::filesystem::exists(folder / "r" / file));
     const double kept = 1 - std::pow(2, -16); // transmission for a quarter of the cut-off wavelength
     CHECK(filtered["Ra_mm"].get<double>() == Approx(2e-3 / M_PI * kept).epsilon(2e-3));

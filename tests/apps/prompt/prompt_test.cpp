@@ -227,7 +227,7 @@ TEST_CASE("a model is the same from flags, keys, keywords and its stored form") 
     CHECK(by_flags == nlohmann::json(by_flags.get<rough::Model>()));
 }
 
-TEST_CASE("wrong use ends with 2 and one line of place, problem and fix, and writes nothing") {
+TEST_CASE("wrong use ends with 2 and one line of place, problem and fix, without files") {
     const Desk desk;
     const auto before = sorted(desk.names());
     for (const Wrong& wrong : wrong_uses) {
