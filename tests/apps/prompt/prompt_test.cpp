@@ -72,7 +72,7 @@ const std::vector<Wrong> wrong_uses{
     {"design --target t.csv --points 5", {"--points", "--like only"}},
     {"design --target t.csv --variant sgo", {"'sgo'", "did you mean 'sog'"}},
     {"design --target t.csv --pipeline 'scor | best 1'", {"column 1", "'scor'", "did you mean 'score'"}},
-    {"design --target t.csv --noise-length 0.001", {"--noise-length: 0.001", "0.0141"}},
+    {"design --target t.csv --noise-length 0.001", {"--noise-length: 0.001", "0.00166"}},
     {"design --target t.csv --hurst-from 3", {"--hurst-from: 3 given", "--hurst-to: 2.5"}},
     {"design --target t.csv --max-pressure 5e-6", {"--max-pressure: 5e-6", "t.csv, 1.00000 × 10⁻⁵ MPa"}},
     {"design --target recorded.csv",
