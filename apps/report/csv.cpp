@@ -13,7 +13,7 @@ namespace app {
 
 namespace {
 
-/// Whether a spreadsheet would run a cell: text that begins like a formula and is no number.
+/// Whether a spreadsheet would take a cell for a formula: it begins like one, and is not a number.
 bool runs(const std::string& word) {
     double value = 0;
     const char* const end = word.data() + word.size();
@@ -124,12 +124,12 @@ std::vector<Index> rows_to_draw(const Eigen::VectorXd& x, const std::vector<Eige
             rows.push_back(i);
         return rows;
     }
-    const double places = 0.5 * max_rows / static_cast<double>(lines.size());
+    const double intervals = 0.5 * max_rows / static_cast<double>(lines.size());
     const auto along = [&](Index i) { return logarithmic ? std::log(x[i]) : x[i]; };
     const double from = along(0), length = along(x.size() - 1) - from;
-    const auto place = [&](Index i) { return std::floor((along(i) - from) / length * (places - 1)); };
+    const auto interval = [&](Index i) { return std::floor((along(i) - from) / length * (intervals - 1)); };
     for (Index begin = 0, end = 0; begin < x.size(); begin = end) {
-        for (end = begin + 1; end < x.size() && place(end) == place(begin);)
+        for (end = begin + 1; end < x.size() && interval(end) == interval(begin);)
             ++end;
         std::vector<Index> extremes;
         for (const Eigen::VectorXd& line : lines)
@@ -175,9 +175,9 @@ std::string heights_csv(const rough::Profile& profile) {
 
 std::string map_csv(const rough::Profile& map, const std::vector<std::string>& names,
                     const std::vector<Eigen::VectorXd>& values) {
-    constexpr Index max_places = 256;
+    constexpr Index max_blocks = 256;
     const auto [columns, rows] = map.shape();
-    const Index every = (std::max(columns, rows) + max_places - 1) / max_places;
+    const Index every = (std::max(columns, rows) + max_blocks - 1) / max_blocks;
     rough::PlainStream out;
     out.precision(6);
     out << "x_mm,y_mm";
@@ -188,7 +188,7 @@ std::string map_csv(const rough::Profile& map, const std::vector<std::string>& n
     };
     for (Index j = 0; j < rows; j += every)
         for (Index i = 0; i < columns; i += every) {
-            // Places are even, also the last ones, which may stand for fewer nodes.
+            // Blocks are evenly spaced, also the last ones, which may have fewer nodes.
             out << "\n" << map.spacing * middle(i, every) << "," << map.row_spacing * middle(j, every);
             for (const Eigen::VectorXd& value : values) {
                 const auto nodes = value.reshaped(columns, rows)

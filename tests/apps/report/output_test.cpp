@@ -115,7 +115,7 @@ TEST_CASE("no link leads a run out of its folder, and force takes links away") {
     fs::create_symlink("../new.csv", desk / "o/heights.csv");
     fs::create_symlink("../mine.txt", desk / "o/profile.json");
     const std::string words = "profile genome.json --nodes 64 --pictures off --out o";
-    check_refused(rugosa(words, desk.path()), "is a link");
+    check_refused(rugosa(words, desk.path()), "is a symbolic link");
     CHECK(rugosa(words + " --force", desk.path()).code == 0);
     CHECK(rough::read_whole(desk / "mine.txt") == "mine");
     CHECK_FALSE(fs::exists(desk / "new.csv"));
