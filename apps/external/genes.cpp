@@ -4,12 +4,12 @@
 #include "domain/text/words.hpp"
 #include "ga/base/number.hpp"
 
+#include <boost/algorithm/string.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 namespace app {
 
@@ -19,12 +19,7 @@ constexpr double max_genes = 1e6;
 
 std::vector<std::string> parts_of(const std::string& text) {
     std::vector<std::string> parts;
-    std::istringstream in(text);
-    for (std::string part; std::getline(in, part, ':');)
-        parts.push_back(part);
-    if (text.ends_with(':'))
-        parts.emplace_back();
-    return parts;
+    return boost::split(parts, text, boost::is_any_of(":"));
 }
 
 std::size_t count_from(const std::string& word, const std::string& where, double min, double max) {
@@ -113,8 +108,7 @@ constexpr const char* kinds_of_genes =
 
 Genes::Part part_from(const std::string& text) {
     const auto words = parts_of(text);
-    const std::string kind = words.empty() ? "" : words.front();
-    const bool real = kind == "real", whole = kind == "int", choice = kind == "choice";
+    const bool real = words[0] == "real", whole = words[0] == "int", choice = words[0] == "choice";
     if ((!choice || words.size() < 4) && (!(real || whole) || words.size() != 4))
         rough::refuse("--genes: \"", text, "\" is malformed; give ", kinds_of_genes);
     Genes::Part part;

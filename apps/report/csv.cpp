@@ -4,6 +4,8 @@
 #include "domain/response/interface.hpp"
 #include "domain/text/words.hpp"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -25,6 +27,28 @@ bool runs(const std::string& word) {
 void put_number(std::ostream& out, double number) {
     if (!std::isnan(number))
         out << number;
+}
+
+/// The rows of columns of equal length as CSV, each behind `begin`.
+std::string rows_text(const std::vector<Eigen::VectorXd>& columns, const std::string& begin = "") {
+    rough::PlainStream out;
+    out.precision(17);
+    for (Eigen::Index row = 0; row < columns.front().size(); ++row) {
+        out << begin;
+        for (std::size_t c = 0; c < columns.size(); ++c)
+            put_number(out << (c ? "," : ""), columns[c][row]);
+        out << "\n";
+    }
+    return out.str();
+}
+
+/// The rows of columns that a picture can show; the first column is x.
+std::vector<Eigen::VectorXd> shown(const std::vector<Eigen::VectorXd>& columns, bool logarithmic) {
+    const auto rows = rows_to_draw(columns[0], {columns.begin() + 1, columns.end()}, logarithmic);
+    std::vector<Eigen::VectorXd> all;
+    for (const Eigen::VectorXd& column : columns)
+        all.emplace_back(column(rows));
+    return all;
 }
 
 } // namespace
@@ -87,17 +111,7 @@ std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
 }
 
 std::string csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns) {
-    rough::PlainStream out;
-    out.precision(17);
-    for (std::size_t c = 0; c < header.size(); ++c)
-        out << (c ? "," : "") << header[c];
-    out << "\n";
-    for (Eigen::Index row = 0; row < columns.front().size(); ++row) {
-        for (std::size_t c = 0; c < columns.size(); ++c)
-            put_number(out << (c ? "," : ""), columns[c][row]);
-        out << "\n";
-    }
-    return out.str();
+    return boost::algorithm::join(header, ",") + "\n" + rows_text(columns);
 }
 
 std::string csv(const rough::Response& response, const std::vector<std::string>& further,
@@ -146,21 +160,11 @@ std::vector<Index> rows_to_draw(const Eigen::VectorXd& x, const std::vector<Eige
 
 std::string drawn_csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns,
                       bool logarithmic) {
-    const auto rows = rows_to_draw(columns[0], {columns.begin() + 1, columns.end()}, logarithmic);
-    std::vector<Eigen::VectorXd> drawn;
-    for (const Eigen::VectorXd& column : columns)
-        drawn.emplace_back(column(rows));
-    return csv(header, drawn);
+    return csv(header, shown(columns, logarithmic));
 }
 
 std::string drawn_rows(const std::string& word, const std::vector<Eigen::VectorXd>& columns) {
-    const std::string rows = drawn_csv(std::vector<std::string>(columns.size()), columns);
-    std::string text;
-    for (std::size_t begin = rows.find('\n') + 1, end; begin < rows.size(); begin = end + 1) {
-        end = rows.find('\n', begin);
-        text += word + "," + rows.substr(begin, end + 1 - begin);
-    }
-    return text;
+    return rows_text(shown(columns, false), word + ",");
 }
 
 Eigen::VectorXd positions(const rough::Profile& profile) {

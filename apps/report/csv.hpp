@@ -61,8 +61,8 @@ std::string csv(const rough::Response& response, const std::vector<std::string>&
                 const std::vector<Eigen::VectorXd>& columns = {});
 
 /// The rows that a picture of some lines over common x can show: all, if there are at most 4,000. Otherwise x
-/// is divided into equal intervals, in log x with `logarithmic`. The lowest and the highest point of each line
-/// in each interval are taken.
+/// is divided into equal intervals, in log x with `logarithmic`. The lowest and the highest point of each
+/// line in each interval are taken.
 std::vector<rough::Index> rows_to_draw(const Eigen::VectorXd& x, const std::vector<Eigen::VectorXd>& lines,
                                        bool logarithmic = false);
 

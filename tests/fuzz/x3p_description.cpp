@@ -1,7 +1,7 @@
 #include "domain/scan/height_map.hpp"
 #include "tests/fuzz/reader.hpp"
 
-/// main.xml alone: altered, it would not pass its archive's check sum.
+/// Only main.xml: in an archive, the altered file would fail the checksum.
 FUZZ(x3p_description) {
     const auto read = [&](const std::string&, std::size_t max_size, const auto& take) {
         return take(bytes.substr(0, max_size)), true;

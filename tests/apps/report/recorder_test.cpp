@@ -4,7 +4,7 @@
 
 using namespace app;
 
-TEST_CASE("the record of a run without end stays bounded and ends with its last generation") {
+TEST_CASE("the record of an endless run stays bounded and keeps its last generation") {
     std::vector<StageRecord> stages;
     const auto observe = recorder(stages);
     const ga::Population<rough::Genome> population(1000);
