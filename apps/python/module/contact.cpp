@@ -23,8 +23,8 @@ auto interruptible(rough::Model& model, Solve solve) {
     throw py::error_already_set();
 }
 
-/// The response of a surface under the model, with the requested derivatives with respect to the heights or,
-/// if they are a genome's, to its genes.
+/// The response of a surface under the model, with the requested derivatives. They are with respect to the
+/// genes if the heights are a genome's, else to the heights.
 Curve press(const rough::Profile& surface, const rough::Genome* genome, const rough::Model& model,
             bool gradient, bool area_gradient) {
     Curve curve;

@@ -192,7 +192,7 @@ void add_design(py::module_& module) {
         .def_readonly("similarity", &Answer::similarity, "On the grid of the design (Eq. 12).")
         .def_property_readonly(
             "similarity_refined", [](const Answer& a) { return if_verified(a.similarity_refined); },
-            "On a grid four times finer; None if there was no time to verify a 2-D design.")
+            "On a grid four times finer; None if the time was too short to verify a 2-D design.")
         .def_property_readonly(
             "similarity_worst", [](const Answer& a) { return if_verified(a.similarity_worst); },
             "The lowest on that grid, in four times the load steps, and with both; None likewise.")

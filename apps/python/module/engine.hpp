@@ -28,7 +28,7 @@ class AskTell {
 };
 
 ///@{
-/// For one type of genome; each is compiled in a file of its own.
+/// For one type of genome; each is compiled in a separate file.
 template <class G>
 void optimise(Optimisation& search);
 template <class G>
